@@ -1,0 +1,63 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef isochor_linear_solver_h
+#define isochor_linear_solver_h
+
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <isochor/plugin_registry.h>
+#include <isochor/sparse_system.h>
+
+#include <string>
+
+namespace isochor
+{
+  /** What a solver tells of its work, for the statistics. */
+  struct LinearSolverReport
+  {
+    bool         analysed             = false; ///< a symbolic analysis was made
+    bool         factorised           = false; ///< a numeric factorisation too
+    unsigned int iterations           = 0;     ///< 0 for direct solvers
+    unsigned int n_negative_pivots    = 0;     ///< if the solver knows
+    double       memory_in_bytes      = 0;     ///< of the factors, this rank
+  };
+
+  /** Thrown when a system can't be solved; the step is then cut back. */
+  DeclException1(ExcLinearSolverFailed,
+                 std::string,
+                 << "The linear solver failed: " << arg1);
+
+  /**
+   * Interface of the linear solvers. To add one, write
+   * `source/linear_solver/<name>.cc` with the class and its registration. Its
+   * parameters live in the subsection "Linear solver".
+   */
+  class LinearSolver
+  {
+  public:
+    virtual ~LinearSolver() = default;
+
+    virtual void
+    parse_parameters(ParameterHandler &prm) = 0;
+
+    /**
+     * Take the matrix @p A: analyse if its pattern_id is new, factorise or
+     * build the preconditioner. A must outlive the solves that follow.
+     */
+    virtual LinearSolverReport
+    factorise(const SparseSystem &A) = 0;
+
+    /**
+     * Solve A x = b with the last factorised A. Both vectors are distributed
+     * as A.locally_owned. May be called repeatedly.
+     */
+    virtual LinearSolverReport
+    solve(const TrilinosWrappers::MPI::Vector &b,
+          TrilinosWrappers::MPI::Vector &      x) = 0;
+  };
+} // namespace isochor
+
+#endif

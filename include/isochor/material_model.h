@@ -1,0 +1,168 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef isochor_material_model_h
+#define isochor_material_model_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+#include <isochor/plugin_registry.h>
+
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * The deformation of one material point over a step. In plane strain
+   * (`dim` = 2) the out-of-plane stretch is 1, so that J = det F holds for
+   * both dimensions.
+   */
+  template <int dim>
+  struct Kinematics
+  {
+    /** ΔF = 1 + ∇_n Δu, from t_n to t_{n+1}. */
+    Tensor<2, dim> F_increment;
+    /** F_{n+1} = ΔF F_n. */
+    Tensor<2, dim> F;
+    /** det F_{n+1} > 0 (checked by the caller). */
+    double J;
+  };
+
+  /**
+   * The measure of volume change whose conjugate is the pressure unknown.
+   * With θ(J) the measure and s = J θ'(J), the volumetric part of the Kirchhoff
+   * stress is p s 1.
+   */
+  enum class VolumetricMeasure
+  {
+    /** θ = J - 1, s = J: p is the mean Cauchy stress. */
+    jacobian,
+    /** θ = ln J, s = 1: p is the mean Kirchhoff stress. */
+    logarithmic
+  };
+
+  /**
+   * What a material point answers to a deformation. The law is split into a
+   * deviatoric stress and an *elastic* volumetric strain θ^e; the mean stress
+   * is p = K θ^e. That one split serves both formulations: `u` eliminates
+   * p = K θ^e at the point, `u-p` asks for θ^e - p/K = 0 weakly. Stresses are
+   * Kirchhoff stresses, tension positive, full 3D tensors also in plane strain.
+   *
+   * Tangents are with respect to the spatial velocity gradient l = δΔu,x
+   * at the end of the step, d = sym l:
+   *   δ τ_dev = l τ_dev + τ_dev l^T + tangent : d   (the Lie derivative),
+   *   δ θ^e   = volumetric_tangent : d.
+   */
+  template <int dim>
+  struct StressResponse
+  {
+    /** dev τ. */
+    SymmetricTensor<2, 3> deviatoric_stress;
+    /** The in-plane part of the algorithmic modulus of dev τ. It has minor
+     * symmetry; major symmetry only if MaterialModel::has_symmetric_tangent(). */
+    SymmetricTensor<4, dim> tangent;
+    /** θ^e, for elastic volume change and isochoric flow simply θ(J). */
+    double volumetric_strain;
+    /** ∂θ^e/∂d; s 1 for elastic volume change and isochoric flow. */
+    SymmetricTensor<2, dim> volumetric_tangent;
+  };
+
+  /** Whether a point could be evaluated. */
+  enum class StressStatus
+  {
+    success,
+    return_map_failed
+  };
+
+  /**
+   * Interface of the constitutive laws. To add one, write
+   * `source/material_model/<name>.cc` with the class and its registration.
+   * Everything declared lives in the subsection "Material".
+   */
+  template <int dim>
+  class MaterialModel
+  {
+  public:
+    virtual ~MaterialModel() = default;
+
+    /** Read the law's parameters and throw (AssertThrow with a message that
+     * names the parameter and what is allowed) on values out of range. */
+    virtual void
+    parse_parameters(ParameterHandler &prm) = 0;
+
+    /**
+     * The response to @p kinematics from the history at t_n. A pure function:
+     * it writes only @p history (at t_{n+1}) and @p response, so that a
+     * rejected iteration has nothing to undo.
+     */
+    virtual StressStatus
+    evaluate(const Kinematics<dim> &kinematics,
+             const double *         history_n,
+             double *               history,
+             StressResponse<dim> &  response) const = 0;
+
+    /** The names of the history variables, one per double stored, in order.
+     * Empty for an elastic law. Names are what the output shows. */
+    virtual std::vector<std::string>
+    history_names() const
+    {
+      return {};
+    }
+
+    /** Fill the history of a virgin point. */
+    virtual void
+    initialize_history(double * /*history*/) const
+    {}
+
+    virtual VolumetricMeasure
+    volumetric_measure() const
+    {
+      return VolumetricMeasure::jacobian;
+    }
+
+    /** Whether the tangents of u and of u-p are symmetric. */
+    virtual bool
+    has_symmetric_tangent() const
+    {
+      return true;
+    }
+
+    /** Shear modulus G in Pa, the scale of stabilisation and penalties. */
+    virtual double
+    shear_modulus() const = 0;
+
+    /** 1/K in 1/Pa; 0 for an incompressible material. */
+    virtual double
+    inverse_bulk_modulus() const = 0;
+
+    /** Reference density in kg/m^3. */
+    virtual double
+    density() const = 0;
+  };
+
+  /** Components of a symmetric 3D tensor that deformations of dimension @p dim
+   * can make nonzero: xx, yy, zz, xy (dim = 2) and xz, yz (dim = 3). */
+  template <int dim>
+  constexpr unsigned int n_symmetric_components = (dim == 2 ? 4 : 6);
+
+  /** E, ν and ρ: what every isotropic law reads. Declared once, shared. */
+  struct IsotropicElasticity
+  {
+    double shear_modulus        = 0; ///< G = E / (2 (1 + ν)), Pa
+    double inverse_bulk_modulus = 0; ///< 1/K = 3 (1 - 2ν) / E, 1/Pa
+    double density              = 0; ///< ρ_0, kg/m^3
+
+    static void
+    declare_parameters(ParameterHandler &prm);
+
+    /** Throws unless E > 0, -1 < ν <= 0.5, ρ >= 0. */
+    void
+    parse_parameters(ParameterHandler &prm);
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,119 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef isochor_plugin_registry_h
+#define isochor_plugin_registry_h
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /**
+   * The plugins of one kind (material models, linear solvers, ...) by name.
+   * A plugin is one `.cc` file that holds its class and ends with
+   * @code
+   *   ISOCHOR_REGISTER(MaterialModel, NeoHookean, "Neo-Hookean")
+   * @endcode
+   * (or ISOCHOR_REGISTER_FOR_DIMENSION for a class template on `dim`). Each
+   * class has a static `declare_parameters(ParameterHandler &)` and a default
+   * constructor; its virtual `parse_parameters(ParameterHandler &)` reads what
+   * the former declared, from the same subsection.
+   */
+  template <typename Interface>
+  class PluginRegistry
+  {
+  public:
+    using Factory     = std::function<std::unique_ptr<Interface>()>;
+    using Declaration = void (*)(ParameterHandler &);
+
+    /** Make a plugin known. Called from static objects before main(). */
+    static bool
+    add(const std::string &name, Factory create, Declaration declare)
+    {
+      entries()[name] = Entry{std::move(create), declare};
+      return true;
+    }
+
+    /** "first|second|...", the pattern of a Patterns::Selection. */
+    static std::string
+    names()
+    {
+      std::string list;
+      for (const auto &entry : entries())
+        list += (list.empty() ? "" : "|") + entry.first;
+      return list;
+    }
+
+    /** Declare the parameters of all plugins of this kind. */
+    static void
+    declare_parameters(ParameterHandler &prm)
+    {
+      for (const auto &entry : entries())
+        entry.second.declare(prm);
+    }
+
+    /** A new object of plugin @p name, its parameters not yet parsed. */
+    static std::unique_ptr<Interface>
+    create(const std::string &name)
+    {
+      const auto entry = entries().find(name);
+      AssertThrow(entry != entries().end(),
+                  ExcMessage("There is no plugin named <" + name +
+                             ">. Known are: " + names() + "."));
+      return entry->second.create();
+    }
+
+  private:
+    struct Entry
+    {
+      Factory     create;
+      Declaration declare;
+    };
+
+    static std::map<std::string, Entry> &
+    entries()
+    {
+      static std::map<std::string, Entry> all;
+      return all;
+    }
+  };
+
+} // namespace isochor
+
+/** Register class @p Class as plugin @p name of interface @p Interface. */
+#define ISOCHOR_REGISTER(Interface, Class, name)                          \
+  static const bool isochor_registered_##Class =                          \
+    ::isochor::PluginRegistry<Interface>::add(                            \
+      name,                                                               \
+      []() -> std::unique_ptr<Interface> {                                \
+        return std::make_unique<Class>();                                 \
+      },                                                                  \
+      &Class::declare_parameters);
+
+/** Register the class template @p Class for dim = 2 and 3. */
+#define ISOCHOR_REGISTER_FOR_DIMENSION(Interface, Class, name)            \
+  static const bool isochor_registered_##Class =                          \
+    ::isochor::PluginRegistry<Interface<2>>::add(                         \
+      name,                                                               \
+      []() -> std::unique_ptr<Interface<2>> {                             \
+        return std::make_unique<Class<2>>();                              \
+      },                                                                  \
+      &Class<2>::declare_parameters) &&                                   \
+    ::isochor::PluginRegistry<Interface<3>>::add(                         \
+      name,                                                               \
+      []() -> std::unique_ptr<Interface<3>> {                             \
+        return std::make_unique<Class<3>>();                              \
+      },                                                                  \
+      &Class<3>::declare_parameters);
+
+#endif

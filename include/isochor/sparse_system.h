@@ -1,0 +1,72 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef isochor_sparse_system_h
+#define isochor_sparse_system_h
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/mpi.h>
+
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /**
+   * The linearised equations of one Newton iteration, as the assembly leaves
+   * them: on each rank a compressed-row matrix over the equations that this
+   * rank's cells touch, holding only this rank's contributions. The global
+   * matrix is the sum over ranks, A = Σ_r R_r^T A_r R_r. Serially A_r is A.
+   *
+   * This form costs no communication to assemble, is what MUMPS takes as
+   * distributed input, and what a Trilinos matrix is exported from.
+   */
+  struct SparseSystem
+  {
+    enum class Field : unsigned char
+    {
+      displacement,
+      pressure
+    };
+
+    MPI_Comm comm = MPI_COMM_SELF;
+
+    /** Number of equations over all ranks. Constrained and inactive degrees of
+     * freedom have no equation. */
+    types::global_dof_index n_equations = 0;
+
+    /** This rank's contiguous range of equations. */
+    IndexSet locally_owned;
+
+    /** Global number of each local equation (owned and shared), ascending. */
+    std::vector<types::global_dof_index> global_equation;
+
+    /** The field each local equation belongs to. */
+    std::vector<Field> field;
+
+    /** The node (any number unique to it) and the component within the node of
+     * each local equation; position of the node. For near-null spaces. */
+    std::vector<unsigned int> component;
+
+    /** Node coordinates of each local equation, dim values each. */
+    std::vector<double> position;
+    unsigned int        dim = 2;
+
+    /** If set, A is symmetric and only entries with column >= row are stored. */
+    bool symmetric = true;
+
+    /** Rows, columns (local numbers, ascending in a row) and values. */
+    std::vector<std::size_t>  row_start;
+    std::vector<unsigned int> column;
+    std::vector<double>       values;
+
+    /** Changes whenever the pattern or the numbering does, on all ranks at
+     * once: as long as it stays, a solver keeps its analysis. */
+    unsigned long pattern_id = 0;
+  };
+} // namespace isochor
+
+#endif
