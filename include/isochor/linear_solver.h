@@ -18,11 +18,11 @@ namespace isochor
   /** What a solver tells of its work, for the statistics. */
   struct LinearSolverReport
   {
-    bool         analysed             = false; ///< a symbolic analysis was made
-    bool         factorised           = false; ///< a numeric factorisation too
-    unsigned int iterations           = 0;     ///< 0 for direct solvers
-    unsigned int n_negative_pivots    = 0;     ///< if the solver knows
-    double       memory_in_bytes      = 0;     ///< of the factors, this rank
+    bool         analysed          = false; ///< a symbolic analysis was made
+    bool         factorised        = false; ///< a numeric factorisation too
+    unsigned int iterations        = 0;     ///< 0 for direct solvers
+    unsigned int n_negative_pivots = 0;     ///< if the solver knows
+    double       memory_in_bytes   = 0;     ///< of the factors, this rank
   };
 
   /** Thrown when a system can't be solved; the step is then cut back. */
@@ -56,7 +56,7 @@ namespace isochor
      */
     virtual LinearSolverReport
     solve(const TrilinosWrappers::MPI::Vector &b,
-          TrilinosWrappers::MPI::Vector &      x) = 0;
+          TrilinosWrappers::MPI::Vector       &x) = 0;
   };
 } // namespace isochor
 

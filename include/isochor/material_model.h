@@ -63,7 +63,8 @@ namespace isochor
     /** dev τ. */
     SymmetricTensor<2, 3> deviatoric_stress;
     /** The in-plane part of the algorithmic modulus of dev τ. It has minor
-     * symmetry; major symmetry only if MaterialModel::has_symmetric_tangent(). */
+     * symmetry; major symmetry only if MaterialModel::has_symmetric_tangent().
+     */
     SymmetricTensor<4, dim> tangent;
     /** θ^e, for elastic volume change and isochoric flow simply θ(J). */
     double volumetric_strain;
@@ -101,9 +102,9 @@ namespace isochor
      */
     virtual StressStatus
     evaluate(const Kinematics<dim> &kinematics,
-             const double *         history_n,
-             double *               history,
-             StressResponse<dim> &  response) const = 0;
+             const double          *history_n,
+             double                *history,
+             StressResponse<dim>   &response) const = 0;
 
     /** The names of the history variables, one per double stored, in order.
      * Empty for an elastic law. Names are what the output shows. */

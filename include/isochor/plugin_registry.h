@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace isochor
 {
@@ -73,6 +74,15 @@ namespace isochor
       return entry->second.create();
     }
 
+    /** Append a new object of every plugin, for kinds of which all take part
+     * and their parameters decide what they do. */
+    static void
+    create_all(std::vector<std::unique_ptr<Interface>> &objects)
+    {
+      for (const auto &entry : entries())
+        objects.push_back(entry.second.create());
+    }
+
   private:
     struct Entry
     {
@@ -91,29 +101,29 @@ namespace isochor
 } // namespace isochor
 
 /** Register class @p Class as plugin @p name of interface @p Interface. */
-#define ISOCHOR_REGISTER(Interface, Class, name)                          \
-  static const bool isochor_registered_##Class =                          \
-    ::isochor::PluginRegistry<Interface>::add(                            \
-      name,                                                               \
-      []() -> std::unique_ptr<Interface> {                                \
-        return std::make_unique<Class>();                                 \
-      },                                                                  \
+#define ISOCHOR_REGISTER(Interface, Class, name) \
+  static const bool isochor_registered_##Class = \
+    ::isochor::PluginRegistry<Interface>::add(   \
+      name,                                      \
+      []() -> std::unique_ptr<Interface> {       \
+        return std::make_unique<Class>();        \
+      },                                         \
       &Class::declare_parameters);
 
 /** Register the class template @p Class for dim = 2 and 3. */
-#define ISOCHOR_REGISTER_FOR_DIMENSION(Interface, Class, name)            \
-  static const bool isochor_registered_##Class =                          \
-    ::isochor::PluginRegistry<Interface<2>>::add(                         \
-      name,                                                               \
-      []() -> std::unique_ptr<Interface<2>> {                             \
-        return std::make_unique<Class<2>>();                              \
-      },                                                                  \
-      &Class<2>::declare_parameters) &&                                   \
-    ::isochor::PluginRegistry<Interface<3>>::add(                         \
-      name,                                                               \
-      []() -> std::unique_ptr<Interface<3>> {                             \
-        return std::make_unique<Class<3>>();                              \
-      },                                                                  \
+#define ISOCHOR_REGISTER_FOR_DIMENSION(Interface, Class, name) \
+  static const bool isochor_registered_##Class =               \
+    ::isochor::PluginRegistry<Interface<2>>::add(              \
+      name,                                                    \
+      []() -> std::unique_ptr<Interface<2>> {                  \
+        return std::make_unique<Class<2>>();                   \
+      },                                                       \
+      &Class<2>::declare_parameters) &&                        \
+    ::isochor::PluginRegistry<Interface<3>>::add(              \
+      name,                                                    \
+      []() -> std::unique_ptr<Interface<3>> {                  \
+        return std::make_unique<Class<3>>();                   \
+      },                                                       \
       &Class<3>::declare_parameters);
 
 #endif

@@ -55,7 +55,8 @@ namespace isochor
     std::vector<double> position;
     unsigned int        dim = 2;
 
-    /** If set, A is symmetric and only entries with column >= row are stored. */
+    /** If set, A is symmetric and only entries with column >= row are stored.
+     */
     bool symmetric = true;
 
     /** Rows, columns (local numbers, ascending in a row) and values. */

@@ -1,0 +1,150 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_background_grid_h
+#define isochor_background_grid_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_fe.h>
+
+#include <isochor/expression.h>
+#include <isochor/simplex_geometry.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /** A face of the grid on its boundary. */
+  struct BoundaryFace
+  {
+    unsigned int       cell;            ///< active cell index
+    unsigned int       opposite_vertex; ///< the cell's vertex not on the face
+    types::boundary_id id;
+  };
+
+  /**
+   * The computational grid: a simplex triangulation, the names of its
+   * boundaries, the finite element that describes the nodal unknowns, and the
+   * cached affine geometry that everything hot works on. The grid does not
+   * know the body: the material points decide which cells take part.
+   *
+   * Every rank knows the whole mesh (parallel::shared::Triangulation); cells
+   * are addressed by their active cell index, nodes by their vertex index.
+   */
+  template <int dim>
+  class BackgroundGrid
+  {
+  public:
+    BackgroundGrid(const MPI_Comm comm);
+
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** Generate or read the mesh and distribute the degrees of freedom of
+     * P1 displacement (and P1 pressure if @p with_pressure). */
+    void
+    create(const bool with_pressure);
+
+    /** Where the vertices are at @p time by the prescribed motion of the grid
+     * (parameter "Stretch"); where they were generated if there is none. */
+    std::vector<Point<dim>>
+    vertices_at_time(const double time) const;
+
+    /** Displace the vertices to @p positions (by vertex index). */
+    void
+    set_vertices(const std::vector<Point<dim>> &positions);
+
+    /** Whether the parameters prescribe a motion of the grid. */
+    bool
+    is_moving() const;
+
+    /** The id of the boundary called @p name; throws and lists the names. */
+    types::boundary_id
+    boundary_id(const std::string &name) const;
+
+    /** Names and ids of all boundaries. */
+    const std::map<std::string, types::boundary_id> &
+    boundary_names() const;
+
+    const std::vector<BoundaryFace> &
+    boundary_faces() const;
+
+    /** Whether @p cell belongs to one of the named physical groups of a gmsh
+     * grid; true for an empty list. Throws on an unknown name. */
+    bool
+    in_groups(const unsigned int              cell,
+              const std::vector<std::string> &group_names) const;
+
+    /** Rank that owns the node at vertex @p vertex. */
+    unsigned int
+    vertex_owner(const unsigned int vertex) const
+    {
+      return vertex_owners[vertex];
+    }
+
+    const parallel::shared::Triangulation<dim> &
+    triangulation() const;
+    const SimplexGeometry<dim> &
+    geometry() const;
+    const DoFHandler<dim> &
+    dof_handler() const;
+    const Mapping<dim> &
+    mapping() const;
+    MPI_Comm
+    communicator() const;
+
+  private:
+    void
+    create_structured();
+    void
+    read_gmsh();
+    void
+    collect_boundary();
+    void
+    assign_owners();
+    Point<dim>
+    place_at_time(const Point<dim> &reference, const double time) const;
+
+    struct Parameters
+    {
+      std::string               type;
+      Point<dim>                lower, upper;
+      std::vector<Point<2>>     corners;
+      double                    depth;
+      std::vector<unsigned int> subdivisions;
+      std::string               diagonals;
+      std::string               file;
+      int                       stretch_axis = -1;
+    } parameters;
+
+    const MPI_Comm                            comm;
+    parallel::shared::Triangulation<dim>      tria;
+    std::unique_ptr<FESystem<dim>>            fe;
+    DoFHandler<dim>                           dofs;
+    MappingFE<dim>                            p1_mapping;
+    std::unique_ptr<SimplexGeometry<dim>>     cached_geometry;
+    std::map<std::string, types::boundary_id> names;
+    std::map<std::string, types::material_id> group_names;
+    std::vector<BoundaryFace>                 faces;
+    std::vector<unsigned int>                 vertex_owners;
+    /** Vertices as generated, before any motion of the grid. */
+    std::vector<Point<dim>> reference_vertices;
+    /** Planes that move with the prescribed motion, and how. */
+    std::vector<double>        stretch_planes;
+    std::vector<Expression<1>> plane_displacement;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,82 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_load_stepping_h
+#define isochor_load_stepping_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /**
+   * The sizes of the load (time) steps: cut back when a step fails, growing
+   * when it goes well, and hitting output times and the end exactly.
+   */
+  class LoadStepping
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** Whether the end is reached. */
+    bool
+    finished() const;
+
+    /** The end of the step that comes next. */
+    double
+    next_time() const;
+
+    /** The step to next_time() converged in @p n_iterations. */
+    void
+    accept(const unsigned int n_iterations);
+
+    /** The step to next_time() failed because of @p reason. Throws if the step
+     * is already the smallest allowed. */
+    void
+    reject(const std::string &reason);
+
+    /** Whether the time just reached is one to write output at. */
+    bool
+    output_due() const;
+
+    double       time      = 0;
+    unsigned int step      = 0;
+    unsigned int n_cuts    = 0;
+    double       step_size = 1;
+
+    double
+    end_time() const
+    {
+      return end;
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &time &step &n_cuts &step_size &reached_output;
+    }
+
+  private:
+    /** The next time that has to be hit. */
+    double
+    next_target() const;
+
+    double       end             = 1;
+    double       smallest        = 0;
+    double       largest         = 1;
+    double       growth          = 1;
+    unsigned int easy_iterations = 5;
+    double       output_interval = 0;
+    unsigned int reached_output  = 0;
+  };
+} // namespace isochor
+
+#endif

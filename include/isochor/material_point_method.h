@@ -1,0 +1,128 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_material_point_method_h
+#define isochor_material_point_method_h
+
+#include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/timer.h>
+
+#include <isochor/body_term.h>
+#include <isochor/boundary_condition.h>
+#include <isochor/inertia_term.h>
+#include <isochor/linear_solver.h>
+#include <isochor/load_stepping.h>
+#include <isochor/newton_solver.h>
+#include <isochor/postprocessor.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * The stabilised mixed implicit Material Point Method of Iaconeta, Larese,
+   * Rossi & Oñate, Comput. Mech. 63 (2019) 1243-1260: the algorithm, with all
+   * numerics in the classes it holds.
+   */
+  template <int dim>
+  class MaterialPointMethod
+  {
+  public:
+    MaterialPointMethod(const MPI_Comm comm);
+
+    /** Declare all parameters, with @p n_materials materials in the
+     * subsections "Material", "Material 2", ... */
+    static void
+    declare_parameters(ParameterHandler  &prm,
+                       const unsigned int n_materials = 1);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** Run the scene. Throws on any failure; what was computed up to then has
+     * been written. */
+    void
+    run();
+
+    /** The results of the last step, for programs built on this class. */
+    const Statistics &
+    last_statistics() const
+    {
+      return statistics;
+    }
+    const MaterialPoints<dim> &
+    material_points() const
+    {
+      return points;
+    }
+
+  private:
+    void
+    setup();
+
+    void
+    initialisation_phase();
+    NewtonReport
+    updated_lagrangian_phase();
+    void
+    convective_phase(const NewtonReport &newton);
+
+    StepContext<dim>
+    context() const;
+    void
+    map_pressure();
+    void
+    compute_residual_floor();
+    void
+    prepare_system();
+    ResidualNorms
+    assemble(const bool with_matrix);
+    unsigned int
+    solve_linear_system();
+    void
+    update_points();
+
+    const MPI_Comm     comm;
+    ConditionalOStream pcout;
+    bool               verbose = false;
+    TimerOutput        timer;
+
+    BackgroundGrid<dim>                grid;
+    MaterialPoints<dim>                points;
+    std::unique_ptr<PointLocator<dim>> locator;
+
+    /** The state of one step. */
+    PointArrays<dim> arrays;
+    ActiveNodes<dim> nodes;
+    bool             nodes_changed = false;
+    MixedSystem<dim> system;
+    NodalConstraints constraints;
+    NodalField       unknowns, base_unknowns, correction, pending;
+    NodalField       external_force;
+    double           force_floor = 0, volume_floor = 0;
+
+    /** The terms of the equations, in the order of their elements. */
+    std::vector<EquationTerm<dim> *> terms;
+    std::vector<unsigned int>        first_element;
+
+    MixedKernel<dim>                                     kernel;
+    BodyTerm<dim>                                        body;
+    InertiaTerm<dim>                                     inertia;
+    bool                                                 dynamic = false;
+    std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
+    std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;
+    std::unique_ptr<LinearSolver>                        linear_solver;
+    NewtonSolver                                         newton_solver;
+    LoadStepping                                         time;
+    Statistics                                           statistics;
+
+    unsigned int                  n_components = dim + 1;
+    bool                          symmetric    = true;
+    std::string                   output_directory;
+    TrilinosWrappers::MPI::Vector rhs, solution;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,210 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_material_points_h
+#define isochor_material_points_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/particles/particle_handler.h>
+
+#include <isochor/background_grid.h>
+#include <isochor/material_model.h>
+#include <isochor/point_locator.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /**
+   * Where each field of a material point stands in its block of particle
+   * properties. The one layout that seeding, output, checkpoint and the
+   * exchange between ranks share. A scene carries only the fields it needs.
+   */
+  struct PointLayout
+  {
+    unsigned int volume       = 0; ///< reference volume V_0 (m^dim)
+    unsigned int mass         = 0; ///< kg
+    unsigned int material     = 0; ///< index of the material
+    unsigned int displacement = 0; ///< total displacement (m), dim components
+    unsigned int F            = 0; ///< deformation gradient, dim x dim by rows
+    unsigned int pressure = 0; ///< p, conjugate to θ (Pa), tension positive
+    unsigned int stress   = 0; ///< Cauchy: xx, yy, zz, xy(, xz, yz) (Pa)
+    unsigned int velocity = 0; ///< m/s, only in dynamics
+    unsigned int acceleration = 0; ///< m/s^2, only in dynamics
+    unsigned int history      = 0; ///< of the material, n_history components
+    unsigned int n_history    = 0;
+    bool         dynamic      = false;
+    unsigned int n_properties = 0;
+
+    PointLayout() = default;
+    PointLayout(const unsigned int dim,
+                const unsigned int n_history,
+                const bool         dynamic);
+  };
+
+  /** Store a symmetric 3D tensor as xx, yy, zz, xy(, xz, yz). */
+  template <int dim>
+  void
+  store_symmetric(const SymmetricTensor<2, 3> &tensor, double *values)
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+      values[i] = tensor[i][i];
+    values[3] = tensor[0][1];
+    if (dim == 3)
+      {
+        values[4] = tensor[0][2];
+        values[5] = tensor[1][2];
+      }
+  }
+
+  /**
+   * The material points of this rank in typed arrays, ordered by cell: what
+   * the hot loops of one step work on. Cell k of the list `cell` holds the
+   * points cell_start[k] <= q < cell_start[k+1].
+   */
+  template <int dim>
+  struct PointArrays
+  {
+    std::vector<unsigned int> cell;       ///< occupied cells, ascending
+    std::vector<unsigned int> cell_start; ///< size cell.size() + 1
+
+    std::vector<std::array<double, dim + 1>> shape;  ///< N_I at the point
+    std::vector<double>                      volume; ///< V_0
+    std::vector<double>                      mass;
+    std::vector<double>                      weight; ///< volume of integration
+    std::vector<double>                      pressure;
+    std::vector<Tensor<2, dim>>              F;
+    std::vector<unsigned char>               material;
+    std::vector<double>         history; ///< n_history values a point
+    std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
+
+    unsigned int n_history = 0;
+
+    unsigned int
+    n_points() const
+    {
+      return volume.size();
+    }
+  };
+
+  /** The body: owner of the ParticleHandler that stores the points. */
+  template <int dim>
+  class MaterialPoints
+  {
+  public:
+    MaterialPoints(const BackgroundGrid<dim> &grid);
+
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** Fill the body with points. Throws if none lies in the grid. */
+    void
+    seed(const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
+         const bool                                              dynamic,
+         const std::string &initial_velocity);
+
+    /** Copy the points into @p arrays, ordered by cell. */
+    void
+    gather(PointArrays<dim> &arrays);
+
+    /**
+     * Call @p update(k, q, location, properties) for each point q of each
+     * occupied cell k in the order of the last gather(). It may change the
+     * location and the properties.
+     */
+    template <typename Function>
+    void
+    for_each(const Function &update)
+    {
+      unsigned int q = 0;
+      for (unsigned int k = 0; k < groups.size(); ++k)
+        {
+          auto particle = groups[k].first;
+          for (unsigned int i = 0; i < groups[k].n_points; ++i, ++particle, ++q)
+            {
+              Point<dim> location = particle->get_location();
+              update(k, q, location, particle->get_properties());
+              particle->set_location(location);
+            }
+        }
+    }
+
+    /** Bring every point to the cell and rank where it now lies. Throws if a
+     * point left the grid, naming it. */
+    void
+    relocate(const PointLocator<dim> &locator);
+
+    Particles::ParticleHandler<dim> &
+    handler();
+    const Particles::ParticleHandler<dim> &
+    handler() const;
+    const PointLayout &
+    layout() const;
+
+    /** Sum over all points and ranks. */
+    double
+    total_reference_volume() const;
+
+  private:
+    struct Parameters
+    {
+      unsigned int             points_per_cell = 3;
+      std::string              zones;
+      std::string              region = "1";
+      std::vector<std::string> groups;
+      std::string              body_mesh;
+      double                   lattice_spacing = 0;
+      std::string              material_zones;
+    } parameters;
+
+    /** The consecutive points of a cell in the handler. */
+    struct Group
+    {
+      unsigned int                     cell;
+      Particles::ParticleIterator<dim> first;
+      unsigned int                     n_points;
+    };
+
+    /** A point about to be inserted. */
+    struct Seed
+    {
+      Point<dim>   location;
+      unsigned int cell;
+      double       volume;
+    };
+
+    std::vector<Seed>
+    seeds_in_cells(const SimplexGeometry<dim> &geometry,
+                   const bool                  of_grid) const;
+    std::vector<Seed>
+    seeds_in_body_mesh() const;
+    std::vector<Seed>
+    seeds_on_lattice() const;
+    void
+    insert(const std::vector<Seed>                                &seeds,
+           const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials);
+    void
+    set_velocity(const std::string &formulas);
+    /** Find the grid cell of each seed; drop those outside of the grid. */
+    void
+    locate(std::vector<Seed> &seeds) const;
+
+    const BackgroundGrid<dim>      &grid;
+    PointLayout                     point_layout;
+    Particles::ParticleHandler<dim> particles;
+    std::vector<Group>              groups;
+    types::particle_index           n_global_points = 0;
+    double                          global_volume   = 0;
+  };
+} // namespace isochor
+
+#endif

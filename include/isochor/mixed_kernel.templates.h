@@ -1,0 +1,276 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_mixed_kernel_templates_h
+#define isochor_mixed_kernel_templates_h
+
+#include <isochor/mixed_kernel.h>
+
+namespace isochor
+{
+  namespace internal
+  {
+    /** s = J θ'(J) of a volumetric measure, and J ds/dJ. */
+    struct PressureFactor
+    {
+      double s, Js_prime;
+
+      PressureFactor(const VolumetricMeasure measure, const double J)
+        : s(measure == VolumetricMeasure::jacobian ? J : 1.)
+        , Js_prime(measure == VolumetricMeasure::jacobian ? J : 0.)
+      {}
+    };
+
+    /** Sums over the points of an element: since P1 gradients are constant in
+     * an element, stress and modulus are summed before they meet gradients. */
+    template <int dim, std::size_t max_nodes>
+    struct ElementSums
+    {
+      SymmetricTensor<2, dim>       stress;       ///< Σ V τ (in plane)
+      SymmetricTensor<4, dim>       modulus;      ///< Σ V of the modulus of τ
+      std::array<double, max_nodes> constraint{}; ///< R_p
+      std::array<double, max_nodes> s{};          ///< Σ V N_I s
+      std::array<SymmetricTensor<2, dim>, max_nodes> volumetric_tangent;
+      std::array<double, max_nodes * max_nodes>      compressibility{};
+    };
+
+    /** Matrix block of displacements: material part sym(e_a ⊗ g_I) : c :
+     * sym(e_b ⊗ g_J) and geometric part δ_ab g_I · τ g_J. */
+    template <int dim, int n_components, std::size_t max_nodes>
+    void
+    add_stiffness(Element<dim, n_components, max_nodes>       &element,
+                  const std::array<Tensor<1, dim>, max_nodes> &g,
+                  const SymmetricTensor<2, dim>               &stress,
+                  const SymmetricTensor<4, dim>               &modulus)
+    {
+      const unsigned int n = element.nodes(), n_dofs = element.n_dofs();
+      double             c[dim][dim][dim][dim];
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          for (unsigned int k = 0; k < dim; ++k)
+            for (unsigned int l = 0; l < dim; ++l)
+              c[i][j][k][l] = modulus[i][j][k][l];
+      for (unsigned int J = 0; J < n; ++J)
+        {
+          double cg[dim][dim][dim]; // c_aibl g_J,l
+          for (unsigned int a = 0; a < dim; ++a)
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int b = 0; b < dim; ++b)
+                {
+                  double sum = 0;
+                  for (unsigned int l = 0; l < dim; ++l)
+                    sum += c[a][i][b][l] * g[J][l];
+                  cg[a][i][b] = sum;
+                }
+          const Tensor<1, dim> stress_g = stress * g[J];
+          for (unsigned int I = 0; I < n; ++I)
+            {
+              const double geometric = g[I] * stress_g;
+              for (unsigned int a = 0; a < dim; ++a)
+                for (unsigned int b = 0; b < dim; ++b)
+                  {
+                    double sum = (a == b ? geometric : 0.);
+                    for (unsigned int i = 0; i < dim; ++i)
+                      sum += g[I][i] * cg[a][i][b];
+                    element.matrix[(I * n_components + a) * n_dofs +
+                                   J * n_components + b] = sum;
+                  }
+            }
+        }
+    }
+
+    /** Matrix blocks of u-p: Σ V s g_I N_J, Σ V N_I ∂θ^e/∂d, -Σ V N_I N_J/K. */
+    template <int dim, std::size_t max_nodes>
+    void
+    add_coupling(Element<dim, dim + 1, max_nodes>            &element,
+                 const std::array<Tensor<1, dim>, max_nodes> &g,
+                 const ElementSums<dim, max_nodes>           &sums)
+    {
+      const unsigned int     n = element.nodes(), n_dofs = element.n_dofs();
+      constexpr unsigned int nc = dim + 1;
+      for (unsigned int I = 0; I < n; ++I)
+        for (unsigned int J = 0; J < n; ++J)
+          {
+            const Tensor<1, dim> theta_g = sums.volumetric_tangent[J] * g[I];
+            for (unsigned int a = 0; a < dim; ++a)
+              {
+                element.matrix[(I * nc + a) * n_dofs + J * nc + dim] =
+                  g[I][a] * sums.s[J];
+                element.matrix[(J * nc + dim) * n_dofs + I * nc + a] =
+                  theta_g[a];
+              }
+            element.matrix[(I * nc + dim) * n_dofs + J * nc + dim] =
+              -sums.compressibility[I * n + J];
+          }
+    }
+  } // namespace internal
+
+
+
+  template <int dim>
+  template <int n_components, std::size_t max_nodes, typename Shape>
+  EvaluationStatus
+  MixedKernel<dim>::evaluate(Element<dim, n_components, max_nodes> &element,
+                             const PointArrays<dim>                &points,
+                             const unsigned int                     begin,
+                             const unsigned int                     end,
+                             const Shape                           &shape,
+                             const bool with_matrix) const
+  {
+    constexpr bool     mixed = (n_components == dim + 1);
+    const unsigned int n     = element.nodes();
+
+    Kinematics<dim> kinematics;
+    kinematics.F_increment = unit_symmetric_tensor<dim>();
+    for (unsigned int I = 0; I < n; ++I)
+      kinematics.F_increment +=
+        outer_product(element.increment[I], element.gradient[I]);
+    const double J_increment = determinant(kinematics.F_increment);
+    if (!(J_increment > 0))
+      return EvaluationStatus::inverted_point;
+    const Tensor<2, dim> inverse = invert(kinematics.F_increment);
+    std::array<Tensor<1, dim>, max_nodes> g;
+    for (unsigned int I = 0; I < n; ++I)
+      g[I] = element.gradient[I] * inverse;
+
+    internal::ElementSums<dim, max_nodes> sums;
+    StressResponse<dim>                   response;
+    const SymmetricTensor<2, dim>         one = unit_symmetric_tensor<dim>();
+    static const SymmetricTensor<4, dim>  identity = identity_tensor<dim>();
+    static const SymmetricTensor<4, dim>  one_one  = outer_product(one, one);
+    std::array<double, max_history>       history;
+
+    for (unsigned int q = begin; q < end; ++q)
+      {
+        const MaterialModel<dim> &material = *materials[points.material[q]];
+        kinematics.F = kinematics.F_increment * points.F[q];
+        kinematics.J = determinant(kinematics.F);
+        if (!(kinematics.J > 0))
+          return EvaluationStatus::inverted_point;
+        if (material.evaluate(kinematics,
+                              points.history.data() +
+                                q * std::size_t(points.n_history),
+                              history.data(),
+                              response) != StressStatus::success)
+          return EvaluationStatus::return_map_failed;
+
+        const double V         = points.weight[q];
+        const double inverse_K = material.inverse_bulk_modulus();
+        const internal::PressureFactor factor(material.volumetric_measure(),
+                                              kinematics.J);
+        double                         p = 0;
+        if (mixed)
+          for (unsigned int I = 0; I < n; ++I)
+            p += shape(q, I) * element.pressure[I];
+        else
+          p = response.volumetric_strain / inverse_K;
+
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = i; j < dim; ++j)
+            sums.stress[i][j] += V * response.deviatoric_stress[i][j];
+        sums.stress += (V * p * factor.s) * one;
+        if (with_matrix)
+          {
+            sums.modulus += V * response.tangent;
+            sums.modulus += (V * p * factor.Js_prime) * one_one;
+            sums.modulus -= (2 * V * p * factor.s) * identity;
+            if (!mixed)
+              sums.modulus += outer_product((V * factor.s / inverse_K) * one,
+                                            response.volumetric_tangent);
+          }
+        if (mixed)
+          for (unsigned int I = 0; I < n; ++I)
+            {
+              const double VN = V * shape(q, I);
+              sums.constraint[I] +=
+                VN * (response.volumetric_strain - p * inverse_K);
+              if (!with_matrix)
+                continue;
+              sums.s[I] += VN * factor.s;
+              sums.volumetric_tangent[I] += VN * response.volumetric_tangent;
+              for (unsigned int J = 0; J < n; ++J)
+                sums.compressibility[I * n + J] += VN * shape(q, J) * inverse_K;
+            }
+      }
+
+    for (unsigned int I = 0; I < n; ++I)
+      {
+        const Tensor<1, dim> force = sums.stress * g[I];
+        for (unsigned int a = 0; a < dim; ++a)
+          element.residual[I * n_components + a] = force[a];
+        if (mixed)
+          element.residual[I * n_components + n_components - 1] =
+            sums.constraint[I];
+      }
+    if (with_matrix)
+      {
+        internal::add_stiffness(element, g, sums.stress, sums.modulus);
+        if constexpr (mixed)
+          internal::add_coupling(element, g, sums);
+      }
+    return EvaluationStatus::success;
+  }
+
+
+
+  template <int dim>
+  template <std::size_t max_nodes>
+  void
+  MixedKernel<dim>::add_pressure_projection(
+    Element<dim, dim + 1, max_nodes> &element,
+    const double                      volume_over_shear_modulus,
+    const bool                        with_matrix) const
+  {
+    constexpr unsigned int nc     = dim + 1;
+    const unsigned int     n_dofs = element.n_dofs();
+    const double           scale  = ppp_coefficient * volume_over_shear_modulus;
+    for (unsigned int I = 0; I <= dim; ++I)
+      for (unsigned int J = 0; J <= dim; ++J)
+        {
+          const double entry =
+            scale * ((I == J ? 2. : 1.) / ((dim + 1) * (dim + 2)) -
+                     1. / ((dim + 1) * (dim + 1)));
+          element.residual[I * nc + dim] -= entry * element.pressure[J];
+          if (with_matrix)
+            element.matrix[(I * nc + dim) * n_dofs + J * nc + dim] -= entry;
+        }
+  }
+
+
+
+  template <int dim>
+  typename MixedKernel<dim>::PointState
+  MixedKernel<dim>::final_state(const PointArrays<dim> &points,
+                                const unsigned int      q,
+                                const Tensor<2, dim>   &F_increment,
+                                const bool              mixed,
+                                const double            nodal_pressure,
+                                double                 *history) const
+  {
+    const MaterialModel<dim> &material = *materials[points.material[q]];
+    Kinematics<dim>           kinematics;
+    kinematics.F_increment = F_increment;
+    kinematics.F           = F_increment * points.F[q];
+    kinematics.J           = determinant(kinematics.F);
+    StressResponse<dim> response;
+    material.evaluate(kinematics,
+                      points.history.data() + q * std::size_t(points.n_history),
+                      history,
+                      response);
+    PointState state;
+    state.F = kinematics.F;
+    state.pressure =
+      mixed ? nodal_pressure :
+              response.volumetric_strain / material.inverse_bulk_modulus();
+    const internal::PressureFactor factor(material.volumetric_measure(),
+                                          kinematics.J);
+    state.cauchy_stress =
+      (response.deviatoric_stress +
+       state.pressure * factor.s * unit_symmetric_tensor<3>()) /
+      kinematics.J;
+    return state;
+  }
+} // namespace isochor
+
+#endif

@@ -1,0 +1,96 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_newton_solver_h
+#define isochor_newton_solver_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <isochor/mixed_kernel.h>
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /** The residual of an iterate, over all ranks. */
+  struct ResidualNorms
+  {
+    EvaluationStatus status = EvaluationStatus::success;
+    /** Euclidean norms over the free unknowns: forces (N) and, in the u-p form,
+     * the volume defect of the pressure equation (m^dim). */
+    double displacement = 0, pressure = 0;
+    /** External forces and reactions (N): what forces are measured against. */
+    double force_scale = 0;
+    /** Below these a residual is rounding. */
+    double displacement_floor = 0, pressure_floor = 0;
+    /** Whether prescribed increments are still to be applied. */
+    bool pending = false;
+  };
+
+  /** A row of the convergence table. */
+  struct NewtonIteration
+  {
+    double       displacement, pressure; ///< relative to their scales
+    double       step_length;            ///< 0 for the start
+    unsigned int n_linear_iterations;
+  };
+
+  /** How a step went. */
+  struct NewtonReport
+  {
+    bool                         converged = false;
+    std::string                  failure; ///< why not
+    std::vector<NewtonIteration> iterations;
+    unsigned int                 n_factorisations = 0;
+
+    /** Solves made. */
+    unsigned int
+    n_iterations() const
+    {
+      return iterations.empty() ? 0 : iterations.size() - 1;
+    }
+  };
+
+  /**
+   * Newton's method with backtracking, on callables: it knows neither grid nor
+   * material.
+   */
+  class NewtonSolver
+  {
+  public:
+    struct Problem
+    {
+      /** Residual at the present iterate; with the matrix if asked. */
+      std::function<ResidualNorms(const bool with_matrix)> assemble;
+      /** Solve for the correction with the matrix last assembled; returns the
+       * number of linear iterations. Throws ExcLinearSolverFailed. */
+      std::function<unsigned int()> solve;
+      /** Set the iterate to (the one at the last solve) + s (correction). */
+      std::function<void(const double s)> advance;
+    };
+
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** Solve. If @p log is given, print the convergence table to it. */
+    NewtonReport
+    solve(const Problem &problem, std::ostream *log) const;
+
+    /** Relative tolerance of both residuals. */
+    double tolerance = 1e-8;
+
+  private:
+    unsigned int max_iterations = 15;
+    unsigned int max_backtracks = 4;
+  };
+} // namespace isochor
+
+#endif

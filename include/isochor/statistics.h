@@ -1,0 +1,49 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_statistics_h
+#define isochor_statistics_h
+
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * One row of named values per step, appended to `statistics.txt` in the
+   * output directory: a comment line per column, then the rows. The columns are
+   * those of the first row. Only the rank that calls open() writes.
+   */
+  class Statistics
+  {
+  public:
+    /** Write to @p file_name; after @p n_rows rows that are already there when
+     * a run is resumed. */
+    void
+    open(const std::string &file_name, const unsigned int n_rows = 0);
+
+    /** Set a value of the present row. */
+    void
+    set(const std::string &column, const double value);
+
+    /** The value of the present row; for terminal output and tests. */
+    double
+    get(const std::string &column) const;
+
+    /** Finish the row. Throws if it can't be written (full disk). */
+    void
+    end_row();
+
+  private:
+    std::string                   file_name;
+    std::ofstream                 file;
+    std::vector<std::string>      columns;
+    std::map<std::string, double> row;
+    bool                          header_written = false;
+  };
+} // namespace isochor
+
+#endif

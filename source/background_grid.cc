@@ -1,0 +1,605 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <isochor/background_grid.h>
+#include <isochor/expression.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace isochor
+{
+  namespace
+  {
+    const std::array<std::string, 6> side_names = {
+      {"left", "right", "bottom", "top", "front", "back"}};
+
+    template <int dim>
+    Point<dim>
+    parse_point(const std::string &text, const std::string &parameter)
+    {
+      const auto coordinates =
+        Utilities::string_to_double(Utilities::split_string_list(text));
+      AssertThrow(coordinates.size() == dim,
+                  ExcMessage("The parameter <" + parameter + "> must have " +
+                             std::to_string(dim) + " coordinates, not <" +
+                             text + ">."));
+      Point<dim> p;
+      for (unsigned int d = 0; d < dim; ++d)
+        p[d] = coordinates[d];
+      return p;
+    }
+
+    /** The names of the physical groups of dimension @p group_dim. */
+    std::map<std::string, unsigned int>
+    read_physical_names(std::istream &in, const int group_dim)
+    {
+      in.clear();
+      in.seekg(0);
+      std::map<std::string, unsigned int> names;
+      std::string                         line;
+      while (std::getline(in, line))
+        if (line.compare(0, 14, "$PhysicalNames") == 0)
+          {
+            unsigned int n;
+            in >> n;
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                int          d;
+                unsigned int id;
+                in >> d >> id;
+                std::getline(in, line);
+                const auto first = line.find('"'), last = line.rfind('"');
+                if (d == group_dim && first != std::string::npos)
+                  names[line.substr(first + 1, last - first - 1)] = id;
+              }
+            break;
+          }
+      return names;
+    }
+
+    /**
+     * The d! simplices of Kuhn's triangulation of a unit cube, each the path
+     * from corner 0 to the opposite corner along one order of the axes. The
+     * cube's diagonal is "/" in 2D. Corners are numbered in binary.
+     */
+    template <int dim>
+    std::vector<std::array<unsigned int, dim + 1>>
+    kuhn_simplices()
+    {
+      std::vector<std::array<unsigned int, dim + 1>> simplices;
+      std::array<unsigned int, dim>                  axes;
+      for (unsigned int d = 0; d < dim; ++d)
+        axes[d] = d;
+      do
+        {
+          std::array<unsigned int, dim + 1> simplex{};
+          for (unsigned int d = 0; d < dim; ++d)
+            simplex[d + 1] = simplex[d] + (1u << axes[d]);
+          simplices.push_back(simplex);
+        }
+      while (std::next_permutation(axes.begin(), axes.end()));
+      return simplices;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  BackgroundGrid<dim>::BackgroundGrid(const MPI_Comm comm)
+    : comm(comm)
+    , tria(comm,
+           Triangulation<dim>::none,
+           false,
+           parallel::shared::Triangulation<dim>::partition_custom_signal)
+    , dofs(tria)
+    , p1_mapping(FE_SimplexP<dim>(1))
+  {
+    tria.signals.post_refinement.connect([this]() {
+      if (tria.n_active_cells() > 0)
+        GridTools::partition_triangulation(
+          Utilities::MPI::n_mpi_processes(this->comm), tria);
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Grid");
+    prm.declare_entry("Type",
+                      "box",
+                      Patterns::Selection("box|trapezoid|gmsh"),
+                      "How the background grid is made. Boxes and trapezoids "
+                      "are structured simplex meshes with the boundaries left, "
+                      "right, bottom, top (and front, back in 3D); a gmsh file "
+                      "brings its physical groups as boundary names.");
+    prm.declare_entry("Lower corner",
+                      dim == 2 ? "0, 0" : "0, 0, 0",
+                      Patterns::List(Patterns::Double(), dim, dim),
+                      "Of a box (m).");
+    prm.declare_entry("Upper corner",
+                      dim == 2 ? "1, 1" : "1, 1, 1",
+                      Patterns::List(Patterns::Double(), dim, dim),
+                      "Of a box (m).");
+    prm.declare_entry("Corners",
+                      "0, 0; 1, 0; 1, 1; 0, 1",
+                      Patterns::Anything(),
+                      "The four corners of a trapezoid, counter-clockwise from "
+                      "bottom left (m). In 3D it is extruded from z = 0 to "
+                      "'Depth'.");
+    prm.declare_entry("Depth",
+                      "1",
+                      Patterns::Double(0),
+                      "Extrusion of a trapezoid in 3D (m).");
+    prm.declare_entry("Subdivisions",
+                      dim == 2 ? "8, 8" : "8, 8, 8",
+                      Patterns::List(Patterns::Integer(1), dim, dim),
+                      "Cells per direction of a box or trapezoid; each is "
+                      "split into 2 triangles or 6 tetrahedra.");
+    prm.declare_entry("Diagonals",
+                      "/",
+                      Patterns::Selection("/|\\|alternating"),
+                      "Direction of the diagonals of a structured mesh.");
+    prm.declare_entry("File", "", Patterns::Anything(), "A gmsh .msh file.");
+    prm.declare_entry(
+      "Stretch",
+      "",
+      Patterns::Anything(),
+      "A grid that follows a prescribed motion: 'axis: coordinate -> "
+      "displacement(t), coordinate -> displacement(t), ...', for example "
+      "'y: 0 -> 0, 0.1 -> 1e-3*t'. The grid planes at the given coordinates "
+      "move as told, those between them are interpolated linearly. Empty: the "
+      "grid rests.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Grid");
+    parameters.type = prm.get("Type");
+    parameters.lower =
+      parse_point<dim>(prm.get("Lower corner"), "Grid/Lower corner");
+    parameters.upper =
+      parse_point<dim>(prm.get("Upper corner"), "Grid/Upper corner");
+    for (unsigned int d = 0; d < dim; ++d)
+      AssertThrow(parameters.type != "box" ||
+                    parameters.upper[d] > parameters.lower[d],
+                  ExcMessage("The parameter <Grid/Upper corner> must exceed "
+                             "<Grid/Lower corner> in every coordinate."));
+    for (const auto &corner :
+         Utilities::split_string_list(prm.get("Corners"), ';'))
+      parameters.corners.push_back(parse_point<2>(corner, "Grid/Corners"));
+    AssertThrow(parameters.corners.size() == 4,
+                ExcMessage("The parameter <Grid/Corners> must list 4 points."));
+    parameters.depth     = prm.get_double("Depth");
+    parameters.diagonals = prm.get("Diagonals");
+    parameters.file      = prm.get("File");
+    for (const int n : Utilities::string_to_int(
+           Utilities::split_string_list(prm.get("Subdivisions"))))
+      parameters.subdivisions.push_back(n);
+
+    for (const auto &motion :
+         split_named_list(prm.get("Stretch"), "Grid/Stretch"))
+      {
+        const std::string axes = "xyz";
+        AssertThrow(parameters.stretch_axis == -1 && motion.first.size() == 1 &&
+                      axes.substr(0, dim).find(motion.first) !=
+                        std::string::npos,
+                    ExcMessage("The parameter <Grid/Stretch> must name one "
+                               "axis of " +
+                               axes.substr(0, dim) + ", not <" + motion.first +
+                               ">."));
+        parameters.stretch_axis = axes.find(motion.first);
+        for (const auto &plane : Utilities::split_string_list(motion.second))
+          {
+            const auto arrow = plane.find("->");
+            AssertThrow(arrow != std::string::npos,
+                        ExcMessage("The entry <" + plane +
+                                   "> of the parameter <Grid/Stretch> must "
+                                   "have the form <coordinate -> "
+                                   "displacement>."));
+            stretch_planes.push_back(Utilities::string_to_double(
+              Utilities::trim(plane.substr(0, arrow))));
+            plane_displacement.emplace_back(plane.substr(arrow + 2),
+                                            "Grid/Stretch");
+            AssertThrow(stretch_planes.size() < 2 ||
+                          stretch_planes.back() >
+                            stretch_planes[stretch_planes.size() - 2],
+                        ExcMessage("The coordinates of <Grid/Stretch> must "
+                                   "ascend."));
+          }
+      }
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::create(const bool with_pressure)
+  {
+    if (parameters.type == "gmsh")
+      read_gmsh();
+    else
+      create_structured();
+
+    fe = std::make_unique<FESystem<dim>>(FE_SimplexP<dim>(1),
+                                         dim + (with_pressure ? 1 : 0));
+    dofs.distribute_dofs(*fe);
+    reference_vertices = tria.get_vertices();
+    cached_geometry    = std::make_unique<SimplexGeometry<dim>>(tria);
+    assign_owners();
+    collect_boundary();
+    if (is_moving())
+      set_vertices(vertices_at_time(0.));
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::create_structured()
+  {
+    const auto                   &n = parameters.subdivisions;
+    std::array<unsigned int, dim> stride;
+    unsigned int                  n_vertices = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        stride[d] = n_vertices;
+        n_vertices *= n[d] + 1;
+      }
+    const auto lattice = [&](unsigned int v) {
+      std::array<unsigned int, dim> index;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          index[d] = v % (n[d] + 1);
+          v /= n[d] + 1;
+        }
+      return index;
+    };
+
+    std::vector<Point<dim>> vertices(n_vertices);
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      {
+        const auto index = lattice(v);
+        Point<dim> unit;
+        for (unsigned int d = 0; d < dim; ++d)
+          unit[d] = static_cast<double>(index[d]) / n[d];
+        if (parameters.type == "box")
+          for (unsigned int d = 0; d < dim; ++d)
+            vertices[v][d] =
+              parameters.lower[d] +
+              unit[d] * (parameters.upper[d] - parameters.lower[d]);
+        else
+          {
+            const auto    &c = parameters.corners;
+            const double   s = unit[0], t = unit[1];
+            const Point<2> place =
+              (1 - s) * (1 - t) * c[0] + s * (1 - t) * Tensor<1, 2>(c[1]) +
+              s * t * Tensor<1, 2>(c[2]) + (1 - s) * t * Tensor<1, 2>(c[3]);
+            vertices[v][0] = place[0];
+            vertices[v][1] = place[1];
+            if (dim == 3)
+              vertices[v][dim - 1] = unit[dim - 1] * parameters.depth;
+          }
+      }
+
+    const auto                 simplices = kuhn_simplices<dim>();
+    std::vector<CellData<dim>> cells;
+    unsigned int               n_boxes = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      n_boxes *= n[d];
+    cells.reserve(n_boxes * simplices.size());
+    for (unsigned int box = 0; box < n_boxes; ++box)
+      {
+        // mirroring a box along an axis turns its diagonal
+        unsigned int base = 0, mirror = 0, rest = box;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const unsigned int index = rest % n[d];
+            rest /= n[d];
+            base += index * stride[d];
+            if ((parameters.diagonals == "alternating" && index % 2 == 1) ||
+                (parameters.diagonals == "\\" && d == 0))
+              mirror |= 1u << d;
+          }
+        for (const auto &simplex : simplices)
+          {
+            CellData<dim> cell(dim + 1);
+            for (unsigned int i = 0; i <= dim; ++i)
+              {
+                const unsigned int corner = simplex[i] ^ mirror;
+                cell.vertices[i]          = base;
+                for (unsigned int d = 0; d < dim; ++d)
+                  if (corner & (1u << d))
+                    cell.vertices[i] += stride[d];
+              }
+            Tensor<2, dim> edges;
+            for (unsigned int d = 0; d < dim; ++d)
+              edges[d] =
+                vertices[cell.vertices[d + 1]] - vertices[cell.vertices[0]];
+            if (determinant(edges) < 0)
+              std::swap(cell.vertices[dim - 1], cell.vertices[dim]);
+            cells.push_back(cell);
+          }
+      }
+    tria.create_triangulation(vertices, cells, SubCellData());
+
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      names[side_names[side]] = side;
+    for (const auto &cell : tria.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->at_boundary(f))
+          for (unsigned int side = 0; side < 2 * dim; ++side)
+            {
+              const unsigned int d       = side / 2;
+              bool               on_side = true;
+              for (const unsigned int v : cell->face(f)->vertex_indices())
+                on_side =
+                  on_side && lattice(cell->face(f)->vertex_index(v))[d] ==
+                               (side % 2 == 0 ? 0 : n[d]);
+              if (on_side)
+                cell->face(f)->set_boundary_id(side);
+            }
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::read_gmsh()
+  {
+    std::ifstream file(parameters.file);
+    AssertThrow(file,
+                ExcMessage("The mesh file <" + parameters.file +
+                           "> of the parameter <Grid/File> can't be opened. It "
+                           "must be a gmsh .msh file (format 2 or 4.1)."));
+    for (const auto &name : read_physical_names(file, dim - 1))
+      names[name.first] = name.second;
+    for (const auto &name : read_physical_names(file, dim))
+      group_names[name.first] = name.second;
+    file.clear();
+    file.seekg(0);
+    try
+      {
+        GridIn<dim> grid_in(tria);
+        // from a stream: the version for file names drops the boundary ids
+        grid_in.read_msh(file);
+      }
+    catch (const std::exception &exc)
+      {
+        AssertThrow(false,
+                    ExcMessage("The mesh file <" + parameters.file +
+                               "> of the parameter <Grid/File> can't be read "
+                               "as a gmsh .msh file (format 2 or 4.1): " +
+                               exc.what()));
+      }
+    AssertThrow(tria.all_reference_cells_are_simplex(),
+                ExcMessage("The mesh <" + parameters.file +
+                           "> holds other cells than triangles (2D) or "
+                           "tetrahedra (3D)."));
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::assign_owners()
+  {
+    vertex_owners.assign(tria.n_vertices(), numbers::invalid_unsigned_int);
+    for (unsigned int cell = 0; cell < cached_geometry->n_cells(); ++cell)
+      for (const unsigned int v : cached_geometry->vertex_indices(cell))
+        vertex_owners[v] =
+          std::min(vertex_owners[v], cached_geometry->owner(cell));
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::collect_boundary()
+  {
+    faces.clear();
+    for (const auto &cell : tria.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->at_boundary(f))
+          {
+            std::set<unsigned int> on_face;
+            for (const unsigned int v : cell->face(f)->vertex_indices())
+              on_face.insert(cell->face(f)->vertex_index(v));
+            for (const unsigned int v : cell->vertex_indices())
+              if (on_face.count(cell->vertex_index(v)) == 0)
+                faces.push_back(
+                  {cell->active_cell_index(), v, cell->face(f)->boundary_id()});
+          }
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  BackgroundGrid<dim>::place_at_time(const Point<dim> &reference,
+                                     const double      time) const
+  {
+    // piecewise linear in the coordinate along the axis, constant outside
+    const unsigned int axis         = parameters.stretch_axis;
+    const auto        &planes       = stretch_planes;
+    const double       y            = reference[axis];
+    const auto         displacement = [&](const unsigned int plane) {
+      return plane_displacement[plane](Point<1>(planes[plane]), time);
+    };
+    const unsigned int above =
+      std::upper_bound(planes.begin(), planes.end(), y) - planes.begin();
+    Point<dim> place = reference;
+    if (above == 0)
+      place[axis] += displacement(0);
+    else if (above == planes.size())
+      place[axis] += displacement(above - 1);
+    else
+      {
+        const double s =
+          (y - planes[above - 1]) / (planes[above] - planes[above - 1]);
+        place[axis] +=
+          (1 - s) * displacement(above - 1) + s * displacement(above);
+      }
+    return place;
+  }
+
+
+
+  template <int dim>
+  bool
+  BackgroundGrid<dim>::is_moving() const
+  {
+    return parameters.stretch_axis >= 0;
+  }
+
+
+
+  template <int dim>
+  std::vector<Point<dim>>
+  BackgroundGrid<dim>::vertices_at_time(const double time) const
+  {
+    std::vector<Point<dim>> positions = reference_vertices;
+    if (is_moving())
+      for (auto &position : positions)
+        position = place_at_time(position, time);
+    return positions;
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::set_vertices(const std::vector<Point<dim>> &positions)
+  {
+    // deal.II offers write access to vertices only through cells
+    for (const auto &cell : tria.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        cell->vertex(v) = positions[cell->vertex_index(v)];
+    cached_geometry->set_vertices(positions);
+  }
+
+
+
+  template <int dim>
+  types::boundary_id
+  BackgroundGrid<dim>::boundary_id(const std::string &name) const
+  {
+    const auto found = names.find(name);
+    if (found == names.end())
+      {
+        std::string known;
+        for (const auto &entry : names)
+          known += (known.empty() ? "" : ", ") + entry.first;
+        AssertThrow(false,
+                    ExcMessage("The grid has no boundary named <" + name +
+                               ">. It has: " + known + "."));
+      }
+    return found->second;
+  }
+
+
+
+  template <int dim>
+  bool
+  BackgroundGrid<dim>::in_groups(const unsigned int              cell,
+                                 const std::vector<std::string> &wanted) const
+  {
+    for (const std::string &name : wanted)
+      {
+        const auto group = group_names.find(name);
+        AssertThrow(group != group_names.end(),
+                    ExcMessage("The grid has no physical group of cells named "
+                               "<" +
+                               name + ">."));
+        if (cached_geometry->cell_iterator(cell)->material_id() ==
+            group->second)
+          return true;
+      }
+    return wanted.empty();
+  }
+
+
+
+  template <int dim>
+  const std::map<std::string, types::boundary_id> &
+  BackgroundGrid<dim>::boundary_names() const
+  {
+    return names;
+  }
+
+
+
+  template <int dim>
+  const std::vector<BoundaryFace> &
+  BackgroundGrid<dim>::boundary_faces() const
+  {
+    return faces;
+  }
+
+
+
+  template <int dim>
+  const parallel::shared::Triangulation<dim> &
+  BackgroundGrid<dim>::triangulation() const
+  {
+    return tria;
+  }
+
+
+
+  template <int dim>
+  const SimplexGeometry<dim> &
+  BackgroundGrid<dim>::geometry() const
+  {
+    return *cached_geometry;
+  }
+
+
+
+  template <int dim>
+  const DoFHandler<dim> &
+  BackgroundGrid<dim>::dof_handler() const
+  {
+    return dofs;
+  }
+
+
+
+  template <int dim>
+  const Mapping<dim> &
+  BackgroundGrid<dim>::mapping() const
+  {
+    return p1_mapping;
+  }
+
+
+
+  template <int dim>
+  MPI_Comm
+  BackgroundGrid<dim>::communicator() const
+  {
+    return comm;
+  }
+
+
+
+  template class BackgroundGrid<2>;
+  template class BackgroundGrid<3>;
+} // namespace isochor

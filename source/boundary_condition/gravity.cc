@@ -1,0 +1,71 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/boundary_condition.h>
+#include <isochor/expression.h>
+
+namespace isochor
+{
+  /** Gravity: f_I = Σ_p N_I m_p g(t). */
+  template <int dim>
+  class Gravity : public BoundaryCondition<dim>
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm)
+    {
+      prm.declare_entry("Gravity",
+                        "",
+                        Patterns::Anything(),
+                        "Acceleration of gravity (m/s^2), formulas in t: "
+                        "'g_x, g_y(, g_z)'. Empty: none.");
+    }
+
+    void
+    parse_parameters(ParameterHandler &prm) override
+    {
+      const std::string name = "Boundary conditions/Gravity";
+      if (prm.get("Gravity").empty())
+        return;
+      for (const auto &item : Utilities::split_string_list(prm.get("Gravity")))
+        gravity.emplace_back(item, name);
+      AssertThrow(gravity.size() == dim,
+                  ExcMessage("The parameter <" + name + "> needs " +
+                             std::to_string(dim) + " components."));
+    }
+
+    void
+    add_external_force(const StepContext<dim> &step,
+                       NodalField             &force) const override
+    {
+      if (gravity.empty())
+        return;
+      Tensor<1, dim> g;
+      for (unsigned int a = 0; a < dim; ++a)
+        g[a] = gravity[a](Point<dim>(), step.time);
+      const auto &points = step.points;
+      for (unsigned int k = 0; k < points.cell.size(); ++k)
+        {
+          const auto &vertices =
+            step.grid.geometry().vertex_indices(points.cell[k]);
+          std::array<double, dim + 1> mass{};
+          for (unsigned int q = points.cell_start[k];
+               q < points.cell_start[k + 1];
+               ++q)
+            for (unsigned int I = 0; I <= dim; ++I)
+              mass[I] += points.shape[q][I] * points.mass[q];
+          for (unsigned int I = 0; I <= dim; ++I)
+            for (unsigned int a = 0; a < dim; ++a)
+              force.local_element(
+                step.nodes.node(vertices[I]) * step.n_components + a) +=
+                mass[I] * g[a];
+        }
+    }
+
+  private:
+    std::vector<Expression<dim>> gravity;
+  };
+
+  ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition, Gravity, "Gravity")
+} // namespace isochor

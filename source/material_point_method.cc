@@ -1,0 +1,581 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/expression.h>
+#include <isochor/material_point_method.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace isochor
+{
+  namespace
+  {
+    std::string
+    material_section(const unsigned int material)
+    {
+      return material == 0 ? "Material" :
+                             "Material " + std::to_string(material + 1);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  MaterialPointMethod<dim>::MaterialPointMethod(const MPI_Comm comm)
+    : comm(comm)
+    , pcout(std::cout, false)
+    , timer(comm, pcout, TimerOutput::never, TimerOutput::wall_times)
+    , grid(comm)
+    , points(grid)
+    , nodes(grid)
+    , system(nodes)
+    , body(grid, arrays)
+  {}
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::declare_parameters(ParameterHandler  &prm,
+                                               const unsigned int n_materials)
+  {
+    BackgroundGrid<dim>::declare_parameters(prm);
+    MaterialPoints<dim>::declare_parameters(prm);
+    NewtonSolver::declare_parameters(prm);
+    LoadStepping::declare_parameters(prm);
+    InertiaTerm<dim>::declare_parameters(prm);
+
+    prm.enter_subsection("Formulation");
+    prm.declare_entry("Type",
+                      "u-p",
+                      Patterns::Selection("u|u-p"),
+                      "Displacements as the only unknowns, or displacements "
+                      "and pressure.");
+    prm.declare_entry("Stabilisation",
+                      "PPP",
+                      Patterns::Selection("none|PPP"),
+                      "Of u-p: none, or Polynomial Pressure Projection.");
+    prm.declare_entry("PPP coefficient",
+                      "1",
+                      Patterns::Double(0),
+                      "The factor alpha of alpha/G in the stabilisation; "
+                      "useful are 1 to 8.");
+    prm.leave_subsection();
+
+    for (unsigned int m = 0; m < n_materials; ++m)
+      {
+        prm.enter_subsection(material_section(m));
+        prm.declare_entry("Model",
+                          "Neo-Hookean",
+                          Patterns::Selection(
+                            PluginRegistry<MaterialModel<dim>>::names()),
+                          "The constitutive law.");
+        IsotropicElasticity::declare_parameters(prm);
+        PluginRegistry<MaterialModel<dim>>::declare_parameters(prm);
+        prm.leave_subsection();
+      }
+
+    prm.enter_subsection("Boundary conditions");
+    PluginRegistry<BoundaryCondition<dim>>::declare_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Linear solver");
+    prm.declare_entry("Solver",
+                      "MUMPS",
+                      Patterns::Selection(
+                        PluginRegistry<LinearSolver>::names()),
+                      "MUMPS: direct, LDL^T where the matrix is symmetric.");
+    PluginRegistry<LinearSolver>::declare_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Postprocess");
+    PluginRegistry<Postprocessor<dim>>::declare_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Output");
+    prm.declare_entry("Directory",
+                      "output",
+                      Patterns::Anything(),
+                      "Where all files of the run go; made if missing.");
+    prm.declare_entry("Terminal",
+                      "auto",
+                      Patterns::Selection("auto|quiet|verbose"),
+                      "Progress on the terminal; auto: only if the output is a "
+                      "terminal.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    grid.parse_parameters(prm);
+    points.parse_parameters(prm);
+    newton_solver.parse_parameters(prm);
+    time.parse_parameters(prm);
+    dynamic = inertia.parse_parameters(prm);
+
+    prm.enter_subsection("Formulation");
+    const bool mixed       = prm.get("Type") == "u-p";
+    n_components           = mixed ? dim + 1 : dim;
+    kernel.ppp_coefficient = mixed && prm.get("Stabilisation") == "PPP" ?
+                               prm.get_double("PPP coefficient") :
+                               0.;
+    prm.leave_subsection();
+
+    for (unsigned int m = 0;
+         m == 0 || prm.subsection_path_exists({material_section(m)});
+         ++m)
+      {
+        prm.enter_subsection(material_section(m));
+        const std::string model = prm.get("Model");
+        kernel.materials.push_back(
+          PluginRegistry<MaterialModel<dim>>::create(model));
+        const auto &material = *kernel.materials.back();
+        kernel.materials.back()->parse_parameters(prm);
+        prm.leave_subsection();
+        AssertThrow(mixed || material.inverse_bulk_modulus() > 0,
+                    ExcMessage(
+                      "The parameter <" + material_section(m) +
+                      "/Poisson ratio> must be less than 0.5 in the "
+                      "formulation u. Set <Formulation/Type = u-p> for "
+                      "an incompressible material."));
+        AssertThrow(!dynamic || material.density() > 0,
+                    ExcMessage("The parameter <" + material_section(m) +
+                               "/Density> must be positive in a scene with "
+                               "<Dynamics/Inertia = true>."));
+        AssertThrow(material.history_names().size() <= max_history,
+                    ExcInternalError());
+        symmetric = symmetric && material.has_symmetric_tangent();
+      }
+
+    prm.enter_subsection("Boundary conditions");
+    PluginRegistry<BoundaryCondition<dim>>::create_all(boundary_conditions);
+    for (auto &condition : boundary_conditions)
+      condition->parse_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Linear solver");
+    linear_solver = PluginRegistry<LinearSolver>::create(prm.get("Solver"));
+    linear_solver->parse_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Postprocess");
+    PluginRegistry<Postprocessor<dim>>::create_all(postprocessors);
+    for (auto &postprocessor : postprocessors)
+      postprocessor->parse_parameters(prm);
+    prm.leave_subsection();
+
+    prm.enter_subsection("Output");
+    output_directory           = prm.get("Directory");
+    const std::string terminal = prm.get("Terminal");
+    verbose =
+      Utilities::MPI::this_mpi_process(comm) == 0 &&
+      (terminal == "verbose" || (terminal == "auto" && isatty(STDOUT_FILENO)));
+    pcout.set_condition(verbose);
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::run()
+  {
+    setup();
+    while (!time.finished())
+      {
+        initialisation_phase();
+        const NewtonReport newton = updated_lagrangian_phase();
+        if (newton.converged)
+          convective_phase(newton);
+        else
+          time.reject(newton.failure);
+      }
+    if (verbose)
+      timer.print_summary();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::setup()
+  {
+    TimerOutput::Scope scope(timer, "setup");
+    grid.create(n_components == dim + 1);
+    locator = std::make_unique<PointLocator<dim>>(grid.geometry());
+    points.seed(kernel.materials, dynamic, inertia.initial_velocity);
+    for (auto &condition : boundary_conditions)
+      condition->initialize(grid);
+    for (auto &postprocessor : postprocessors)
+      postprocessor->initialize(grid);
+
+    terms = {&body};
+    if (dynamic)
+      terms.push_back(&inertia);
+    for (auto &condition : boundary_conditions)
+      terms.push_back(condition.get());
+
+    if (Utilities::MPI::this_mpi_process(comm) == 0)
+      statistics.open(output_directory + "/statistics.txt");
+    pcout << "Isochor: " << grid.triangulation().n_active_cells() << " cells, "
+          << points.handler().n_global_particles() << " material points, "
+          << (n_components == dim ?
+                "u" :
+                (kernel.ppp_coefficient > 0 ? "u-p + PPP" : "u-p"))
+          << " form" << std::endl;
+  }
+
+
+
+  template <int dim>
+  StepContext<dim>
+  MaterialPointMethod<dim>::context() const
+  {
+    return {
+      grid, nodes, arrays, kernel, n_components, time.time, time.next_time()};
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::initialisation_phase()
+  {
+    TimerOutput::Scope scope(timer, "initialisation phase");
+    points.gather(arrays);
+    std::vector<unsigned int> touched;
+    for (EquationTerm<dim> *term : terms)
+      term->touch_vertices(touched);
+    nodes_changed = nodes.update(std::move(touched));
+
+    nodes.initialize(unknowns, n_components);
+    nodes.initialize(base_unknowns, n_components);
+    nodes.initialize(correction, n_components);
+    nodes.initialize(pending, n_components);
+    nodes.initialize(external_force, n_components);
+    if (n_components == dim + 1)
+      map_pressure();
+    if (dynamic)
+      inertia.start_step(context());
+    prepare_system();
+    compute_residual_floor();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::map_pressure()
+  {
+    // p_I = Σ N_I m_p p_p / Σ N_I m_p, P(37); with volumes where there is no
+    // mass
+    NodalField mass;
+    nodes.initialize(mass, 1);
+    const bool massless =
+      std::any_of(kernel.materials.begin(),
+                  kernel.materials.end(),
+                  [](const auto &m) { return m->density() == 0; });
+    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
+      {
+        const auto &vertices = grid.geometry().vertex_indices(arrays.cell[k]);
+        for (unsigned int q = arrays.cell_start[k];
+             q < arrays.cell_start[k + 1];
+             ++q)
+          for (unsigned int I = 0; I <= dim; ++I)
+            {
+              const unsigned int node = nodes.node(vertices[I]);
+              const double       Nm   = arrays.shape[q][I] *
+                                (massless ? arrays.volume[q] : arrays.mass[q]);
+              mass.local_element(node) += Nm;
+              unknowns.local_element(node * n_components + dim) +=
+                Nm * arrays.pressure[q];
+            }
+      }
+    mass.compress(VectorOperation::add);
+    unknowns.compress(VectorOperation::add);
+    for (unsigned int node = 0; node < nodes.n_owned(); ++node)
+      if (mass.local_element(node) > 0)
+        unknowns.local_element(node * n_components + dim) /=
+          mass.local_element(node);
+    unknowns.update_ghost_values();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::prepare_system()
+  {
+    const StepContext<dim> step = context();
+    ElementNodes           elements;
+    first_element.clear();
+    for (EquationTerm<dim> *term : terms)
+      {
+        first_element.push_back(elements.size());
+        term->collect_elements(step, elements);
+      }
+    constraints.reinit(nodes.n_local() * n_components);
+    for (const auto &condition : boundary_conditions)
+      {
+        condition->constrain(step, constraints);
+        condition->add_external_force(step, external_force);
+      }
+    external_force.compress(VectorOperation::add);
+    system.reinit(
+      nodes_changed, n_components, elements, constraints, symmetric);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::compute_residual_floor()
+  {
+    // strains carry rounding errors of some 1e-15: residuals of ten times that
+    // are zero
+    constexpr double rounding = 1e-14;
+    NodalField       unit;
+    nodes.initialize(unit, n_components);
+    body.add_unit_residual(context(), unit);
+    unit.compress(VectorOperation::add);
+    double force = 0, volume = 0;
+    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+      (i % n_components == dim ? volume : force) +=
+        unit.local_element(i) * unit.local_element(i);
+    force_floor  = rounding * std::sqrt(Utilities::MPI::sum(force, comm));
+    volume_floor = rounding * std::sqrt(Utilities::MPI::sum(volume, comm));
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  MaterialPointMethod<dim>::updated_lagrangian_phase()
+  {
+    pcout << "Step " << time.step + 1 << ": t = " << time.next_time()
+          << " (dt = " << time.next_time() - time.time << "), "
+          << system.matrix().n_equations << " equations" << std::endl;
+
+    NewtonSolver::Problem problem;
+    problem.assemble = [this](const bool with_matrix) {
+      return assemble(with_matrix);
+    };
+    problem.solve   = [this]() { return solve_linear_system(); };
+    problem.advance = [this](const double s) {
+      for (unsigned int i = 0; i < nodes.n_local() * n_components; ++i)
+        unknowns.local_element(i) =
+          base_unknowns.local_element(i) + s * correction.local_element(i);
+    };
+    return newton_solver.solve(problem, verbose ? &std::cout : nullptr);
+  }
+
+
+
+  template <int dim>
+  ResidualNorms
+  MaterialPointMethod<dim>::assemble(const bool with_matrix)
+  {
+    TimerOutput::Scope     scope(timer, "assembly");
+    const StepContext<dim> step = context();
+    ResidualNorms          norms;
+
+    unsigned int is_pending = 0;
+    for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
+      if (constraints.constrained[i])
+        {
+          double &rest = pending.local_element(i);
+          rest         = constraints.increment[i] - unknowns.local_element(i);
+          if (std::abs(rest) > 1e-12 * std::abs(constraints.increment[i]))
+            is_pending = 1;
+        }
+
+    system.start_assembly(with_matrix);
+    unsigned int status = 0;
+    for (unsigned int t = 0; t < terms.size(); ++t)
+      status = std::max(
+        status,
+        static_cast<unsigned int>(terms[t]->assemble(
+          step, unknowns, pending, first_element[t], with_matrix, system)));
+    system.finish_assembly();
+    system.residual.add(-1., external_force);
+
+    std::array<double, 4> squares{}; // displacement, pressure, reaction, load
+    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+      {
+        const double r        = system.residual.local_element(i);
+        const double f        = external_force.local_element(i);
+        const bool   pressure = (i % n_components == dim);
+        squares[constraints.constrained[i] ? 2 : (pressure ? 1 : 0)] += r * r;
+        squares[3] += f * f;
+      }
+    norms.status =
+      static_cast<EvaluationStatus>(Utilities::MPI::max(status, comm));
+    norms.pending = Utilities::MPI::max(is_pending, comm) != 0;
+    Utilities::MPI::sum(squares, comm, squares);
+    norms.displacement       = std::sqrt(squares[0]);
+    norms.pressure           = std::sqrt(squares[1]);
+    norms.force_scale        = std::sqrt(std::max(squares[2], squares[3]));
+    norms.displacement_floor = force_floor;
+    norms.pressure_floor     = volume_floor;
+    return norms;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  MaterialPointMethod<dim>::solve_linear_system()
+  {
+    system.right_hand_side(rhs);
+    if (solution.size() != rhs.size() ||
+        solution.locally_owned_elements() != rhs.locally_owned_elements())
+      solution.reinit(rhs);
+    {
+      TimerOutput::Scope scope(timer, "factorisation");
+      linear_solver->factorise(system.matrix());
+    }
+    LinearSolverReport report;
+    {
+      TimerOutput::Scope scope(timer, "solution");
+      report = linear_solver->solve(rhs, solution);
+    }
+
+    for (unsigned int i = 0; i < nodes.n_local() * n_components; ++i)
+      {
+        base_unknowns.local_element(i) = unknowns.local_element(i);
+        correction.local_element(i) =
+          constraints.constrained[i] ? pending.local_element(i) : 0.;
+      }
+    system.to_nodes(solution, correction);
+    return report.iterations;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::convective_phase(const NewtonReport &newton)
+  {
+    const StepContext<dim> step = context();
+    const StepResult<dim>  result{
+      step, unknowns, system, points, time, newton, output_directory};
+    {
+      TimerOutput::Scope scope(timer, "postprocessing");
+      statistics.set("Step", time.step + 1);
+      statistics.set("Time (s)", step.time);
+      statistics.set("Step size (s)", step.step_size());
+      statistics.set("Newton iterations", newton.n_iterations());
+      statistics.set("Step cuts", time.n_cuts);
+      statistics.set("Relative residual of forces",
+                     newton.iterations.back().displacement);
+      statistics.set("Equations", system.matrix().n_equations);
+      for (auto &postprocessor : postprocessors)
+        postprocessor->evaluate_nodes(result, statistics);
+    }
+    {
+      TimerOutput::Scope scope(timer, "convective phase");
+      update_points();
+      time.accept(newton.n_iterations());
+      if (grid.is_moving())
+        grid.set_vertices(grid.vertices_at_time(time.time));
+      points.relocate(*locator);
+    }
+    {
+      TimerOutput::Scope scope(timer, "postprocessing");
+      for (auto &postprocessor : postprocessors)
+        postprocessor->evaluate_points(result, statistics);
+      statistics.end_row();
+    }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::update_points()
+  {
+    const StepContext<dim>            step = context();
+    const PointLayout                &l    = points.layout();
+    std::array<double, max_history>   history;
+    Tensor<2, dim>                    F_increment;
+    std::array<unsigned int, dim + 1> node;
+    unsigned int                      last_cell = numbers::invalid_unsigned_int;
+
+    points.for_each([&](const unsigned int k,
+                        const unsigned int q,
+                        Point<dim>        &location,
+                        ArrayView<double>  properties) {
+      if (k != last_cell)
+        {
+          const auto &gradients = grid.geometry().gradients(arrays.cell[k]);
+          const auto &vertices = grid.geometry().vertex_indices(arrays.cell[k]);
+          F_increment          = unit_symmetric_tensor<dim>();
+          for (unsigned int I = 0; I <= dim; ++I)
+            {
+              node[I] = nodes.node(vertices[I]);
+              for (unsigned int a = 0; a < dim; ++a)
+                F_increment[a] +=
+                  unknowns.local_element(node[I] * n_components + a) *
+                  gradients[I];
+            }
+          last_cell = k;
+        }
+
+      Tensor<1, dim> displacement, acceleration;
+      double         pressure = 0;
+      for (unsigned int I = 0; I <= dim; ++I)
+        {
+          const double N = arrays.shape[q][I];
+          for (unsigned int a = 0; a < dim; ++a)
+            displacement[a] +=
+              N * unknowns.local_element(node[I] * n_components + a);
+          if (n_components == dim + 1)
+            pressure +=
+              N * unknowns.local_element(node[I] * n_components + dim);
+          if (dynamic)
+            acceleration += N * inertia.acceleration(step, unknowns, node[I]);
+        }
+
+      const auto state = kernel.final_state(
+        arrays, q, F_increment, step.mixed(), pressure, history.data());
+      location += displacement;
+      properties[l.pressure] = state.pressure;
+      for (unsigned int a = 0; a < dim; ++a)
+        {
+          properties[l.displacement + a] += displacement[a];
+          for (unsigned int b = 0; b < dim; ++b)
+            properties[l.F + a * dim + b] = state.F[a][b];
+        }
+      store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
+      std::copy_n(history.begin(), l.n_history, &properties[l.history]);
+      if (dynamic)
+        {
+          const auto velocity = inertia.velocity(arrays.velocity[q],
+                                                 arrays.acceleration[q],
+                                                 acceleration,
+                                                 step.step_size());
+          for (unsigned int a = 0; a < dim; ++a)
+            {
+              properties[l.velocity + a]     = velocity[a];
+              properties[l.acceleration + a] = acceleration[a];
+            }
+        }
+    });
+  }
+
+
+
+  template class MaterialPointMethod<2>;
+  template class MaterialPointMethod<3>;
+} // namespace isochor

@@ -1,0 +1,529 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_in.h>
+
+#include <isochor/expression.h>
+#include <isochor/material_points.h>
+#include <isochor/relocation.h>
+#include <isochor/seeding.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace isochor
+{
+  PointLayout::PointLayout(const unsigned int dim,
+                           const unsigned int n_history,
+                           const bool         dynamic)
+    : n_history(n_history)
+    , dynamic(dynamic)
+  {
+    const auto place = [this](unsigned int &field, const unsigned int size) {
+      field = n_properties;
+      n_properties += size;
+    };
+    place(volume, 1);
+    place(mass, 1);
+    place(material, 1);
+    place(displacement, dim);
+    place(F, dim * dim);
+    place(pressure, 1);
+    place(stress, dim == 2 ? 4 : 6);
+    if (dynamic)
+      {
+        place(velocity, dim);
+        place(acceleration, dim);
+      }
+    place(history, n_history);
+  }
+
+
+
+  template <int dim>
+  MaterialPoints<dim>::MaterialPoints(const BackgroundGrid<dim> &grid)
+    : grid(grid)
+  {}
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Material points");
+    prm.declare_entry("Points per cell",
+                      "3",
+                      Patterns::Integer(1),
+                      "Material points seeded per cell: 1, 3, 4, 6, 7, 9, 12, "
+                      "15, 16, ... in 2D, 1, 4, 8, 10, 27, ... in 3D.");
+    prm.declare_entry("Points per cell in zones",
+                      "",
+                      Patterns::Anything(),
+                      "Other counts where a condition in x, y(, z) holds at "
+                      "the cell's centre: 'count: condition; count: "
+                      "condition'. The last that holds counts.");
+    prm.declare_entry("Region",
+                      "1",
+                      Patterns::Anything(),
+                      "The body: a condition in x, y(, z). Points are seeded "
+                      "where it holds.");
+    prm.declare_entry("Physical groups",
+                      "",
+                      Patterns::List(Patterns::Anything()),
+                      "For a gmsh grid: the names of the physical groups of "
+                      "cells that the body fills. Empty: all.");
+    prm.declare_entry("Body mesh",
+                      "",
+                      Patterns::Anything(),
+                      "A second gmsh .msh file, of the body: points are seeded "
+                      "in its cells instead of the grid's.");
+    prm.declare_entry("Lattice spacing",
+                      "0",
+                      Patterns::Double(0),
+                      "If positive, points are seeded on a square lattice of "
+                      "this spacing (m) instead of per cell.");
+    prm.declare_entry("Materials in zones",
+                      "",
+                      Patterns::Anything(),
+                      "Bodies of several materials: 'number: condition; ...'. "
+                      "Material 1 is the subsection 'Material', k > 1 the "
+                      "subsection 'Material k'. The last condition that holds "
+                      "counts; 1 elsewhere.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Material points");
+    parameters.points_per_cell = prm.get_integer("Points per cell");
+    parameters.zones           = prm.get("Points per cell in zones");
+    parameters.region          = prm.get("Region");
+    parameters.groups =
+      Utilities::split_string_list(prm.get("Physical groups"));
+    parameters.body_mesh       = prm.get("Body mesh");
+    parameters.lattice_spacing = prm.get_double("Lattice spacing");
+    parameters.material_zones  = prm.get("Materials in zones");
+    prm.leave_subsection();
+    // fail now and not after an hour of meshing
+    material_point_rule<dim>(parameters.points_per_cell);
+    Expression<dim>(parameters.region, "Material points/Region");
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::seed(
+    const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
+    const bool                                              dynamic,
+    const std::string                                      &initial_velocity)
+  {
+    unsigned int n_history = 0;
+    for (const auto &material : materials)
+      n_history =
+        std::max<unsigned int>(n_history, material->history_names().size());
+    point_layout = PointLayout(dim, n_history, dynamic);
+    particles.initialize(grid.triangulation(),
+                         grid.mapping(),
+                         point_layout.n_properties);
+
+    std::vector<Seed> seeds =
+      !parameters.body_mesh.empty()  ? seeds_in_body_mesh() :
+      parameters.lattice_spacing > 0 ? seeds_on_lattice() :
+                                       seeds_in_cells(grid.geometry(), true);
+    const Expression<dim> in_body(parameters.region, "Material points/Region");
+    seeds.erase(std::remove_if(seeds.begin(),
+                               seeds.end(),
+                               [&](const Seed &seed) {
+                                 return !(in_body(seed.location, 0.) > 0);
+                               }),
+                seeds.end());
+    AssertThrow(!seeds.empty(),
+                ExcMessage("No material point lies in the grid. Check the "
+                           "parameters of <Material points>, which describe "
+                           "the body, against those of <Grid>."));
+    insert(seeds, materials);
+    if (!initial_velocity.empty())
+      set_velocity(initial_velocity);
+    n_global_points = particles.n_global_particles();
+    global_volume   = total_reference_volume();
+  }
+
+
+
+  template <int dim>
+  std::vector<typename MaterialPoints<dim>::Seed>
+  MaterialPoints<dim>::seeds_in_cells(const SimplexGeometry<dim> &geometry,
+                                      const bool                  of_grid) const
+  {
+    std::vector<std::pair<Quadrature<dim>, Expression<dim>>> zones;
+    zones.emplace_back(material_point_rule<dim>(parameters.points_per_cell),
+                       Expression<dim>("1", ""));
+    for (const auto &zone :
+         split_named_list(parameters.zones,
+                          "Material points/Points per cell in zones"))
+      zones.emplace_back(
+        material_point_rule<dim>(Utilities::string_to_int(zone.first)),
+        Expression<dim>(zone.second,
+                        "Material points/Points per cell in zones"));
+
+    std::vector<Seed> seeds;
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      {
+        if (of_grid && !grid.in_groups(cell, parameters.groups))
+          continue;
+        std::array<Point<dim>, dim + 1> corners;
+        Point<dim>                      centre;
+        for (unsigned int v = 0; v <= dim; ++v)
+          {
+            corners[v] = geometry.vertices()[geometry.vertex_indices(cell)[v]];
+            centre += corners[v] / (dim + 1.);
+          }
+        unsigned int zone = zones.size() - 1;
+        while (zone > 0 && !(zones[zone].second(centre, 0.) > 0))
+          --zone;
+        const Quadrature<dim> &rule = zones[zone].first;
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          {
+            Point<dim> location = corners[0];
+            for (unsigned int d = 0; d < dim; ++d)
+              location += rule.point(q)[d] * (corners[d + 1] - corners[0]);
+            seeds.push_back(
+              {location, cell, rule.weight(q) * geometry.measure(cell)});
+          }
+      }
+    return seeds;
+  }
+
+
+
+  template <int dim>
+  std::vector<typename MaterialPoints<dim>::Seed>
+  MaterialPoints<dim>::seeds_in_body_mesh() const
+  {
+    Triangulation<dim> body;
+    std::ifstream      file(parameters.body_mesh);
+    AssertThrow(file,
+                ExcMessage("The mesh file <" + parameters.body_mesh +
+                           "> of the parameter <Material points/Body mesh> "
+                           "can't be opened."));
+    try
+      {
+        GridIn<dim> grid_in(body);
+        grid_in.read_msh(file);
+      }
+    catch (const std::exception &exc)
+      {
+        AssertThrow(false,
+                    ExcMessage("The mesh file <" + parameters.body_mesh +
+                               "> of the parameter <Material points/Body mesh> "
+                               "can't be read: " +
+                               exc.what()));
+      }
+    const SimplexGeometry<dim> geometry(body);
+    std::vector<Seed>          seeds = seeds_in_cells(geometry, false);
+    locate(seeds);
+    return seeds;
+  }
+
+
+
+  template <int dim>
+  std::vector<typename MaterialPoints<dim>::Seed>
+  MaterialPoints<dim>::seeds_on_lattice() const
+  {
+    const double h = parameters.lattice_spacing;
+    Point<dim>   lower, upper;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        lower[d] = std::numeric_limits<double>::max();
+        upper[d] = std::numeric_limits<double>::lowest();
+      }
+    for (const Point<dim> &vertex : grid.geometry().vertices())
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          lower[d] = std::min(lower[d], vertex[d]);
+          upper[d] = std::max(upper[d], vertex[d]);
+        }
+    std::array<unsigned int, dim> n;
+    unsigned int                  n_points = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        n[d] = std::ceil((upper[d] - lower[d]) / h - 1e-10);
+        n_points *= n[d];
+      }
+    std::vector<Seed> seeds;
+    for (unsigned int i = 0; i < n_points; ++i)
+      {
+        Seed         seed{lower, 0, std::pow(h, dim)};
+        unsigned int rest = i;
+        for (unsigned int d = 0; d < dim; ++d, rest /= n[d - 1])
+          seed.location[d] += (rest % n[d] + 0.5) * h;
+        seeds.push_back(seed);
+      }
+    const Expression<dim> in_body(parameters.region, "Material points/Region");
+    seeds.erase(std::remove_if(seeds.begin(),
+                               seeds.end(),
+                               [&](const Seed &seed) {
+                                 return !(in_body(seed.location, 0.) > 0);
+                               }),
+                seeds.end());
+    locate(seeds);
+    return seeds;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::locate(std::vector<Seed> &seeds) const
+  {
+    const PointLocator<dim> locator(grid.geometry());
+    std::vector<Seed>       located;
+    unsigned int            hint = 0;
+    for (Seed seed : seeds)
+      {
+        const auto place = locator.locate(seed.location, hint);
+        if (!place.found)
+          continue;
+        hint = seed.cell = place.cell;
+        located.push_back(seed);
+      }
+    AssertThrow(located.size() == seeds.size() || parameters.body_mesh.empty(),
+                ExcMessage(std::to_string(seeds.size() - located.size()) +
+                           " points of the body <" + parameters.body_mesh +
+                           "> lie outside of the grid. The grid must cover "
+                           "the body."));
+    seeds.swap(located);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::insert(
+    const std::vector<Seed>                                &seeds,
+    const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials)
+  {
+    std::vector<std::pair<unsigned int, Expression<dim>>> zones;
+    for (const auto &zone :
+         split_named_list(parameters.material_zones,
+                          "Material points/Materials in zones"))
+      {
+        const unsigned int number = Utilities::string_to_int(zone.first);
+        AssertThrow(number >= 1 && number <= materials.size(),
+                    ExcMessage("The parameter <Material points/Materials in "
+                               "zones> names material " +
+                               zone.first + ", but there are " +
+                               std::to_string(materials.size()) + "."));
+        zones.emplace_back(number - 1,
+                           Expression<dim>(zone.second,
+                                           "Material points/Materials in "
+                                           "zones"));
+      }
+
+    const unsigned int rank =
+      Utilities::MPI::this_mpi_process(grid.communicator());
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    std::vector<double>         properties(point_layout.n_properties);
+    for (unsigned int i = 0; i < seeds.size(); ++i)
+      {
+        const Seed &seed = seeds[i];
+        if (geometry.owner(seed.cell) != rank)
+          continue;
+        unsigned int material = 0;
+        for (const auto &zone : zones)
+          if (zone.second(seed.location, 0.) > 0)
+            material = zone.first;
+
+        std::fill(properties.begin(), properties.end(), 0.);
+        properties[point_layout.volume] = seed.volume;
+        properties[point_layout.mass] =
+          seed.volume * materials[material]->density();
+        properties[point_layout.material] = material;
+        for (unsigned int d = 0; d < dim; ++d)
+          properties[point_layout.F + d * dim + d] = 1.;
+        if (point_layout.n_history > 0)
+          materials[material]->initialize_history(properties.data() +
+                                                  point_layout.history);
+
+        const Point<dim> reference = SimplexGeometry<dim>::reference_location(
+          geometry.barycentric(seed.cell, seed.location));
+        particles.insert_particle(seed.location,
+                                  reference,
+                                  i,
+                                  geometry.cell_iterator(seed.cell),
+                                  make_array_view(properties));
+      }
+    particles.update_cached_numbers();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::set_velocity(const std::string &formulas)
+  {
+    const std::string            name = "Dynamics/Initial velocity";
+    std::vector<Expression<dim>> velocity;
+    for (const auto &item : Utilities::split_string_list(formulas))
+      velocity.emplace_back(item, name);
+    AssertThrow(velocity.size() == dim,
+                ExcMessage("The parameter <" + name + "> needs " +
+                           std::to_string(dim) + " components."));
+    for (auto &particle : particles)
+      for (unsigned int d = 0; d < dim; ++d)
+        particle.get_properties()[point_layout.velocity + d] =
+          velocity[d](particle.get_location(), 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::gather(PointArrays<dim> &arrays)
+  {
+    // the handler keeps the points of a cell together, cells in any order
+    groups.clear();
+    for (auto particle = particles.begin(); particle != particles.end();
+         ++particle)
+      {
+        const unsigned int cell =
+          particle->get_surrounding_cell()->active_cell_index();
+        if (groups.empty() || groups.back().cell != cell)
+          groups.push_back({cell, particle, 0});
+        ++groups.back().n_points;
+      }
+    std::sort(groups.begin(), groups.end(), [](const auto &a, const auto &b) {
+      return a.cell < b.cell;
+    });
+
+    const unsigned int n = particles.n_locally_owned_particles();
+    arrays.n_history     = point_layout.n_history;
+    arrays.cell.clear();
+    arrays.cell_start.assign(1, 0);
+    for (const Group &group : groups)
+      {
+        arrays.cell.push_back(group.cell);
+        arrays.cell_start.push_back(arrays.cell_start.back() + group.n_points);
+      }
+    arrays.shape.resize(n);
+    arrays.volume.resize(n);
+    arrays.mass.resize(n);
+    arrays.weight.resize(n);
+    arrays.pressure.resize(n);
+    arrays.F.resize(n);
+    arrays.material.resize(n);
+    arrays.history.resize(n * std::size_t(point_layout.n_history));
+    arrays.velocity.resize(point_layout.dynamic ? n : 0);
+    arrays.acceleration.resize(point_layout.dynamic ? n : 0);
+
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    const PointLayout          &l        = point_layout;
+    unsigned int                q        = 0;
+    for (const Group &group : groups)
+      {
+        auto particle = group.first;
+        for (unsigned int i = 0; i < group.n_points; ++i, ++particle, ++q)
+          {
+            const double *properties = particle->get_properties().data();
+            arrays.shape[q] =
+              geometry.barycentric(group.cell, particle->get_location());
+            arrays.volume[q]   = properties[l.volume];
+            arrays.mass[q]     = properties[l.mass];
+            arrays.weight[q]   = properties[l.volume];
+            arrays.pressure[q] = properties[l.pressure];
+            arrays.material[q] =
+              static_cast<unsigned char>(properties[l.material]);
+            for (unsigned int d = 0; d < dim; ++d)
+              for (unsigned int e = 0; e < dim; ++e)
+                arrays.F[q][d][e] = properties[l.F + d * dim + e];
+            std::copy_n(properties + l.history,
+                        l.n_history,
+                        arrays.history.data() + q * std::size_t(l.n_history));
+            if (l.dynamic)
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  arrays.velocity[q][d]     = properties[l.velocity + d];
+                  arrays.acceleration[q][d] = properties[l.acceleration + d];
+                }
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::relocate(const PointLocator<dim> &locator)
+  {
+    groups.clear();
+    const RelocationReport<dim> report = isochor::relocate(particles, locator);
+    if (report.n_lost == 0)
+      return;
+    std::ostringstream where;
+    for (std::size_t i = 0; i < std::min<std::size_t>(report.lost.size(), 3);
+         ++i)
+      where << " Point " << report.lost.ids[i] << " is at ("
+            << report.lost.locations[i] << ").";
+    AssertThrow(false,
+                ExcMessage(std::to_string(report.n_lost) +
+                           " material points left the background grid." +
+                           where.str() +
+                           " Enlarge the grid, or hold the body by boundary "
+                           "conditions."));
+  }
+
+
+
+  template <int dim>
+  double
+  MaterialPoints<dim>::total_reference_volume() const
+  {
+    double volume = 0;
+    for (const auto &particle : particles)
+      volume += particle.get_properties()[point_layout.volume];
+    return Utilities::MPI::sum(volume, grid.communicator());
+  }
+
+
+
+  template <int dim>
+  Particles::ParticleHandler<dim> &
+  MaterialPoints<dim>::handler()
+  {
+    return particles;
+  }
+
+
+
+  template <int dim>
+  const Particles::ParticleHandler<dim> &
+  MaterialPoints<dim>::handler() const
+  {
+    return particles;
+  }
+
+
+
+  template <int dim>
+  const PointLayout &
+  MaterialPoints<dim>::layout() const
+  {
+    return point_layout;
+  }
+
+
+
+  template class MaterialPoints<2>;
+  template class MaterialPoints<3>;
+} // namespace isochor

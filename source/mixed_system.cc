@@ -1,0 +1,400 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/exclusive_sum.h>
+#include <isochor/mixed_system.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace isochor
+{
+  namespace
+  {
+    constexpr unsigned int invalid = numbers::invalid_unsigned_int;
+  }
+
+
+
+  template <int dim>
+  MixedSystem<dim>::MixedSystem(const ActiveNodes<dim> &nodes)
+    : nodes(nodes)
+  {}
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::reinit(const bool              nodes_changed,
+                           const unsigned int      n_components_,
+                           const ElementNodes     &elements_,
+                           const NodalConstraints &constraints,
+                           const bool              symmetric)
+  {
+    const MPI_Comm comm    = nodes.grid.communicator();
+    const bool     changed = nodes_changed || n_components != n_components_ ||
+                         system.symmetric != symmetric ||
+                         !(elements == elements_) ||
+                         constrained != constraints.constrained;
+    if (Utilities::MPI::max(static_cast<unsigned int>(changed), comm) == 0)
+      return;
+
+    n_components     = n_components_;
+    elements         = elements_;
+    constrained      = constraints.constrained;
+    system.comm      = comm;
+    system.dim       = dim;
+    system.symmetric = symmetric;
+    ++system.pattern_id;
+    nodes.initialize(residual, n_components);
+    nodes.initialize(lifting, n_components);
+
+    number_equations(constraints);
+    collect_neighbours();
+    build_rows();
+    build_scatter_map();
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::number_equations(const NodalConstraints &constraints)
+  {
+    const unsigned int n_owned = nodes.n_owned() * n_components;
+    const unsigned int n_local = nodes.n_local() * n_components;
+
+    // free unknowns of the owned nodes, one after the other over the ranks
+    const types::global_dof_index n_owned_free =
+      std::count(constraints.constrained.begin(),
+                 constraints.constrained.begin() + n_owned,
+                 0);
+    const auto offset_and_sum =
+      exclusive_and_total_sum(n_owned_free, system.comm);
+    system.n_equations   = offset_and_sum.second;
+    system.locally_owned = IndexSet(system.n_equations);
+    system.locally_owned.add_range(offset_and_sum.first,
+                                   offset_and_sum.first + n_owned_free);
+
+    // a field of doubles carries the numbers to the ghosts, exactly
+    NodalField global;
+    nodes.initialize(global, n_components);
+    types::global_dof_index next = offset_and_sum.first;
+    for (unsigned int i = 0; i < n_owned; ++i)
+      global.local_element(i) = constraints.constrained[i] ? -1. : next++;
+    global.update_ghost_values();
+
+    std::vector<std::pair<types::global_dof_index, unsigned int>> sorted;
+    for (unsigned int i = 0; i < n_local; ++i)
+      if (global.local_element(i) >= 0)
+        sorted.emplace_back(global.local_element(i), i);
+    std::sort(sorted.begin(), sorted.end());
+
+    equations.assign(n_local, invalid);
+    const unsigned int n = sorted.size();
+    system.global_equation.resize(n);
+    system.field.resize(n);
+    system.component.resize(n);
+    system.position.resize(n * dim);
+    const auto &vertices = nodes.grid.triangulation().get_vertices();
+    for (unsigned int eq = 0; eq < n; ++eq)
+      {
+        const unsigned int entry     = sorted[eq].second;
+        const unsigned int component = entry % n_components;
+        equations[entry]             = eq;
+        system.global_equation[eq]   = sorted[eq].first;
+        system.component[eq]         = component;
+        system.field[eq] = component < dim ? SparseSystem::Field::displacement :
+                                             SparseSystem::Field::pressure;
+        const Point<dim> &x = vertices[nodes.vertex(entry / n_components)];
+        for (unsigned int d = 0; d < dim; ++d)
+          system.position[eq * dim + d] = x[d];
+      }
+
+    node_first_free.assign(nodes.n_local() + 1, 0);
+    nodes_in_order.clear();
+    node_order.assign(nodes.n_local(), invalid);
+    for (unsigned int eq = 0; eq < n; ++eq)
+      {
+        const unsigned int node = sorted[eq].second / n_components;
+        ++node_first_free[node + 1];
+        if (node_order[node] == invalid)
+          {
+            node_order[node] = nodes_in_order.size();
+            nodes_in_order.push_back(node);
+          }
+      }
+    std::partial_sum(node_first_free.begin(),
+                     node_first_free.end(),
+                     node_first_free.begin());
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::collect_neighbours()
+  {
+    // elements of each node
+    std::vector<std::size_t> element_start(nodes.n_local() + 1, 0);
+    for (const unsigned int node : elements.node)
+      ++element_start[node + 1];
+    std::partial_sum(element_start.begin(),
+                     element_start.end(),
+                     element_start.begin());
+    std::vector<unsigned int> element_of(elements.node.size());
+    {
+      std::vector<std::size_t> next(element_start.begin(),
+                                    element_start.end() - 1);
+      for (unsigned int e = 0; e < elements.size(); ++e)
+        for (std::size_t i = elements.start[e]; i < elements.start[e + 1]; ++i)
+          element_of[next[elements.node[i]]++] = e;
+    }
+
+    neighbour_start.assign(1, 0);
+    neighbour.clear();
+    neighbour_offset.clear();
+    std::vector<unsigned int> seen_by(nodes.n_local(), invalid);
+    for (unsigned int order = 0; order < nodes_in_order.size(); ++order)
+      {
+        const unsigned int node = nodes_in_order[order];
+        for (std::size_t k = element_start[node]; k < element_start[node + 1];
+             ++k)
+          for (std::size_t i = elements.start[element_of[k]];
+               i < elements.start[element_of[k] + 1];
+               ++i)
+            {
+              const unsigned int other = node_order[elements.node[i]];
+              if (other == invalid || seen_by[other] == order ||
+                  (system.symmetric && other < order))
+                continue;
+              seen_by[other] = order;
+              neighbour.push_back(other);
+            }
+        if (seen_by[order] != order) // a node that no local element touches
+          neighbour.push_back(order);
+        std::sort(neighbour.begin() + neighbour_start.back(), neighbour.end());
+        unsigned int offset = 0;
+        for (std::size_t i = neighbour_start.back(); i < neighbour.size(); ++i)
+          {
+            neighbour_offset.push_back(offset);
+            offset += n_free(nodes_in_order[neighbour[i]]);
+          }
+        neighbour_start.push_back(neighbour.size());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::build_rows()
+  {
+    system.row_start.assign(1, 0);
+    system.column.clear();
+    for (unsigned int order = 0; order < nodes_in_order.size(); ++order)
+      {
+        const unsigned int node = nodes_in_order[order];
+        for (unsigned int a = 0; a < n_components; ++a)
+          {
+            const unsigned int row = equations[node * n_components + a];
+            if (row == invalid)
+              continue;
+            for (std::size_t k = neighbour_start[order];
+                 k < neighbour_start[order + 1];
+                 ++k)
+              for (unsigned int b = 0; b < n_components; ++b)
+                {
+                  const unsigned int column =
+                    equations[nodes_in_order[neighbour[k]] * n_components + b];
+                  if (column != invalid && (!system.symmetric || column >= row))
+                    system.column.push_back(column);
+                }
+            system.row_start.push_back(system.column.size());
+          }
+      }
+    AssertThrow(system.column.size() <
+                  static_cast<std::size_t>(std::numeric_limits<int>::max()),
+                ExcMessage("The matrix of one rank exceeds 2^31 entries: use "
+                           "more ranks."));
+    system.values.resize(system.column.size());
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::build_scatter_map()
+  {
+    // the place of entry (row, column): start of the row, plus the columns of
+    // the neighbours before, plus the free unknowns before in the node
+    const auto place = [this](unsigned int entry_r, unsigned int entry_c) {
+      unsigned int row = equations[entry_r], column = equations[entry_c];
+      if (row == invalid || column == invalid)
+        return -1;
+      if (system.symmetric && column < row)
+        {
+          std::swap(row, column);
+          std::swap(entry_r, entry_c);
+        }
+      const unsigned int order_r = node_order[entry_r / n_components];
+      const unsigned int order_c = node_order[entry_c / n_components];
+      const auto         begin   = neighbour.begin() + neighbour_start[order_r];
+      const auto         end = neighbour.begin() + neighbour_start[order_r + 1];
+      const std::size_t  k =
+        std::lower_bound(begin, end, order_c) - neighbour.begin();
+      const unsigned int node_c = entry_c / n_components;
+      unsigned int       first  = node_c * n_components;
+      while (equations[first] == invalid)
+        ++first;
+      int offset = neighbour_offset[k] + (column - equations[first]);
+      if (system.symmetric)
+        {
+          // the row's own node comes first, without the unknowns before it
+          const unsigned int node_r  = entry_r / n_components;
+          unsigned int       first_r = node_r * n_components;
+          while (equations[first_r] == invalid)
+            ++first_r;
+          offset -= row - equations[first_r];
+        }
+      return static_cast<int>(system.row_start[row]) + offset;
+    };
+
+    scatter_start.assign(1, 0);
+    scatter.clear();
+    element_is_constrained.assign(elements.size(), 0);
+    std::vector<unsigned int> entries;
+    for (unsigned int e = 0; e < elements.size(); ++e)
+      {
+        entries.clear();
+        for (std::size_t i = elements.start[e]; i < elements.start[e + 1]; ++i)
+          for (unsigned int a = 0; a < n_components; ++a)
+            entries.push_back(elements.node[i] * n_components + a);
+        for (unsigned int r = 0; r < entries.size(); ++r)
+          {
+            if (equations[entries[r]] == invalid)
+              element_is_constrained[e] = 1;
+            for (unsigned int s = (system.symmetric ? r : 0);
+                 s < entries.size();
+                 ++s)
+              scatter.push_back(place(entries[r], entries[s]));
+          }
+        scatter_start.push_back(scatter.size());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::start_assembly(const bool with_matrix)
+  {
+    residual = 0.;
+    residual.zero_out_ghost_values();
+    if (with_matrix)
+      {
+        lifting = 0.;
+        lifting.zero_out_ghost_values();
+        std::fill(system.values.begin(), system.values.end(), 0.);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::add_element(const unsigned int e,
+                                const double      *element_residual,
+                                const double      *element_matrix,
+                                const NodalField  &pending)
+  {
+    const unsigned int *node    = &elements.node[elements.start[e]];
+    const unsigned int  n_nodes = elements.start[e + 1] - elements.start[e];
+    const unsigned int  n_dofs  = n_nodes * n_components;
+
+    double *const nodal_residual = residual.begin();
+    for (unsigned int I = 0; I < n_nodes; ++I)
+      for (unsigned int a = 0; a < n_components; ++a)
+        nodal_residual[node[I] * n_components + a] +=
+          element_residual[I * n_components + a];
+    if (element_matrix == nullptr)
+      return;
+
+    const int    *position = &scatter[scatter_start[e]];
+    double *const values   = system.values.data();
+    for (unsigned int r = 0; r < n_dofs; ++r)
+      for (unsigned int s = (system.symmetric ? r : 0); s < n_dofs; ++s)
+        {
+          const int place = *position++;
+          if (place >= 0)
+            values[place] += element_matrix[r * n_dofs + s];
+        }
+
+    if (element_is_constrained[e])
+      for (unsigned int s = 0; s < n_dofs; ++s)
+        {
+          const unsigned int entry =
+            node[s / n_components] * n_components + s % n_components;
+          const double value = pending.local_element(entry);
+          if (equations[entry] != invalid || value == 0.)
+            continue;
+          for (unsigned int r = 0; r < n_dofs; ++r)
+            lifting.local_element(node[r / n_components] * n_components +
+                                  r % n_components) +=
+              value * (system.symmetric && s < r ?
+                         element_matrix[s * n_dofs + r] :
+                         element_matrix[r * n_dofs + s]);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::finish_assembly()
+  {
+    residual.compress(VectorOperation::add);
+    lifting.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::right_hand_side(TrilinosWrappers::MPI::Vector &rhs) const
+  {
+    if (rhs.size() != system.n_equations ||
+        rhs.locally_owned_elements() != system.locally_owned)
+      rhs.reinit(system.locally_owned, system.comm);
+    double *const values = rhs.begin();
+    unsigned int  next   = 0;
+    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+      if (equations[i] != invalid)
+        values[next++] = -residual.local_element(i) - lifting.local_element(i);
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::to_nodes(const TrilinosWrappers::MPI::Vector &solution,
+                             NodalField                          &field) const
+  {
+    field.zero_out_ghost_values();
+    const double *const values = solution.begin();
+    unsigned int        next   = 0;
+    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+      if (equations[i] != invalid)
+        field.local_element(i) = values[next++];
+    field.update_ghost_values();
+  }
+
+
+
+  template class MixedSystem<2>;
+  template class MixedSystem<3>;
+} // namespace isochor

@@ -1,0 +1,225 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/linear_solver.h>
+#include <isochor/newton_solver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <ostream>
+
+namespace isochor
+{
+  void
+  NewtonSolver::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Newton");
+    prm.declare_entry("Tolerance",
+                      "1e-8",
+                      Patterns::Double(0, 1),
+                      "A step is converged if the residual forces fall below "
+                      "this fraction of the external forces and reactions, and "
+                      "the residual of the pressure equation below this "
+                      "fraction of its largest value in the step.");
+    prm.declare_entry("Maximum iterations",
+                      "15",
+                      Patterns::Integer(1),
+                      "More are a failure; the step is then cut back.");
+    prm.declare_entry("Maximum backtracks",
+                      "4",
+                      Patterns::Integer(0),
+                      "Times the line search may halve a correction that "
+                      "enlarges the residual or inverts a point.");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  NewtonSolver::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Newton");
+    tolerance      = prm.get_double("Tolerance");
+    max_iterations = prm.get_integer("Maximum iterations");
+    max_backtracks = prm.get_integer("Maximum backtracks");
+    prm.leave_subsection();
+  }
+
+
+
+  namespace
+  {
+    /** Keeps the scales, which may only grow in a step, and measures residuals
+     * by them. */
+    class Gauge
+    {
+    public:
+      void
+      take(const ResidualNorms &norms)
+      {
+        force    = std::max({force, norms.force_scale, first(norms)});
+        pressure = std::max(pressure, norms.pressure);
+        started  = true;
+      }
+
+      double
+      displacement_ratio(const ResidualNorms &norms) const
+      {
+        return force > 0 ? norms.displacement / force : 0.;
+      }
+
+      double
+      pressure_ratio(const ResidualNorms &norms) const
+      {
+        return pressure > 0 ? norms.pressure / pressure : 0.;
+      }
+
+      bool
+      converged(const ResidualNorms &norms, const double tolerance) const
+      {
+        return !norms.pending &&
+               norms.displacement <=
+                 std::max(tolerance * force, norms.displacement_floor) &&
+               norms.pressure <=
+                 std::max(tolerance * pressure, norms.pressure_floor);
+      }
+
+      /** What the line search wants to fall. */
+      double
+      merit(const ResidualNorms &norms) const
+      {
+        if (norms.status != EvaluationStatus::success ||
+            !std::isfinite(norms.displacement) ||
+            !std::isfinite(norms.pressure))
+          return std::numeric_limits<double>::infinity();
+        return std::max(displacement_ratio(norms), pressure_ratio(norms));
+      }
+
+    private:
+      double
+      first(const ResidualNorms &norms) const
+      {
+        return started ? 0. : norms.displacement;
+      }
+
+      bool   started = false;
+      double force = 0, pressure = 0;
+    };
+
+    std::string
+    describe(const EvaluationStatus status)
+    {
+      switch (status)
+        {
+          case EvaluationStatus::inverted_point:
+            return "a material point was turned inside out (det F <= 0)";
+          case EvaluationStatus::return_map_failed:
+            return "the stress of a material point could not be found";
+          default:
+            return "the residual is not a number";
+        }
+    }
+
+    void
+    print_row(std::ostream          *log,
+              const unsigned int     k,
+              const NewtonIteration &row)
+    {
+      if (log == nullptr)
+        return;
+      char line[100];
+      std::snprintf(line,
+                    sizeof(line),
+                    "    %3u   %10.3e   %10.3e   %6.3f\n",
+                    k,
+                    row.displacement,
+                    row.pressure,
+                    row.step_length);
+      *log << line << std::flush;
+    }
+  } // namespace
+
+
+
+  NewtonReport
+  NewtonSolver::solve(const Problem &problem, std::ostream *log) const
+  {
+    if (log != nullptr)
+      *log << "     it     forces       volume     length\n";
+
+    NewtonReport  report;
+    Gauge         gauge;
+    ResidualNorms norms = problem.assemble(true);
+    gauge.take(norms);
+    const auto add_row = [&](const double length, const unsigned int n_linear) {
+      report.iterations.push_back({gauge.displacement_ratio(norms),
+                                   gauge.pressure_ratio(norms),
+                                   length,
+                                   n_linear});
+      print_row(log, report.iterations.size() - 1, report.iterations.back());
+    };
+    add_row(0, 0);
+
+    while (true)
+      {
+        if (!std::isfinite(gauge.merit(norms)))
+          {
+            report.failure = describe(norms.status);
+            return report;
+          }
+        if (gauge.converged(norms, tolerance))
+          {
+            report.converged = true;
+            return report;
+          }
+        if (report.n_iterations() >= max_iterations)
+          {
+            report.failure = "Newton's method did not converge in " +
+                             std::to_string(max_iterations) + " iterations";
+            return report;
+          }
+
+        unsigned int n_linear = 0;
+        try
+          {
+            n_linear = problem.solve();
+            ++report.n_factorisations;
+          }
+        catch (const ExcLinearSolverFailed &exc)
+          {
+            report.failure = exc.what();
+            return report;
+          }
+
+        // While prescribed increments come in, the residual has to grow; only
+        // points that turn over shorten such a correction.
+        const bool   may_grow = norms.pending || report.n_iterations() == 0;
+        const double old      = gauge.merit(norms);
+        double       s = 1., best_s = 0., best = 0.;
+        for (unsigned int k = 0;; ++k, s /= 2)
+          {
+            problem.advance(s);
+            norms              = problem.assemble(k == 0);
+            const double merit = gauge.merit(norms);
+            if (k == 0 || merit < best)
+              {
+                best   = merit;
+                best_s = s;
+              }
+            const bool accepted = may_grow ? std::isfinite(merit) : merit < old;
+            if (accepted || k == max_backtracks ||
+                gauge.converged(norms, tolerance))
+              break;
+          }
+        if (best_s != s)
+          problem.advance(best_s);
+        if (best_s != 1.)
+          norms = problem.assemble(true);
+        gauge.take(norms);
+        add_row(best_s, n_linear);
+      }
+  }
+} // namespace isochor

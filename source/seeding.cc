@@ -1,0 +1,149 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/quadrature_lib.h>
+
+#include <isochor/seeding.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Centroids of the subdivision of the simplex 1 >= x_1 >= ... >= x_dim
+     * >= 0 into k^dim Kuhn simplices, mapped to the unit simplex. */
+    template <int dim>
+    Quadrature<dim>
+    subdivision_rule(const unsigned int k)
+    {
+      std::vector<Point<dim>>       points;
+      std::array<unsigned int, dim> axes;
+      std::iota(axes.begin(), axes.end(), 0);
+      const unsigned int n_boxes = std::pow(k, dim) + 0.5;
+      do
+        for (unsigned int box = 0; box < n_boxes; ++box)
+          {
+            // the centroid of the path 0, e_a0, e_a0 + e_a1, ...
+            Point<dim>   x;
+            unsigned int rest = box;
+            for (unsigned int d = 0; d < dim; ++d, rest /= k)
+              x[d] = rest % k;
+            for (unsigned int d = 0; d < dim; ++d)
+              x[axes[d]] += (dim - d) / (dim + 1.);
+            bool inside = true;
+            for (unsigned int d = 0; d + 1 < dim; ++d)
+              inside = inside && x[d] > x[d + 1];
+            if (!inside)
+              continue;
+            // the vertices e_1, e_1 + e_2, ... go to e_1, e_2, ...
+            Point<dim> unit;
+            for (unsigned int d = 0; d < dim; ++d)
+              unit[d] = (x[d] - (d + 1 < dim ? x[d + 1] : 0.)) / k;
+            points.push_back(unit);
+          }
+      while (std::next_permutation(axes.begin(), axes.end()));
+      return Quadrature<dim>(points,
+                             std::vector<double>(points.size(),
+                                                 1. / points.size()));
+    }
+
+    /** An orbit of a symmetric rule on the triangle: all permutations of the
+     * barycentric coordinates (a, b, 1-a-b), each with weight w. */
+    struct Orbit
+    {
+      double a, b, w;
+    };
+
+    Quadrature<2>
+    dunavant_rule(const std::vector<Orbit> &orbits)
+    {
+      std::vector<Point<2>> points;
+      std::vector<double>   weights;
+      for (const Orbit &orbit : orbits)
+        {
+          std::array<double, 3> l = {{orbit.a, orbit.b, 1 - orbit.a - orbit.b}};
+          // equal coordinates to the last bit, for next_permutation
+          for (double &value : l)
+            if (std::abs(value - l[0]) < 1e-12)
+              value = l[0];
+          std::sort(l.begin(), l.end());
+          do
+            {
+              points.emplace_back(l[0], l[1]);
+              weights.push_back(orbit.w);
+            }
+          while (std::next_permutation(l.begin(), l.end()));
+        }
+      const double sum = std::accumulate(weights.begin(), weights.end(), 0.);
+      for (double &weight : weights)
+        weight /= sum;
+      return Quadrature<2>(points, weights);
+    }
+
+    /** deal.II's weights sum to the measure of the reference simplex. */
+    template <int dim>
+    Quadrature<dim>
+    normalised(const Quadrature<dim> &rule)
+    {
+      std::vector<double> weights = rule.get_weights();
+      const double sum = std::accumulate(weights.begin(), weights.end(), 0.);
+      for (double &weight : weights)
+        weight /= sum;
+      return Quadrature<dim>(rule.get_points(), weights);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Quadrature<dim>
+  material_point_rule(const unsigned int n_points)
+  {
+    const unsigned int k = std::round(std::pow(n_points, 1. / dim));
+    if (n_points > 0 && std::round(std::pow(k, dim)) == n_points)
+      return subdivision_rule<dim>(k);
+
+    if constexpr (dim == 2)
+      {
+        if (n_points == 3)
+          return dunavant_rule({{1. / 6., 1. / 6., 1. / 3.}});
+        if (n_points == 6)
+          return dunavant_rule(
+            {{0.445948490915965, 0.445948490915965, 0.223381589678011},
+             {0.091576213509771, 0.091576213509771, 0.109951743655322}});
+        if (n_points == 12)
+          return dunavant_rule(
+            {{0.249286745170910, 0.249286745170910, 0.116786275726379},
+             {0.063089014491502, 0.063089014491502, 0.050844906370207},
+             {0.053145049844817, 0.310352451033784, 0.082851075618374}});
+      }
+    for (unsigned int n = 1; n <= 4; ++n)
+      {
+        const QGaussSimplex<dim> gauss(n);
+        if (gauss.size() == n_points)
+          return normalised<dim>(gauss);
+        const QWitherdenVincentSimplex<dim> witherden_vincent(n);
+        if (witherden_vincent.size() == n_points)
+          return normalised<dim>(witherden_vincent);
+      }
+    AssertThrow(false,
+                ExcMessage("There is no rule with " + std::to_string(n_points) +
+                           " material points per cell. Choose " +
+                           (dim == 2 ?
+                              "1, 3, 4, 6, 7, 9, 12, 15, 16, 25, ... k^2." :
+                              "1, 4, 8, 10, 27, 64, ... k^3.")));
+    return Quadrature<dim>();
+  }
+
+
+
+  template Quadrature<2>
+  material_point_rule<2>(const unsigned int);
+  template Quadrature<3>
+  material_point_rule<3>(const unsigned int);
+} // namespace isochor

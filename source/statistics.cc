@@ -1,0 +1,91 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/exceptions.h>
+
+#include <isochor/statistics.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  void
+  Statistics::open(const std::string &name, const unsigned int n_rows)
+  {
+    file_name = name;
+    std::string kept;
+    if (n_rows > 0)
+      {
+        // drop what an interrupted run wrote after its last checkpoint
+        std::ifstream old(file_name);
+        std::string   line;
+        unsigned int  n_kept = 0;
+        while (n_kept < n_rows && std::getline(old, line))
+          {
+            if (line[0] == '#')
+              columns.push_back(line.substr(line.find(": ") + 2));
+            else
+              ++n_kept;
+            kept += line + "\n";
+          }
+        AssertThrow(n_kept == n_rows,
+                    ExcMessage("The file <" + file_name + "> has " +
+                               std::to_string(n_kept) +
+                               " rows, but the "
+                               "checkpoint was made after " +
+                               std::to_string(n_rows) + "."));
+        header_written = true;
+      }
+    file.open(file_name);
+    file << kept << std::flush;
+    AssertThrow(file, ExcMessage("Can't write the file <" + file_name + ">."));
+  }
+
+
+
+  void
+  Statistics::set(const std::string &column, const double value)
+  {
+    if (!header_written &&
+        std::find(columns.begin(), columns.end(), column) == columns.end())
+      columns.push_back(column);
+    row[column] = value;
+  }
+
+
+
+  double
+  Statistics::get(const std::string &column) const
+  {
+    return row.at(column);
+  }
+
+
+
+  void
+  Statistics::end_row()
+  {
+    if (file.is_open())
+      {
+        if (!header_written)
+          for (unsigned int i = 0; i < columns.size(); ++i)
+            file << "# " << i + 1 << ": " << columns[i] << '\n';
+        char value[40];
+        for (const std::string &column : columns)
+          {
+            std::snprintf(value, sizeof(value), "%.12g", row[column]);
+            file << value << ' ';
+          }
+        file << std::endl;
+        AssertThrow(file,
+                    ExcMessage("Can't write to the file <" + file_name +
+                               ">. Is the disk full?"));
+      }
+    header_written = true;
+    row.clear();
+  }
+} // namespace isochor
