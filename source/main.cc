@@ -1,0 +1,73 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include <isochor/command_line.h>
+#include <isochor/material_point_method.h>
+#include <isochor/parameter_file.h>
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+namespace
+{
+  using namespace isochor;
+
+  /** The problem is left in @p owner, see Program::execute. */
+  template <int dim>
+  void
+  execute(ParameterHandler      &prm,
+          const bool             validate_only,
+          std::shared_ptr<void> &owner)
+  {
+    const auto problem =
+      std::make_shared<MaterialPointMethod<dim>>(MPI_COMM_WORLD);
+    owner = problem;
+    problem->parse_parameters(prm);
+    if (validate_only)
+      return;
+
+    prm.enter_subsection("Output");
+    const std::string directory = prm.get("Directory");
+    prm.leave_subsection();
+    write_effective_parameters(prm, directory);
+    problem->run();
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  using namespace isochor;
+
+  // One thread per rank: more of them gain nothing in the BLAS below the
+  // direct solvers. Who knows better sets the variables.
+  setenv("OPENBLAS_NUM_THREADS", "1", 0);
+  setenv("OMP_NUM_THREADS", "1", 0);
+
+  // The libraries that deal.II initialises don't get to see our options:
+  // PETSc would answer --help and --version itself.
+  int                              mpi_argc = 1;
+  char                           **mpi_argv = argv;
+  Utilities::MPI::MPI_InitFinalize mpi(mpi_argc, mpi_argv, 1);
+
+  std::shared_ptr<void> problem; // gone before MPI is finalised
+  Program               program;
+  program.declare = [](auto &prm, const auto dim, const auto n_materials) {
+    if (dim == 2)
+      MaterialPointMethod<2>::declare_parameters(prm, n_materials);
+    else
+      MaterialPointMethod<3>::declare_parameters(prm, n_materials);
+  };
+  program.execute = [&](auto &prm, const auto dim, const bool validate_only) {
+    if (dim == 2)
+      execute<2>(prm, validate_only, problem);
+    else
+      execute<3>(prm, validate_only, problem);
+  };
+  return run_command_line(argc, argv, program);
+}
