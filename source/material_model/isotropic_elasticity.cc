@@ -1,0 +1,53 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include <isochor/material_model.h>
+
+#include <string>
+
+namespace isochor
+{
+  void
+  IsotropicElasticity::declare_parameters(ParameterHandler &prm)
+  {
+    prm.declare_entry("Young modulus",
+                      "1e6",
+                      Patterns::Double(),
+                      "Young's modulus E > 0, in Pa.");
+    prm.declare_entry("Poisson ratio",
+                      "0.3",
+                      Patterns::Double(),
+                      "Poisson's ratio, -1 < nu <= 0.5. The value 0.5 is an "
+                      "incompressible material and needs a mixed formulation.");
+    prm.declare_entry("Density",
+                      "1000",
+                      Patterns::Double(),
+                      "Density of the reference configuration, in kg/m^3.");
+  }
+
+
+
+  void
+  IsotropicElasticity::parse_parameters(ParameterHandler &prm)
+  {
+    const double E  = prm.get_double("Young modulus");
+    const double nu = prm.get_double("Poisson ratio");
+    density         = prm.get_double("Density");
+
+    AssertThrow(E > 0,
+                ExcMessage("<Young modulus> must be positive, not " +
+                           std::to_string(E) + "."));
+    AssertThrow(nu > -1 && nu <= 0.5,
+                ExcMessage("<Poisson ratio> must be greater than -1 and at "
+                           "most 0.5, not " +
+                           std::to_string(nu) + "."));
+    AssertThrow(density >= 0,
+                ExcMessage("<Density> must not be negative, but is " +
+                           std::to_string(density) + "."));
+
+    shear_modulus        = E / (2 * (1 + nu));
+    inverse_bulk_modulus = 3 * (1 - 2 * nu) / E;
+  }
+} // namespace isochor
