@@ -224,7 +224,7 @@ def draw_slopes(ax, n):
             fontsize=8,
         )
     ax.set_xticks(n, [str(k) for k in n])
-    ax.minorticks_off()
+    ax.xaxis.set_minor_locator(output.plt.NullLocator())
 
 
 def draw_pressure(results, reference, n, directory):
@@ -254,7 +254,7 @@ def draw_pressure(results, reference, n, directory):
         constrained_layout=True,
     )
     # The stabilised field sets the scale; the other may exceed it.
-    limits = output.colour_limits([points[1]["pressure"]], signed=True)
+    limits = output.colour_limits([points[1]["pressure"]], "symmetric")
     for ax, name, data in zip(axes[0], names, points):
         title = "no stabilisation" if name == "u-p" else r"PPP, $\alpha$ = 1"
         artist = output.plot_points(

@@ -6,8 +6,9 @@
     plot.py "u"=DIR1 "u-p"=DIR2 "u-p, PPP"=DIR3
 
 Writes the load curve beside the reference, the heave of the surface with the
-balance of volume, and the fields of all directories side by side. A directory
-may come without a label.
+balance of volume, and the fields of all directories side by side, each on one
+colour scale (for stresses that of the last directory). A directory may come
+without a label.
 """
 
 import argparse
@@ -31,12 +32,13 @@ REFERENCE = np.array(
 )
 REFERENCE_BAND = 0.1
 
-# Field, file, factor and unit to draw in.
+# Field, file, factor and unit to draw in, and which case sets the colour
+# scale: for stresses the last one, as oscillations of another would hide it.
 FIELDS = (
-    ("displacement_x", "displacement_x.png", 1, "m"),
-    ("displacement_y", "displacement_y.png", 1, "m"),
-    ("cauchy_stress_yy", "cauchy_stress_yy.png", 1e-3, "kPa"),
-    ("pressure", "pressure.png", 1e-3, "kPa"),
+    ("displacement_x", "displacement_x.png", 1, "m", None),
+    ("displacement_y", "displacement_y.png", 1, "m", None),
+    ("cauchy_stress_yy", "cauchy_stress_yy.png", 1e-3, "kPa", -1),
+    ("pressure", "pressure.png", 1e-3, "kPa", -1),
 )
 
 
@@ -153,18 +155,19 @@ def draw_heave(cases, arguments):
         ax.axhline(0, color="0.6", lw=0.8)
         ax.set_title(label)
         ax.set_ylabel("height above the\ninitial surface (m)")
-        ax.legend(loc="upper right", ncol=2)
+        ax.legend(loc="lower right", ncol=2)
     axes[-1, 0].set_xlim(0, arguments.window[1])
     axes[-1, 0].set_xlabel("x (m)")
     output.save(figure, arguments.figures / "heave.png")
 
 
 def report_volume(label, settlement, data):
-    """The share of each point that lies above the initial surface, summed,
-    against the volume the footing has taken."""
-    edge = np.sqrt(data["volume"])
-    above = (data["position"][:, 1] - SURFACE) / edge + 0.5
-    heave = np.sum(data["volume"] * np.clip(above, 0, 1))
+    """The volume of the points above the initial surface against that which
+    the footing has taken. A point counts as a whole: it crosses the surface
+    when the soil has risen by its depth, so the sum is right on average, but a
+    rise smaller than the depth of the topmost points is not seen."""
+    above = data["position"][:, 1] > SURFACE
+    heave = np.sum(data["volume"][above])
     change = np.sum(data["volume"] * (1 - 1 / data["J"]))
     print(
         f"{label}, w = {settlement:.3f} m: displaced "
@@ -182,13 +185,14 @@ def draw_fields(cases, arguments):
     fields = list(FIELDS)
     if all("equivalent_plastic_strain" in points for _, points in data):
         name = "equivalent_plastic_strain"
-        fields.append((name, name + ".png", 1, "-"))
-    for name, file_name, scale, unit in fields:
+        fields.append((name, name + ".png", 1, "-", None))
+    for name, file_name, scale, unit, scale_from in fields:
         output.compare_points(
             data,
             name,
             arguments.figures / file_name,
             columns=min(arguments.columns, len(cases)),
+            scale_from=scale_from,
             scale=scale,
             unit=unit,
             window=arguments.window,

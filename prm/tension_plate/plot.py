@@ -5,8 +5,9 @@
 
     plot.py "u, 0.33"=DIR1 "u-p, 0.33"=DIR2 "u, 0.4999"=DIR3 "u-p, 0.4999"=DIR4
 
-Writes the fields of all directories side by side, each on one colour scale,
-and the stress-displacement curves. A directory may come without a label.
+Writes the fields of all directories side by side, each on one colour scale
+(for stresses that of the last directory), and the stress-displacement curves.
+A directory may come without a label.
 """
 
 import argparse
@@ -23,13 +24,14 @@ import numpy as np  # noqa: E402
 # degrees of a strip as high as wide between clamped ends, plane strain.
 LIMIT = 2 / np.sqrt(3)
 
-# Field, file, factor and unit to draw in.
+# Field, file, factor and unit to draw in, and which case sets the colour
+# scale: for stresses the last one, as oscillations of another would hide it.
 FIELDS = (
-    ("displacement_x", "displacement_x.png", 1e3, "mm"),
-    ("displacement_y", "displacement_y.png", 1e3, "mm"),
-    ("equivalent_plastic_strain", "equivalent_plastic_strain.png", 1, "-"),
-    ("cauchy_stress_yy", "cauchy_stress_yy.png", 1e-6, "MPa"),
-    ("pressure", "pressure.png", 1e-6, "MPa"),
+    ("displacement_x", "displacement_x.png", 1e3, "mm", None),
+    ("displacement_y", "displacement_y.png", 1e3, "mm", None),
+    ("equivalent_plastic_strain", "equivalent_plastic_strain.png", 1, "-", None),
+    ("cauchy_stress_yy", "cauchy_stress_yy.png", 1e-6, "MPa", -1),
+    ("pressure", "pressure.png", 1e-6, "MPa", -1),
 )
 
 
@@ -39,12 +41,13 @@ def draw_fields(cases, arguments):
         (label, output.read_points(directory, arguments.step))
         for label, directory in cases
     ]
-    for name, file_name, scale, unit in FIELDS:
+    for name, file_name, scale, unit, scale_from in FIELDS:
         output.compare_points(
             data,
             name,
             arguments.figures / file_name,
             columns=min(arguments.columns, len(cases)),
+            scale_from=scale_from,
             scale=scale,
             unit=unit,
         )
@@ -61,7 +64,7 @@ def draw_curves(cases, arguments):
             np.append(0, displacement) * 1e3,
             np.append(0, stress) / arguments.yield_stress,
             color=output.LINE_COLOURS[index % len(output.LINE_COLOURS)],
-            ls="-" if index < len(output.LINE_COLOURS) else "--",
+            lw=max(1.0, 3.0 - 0.6 * index),  # equal curves stay visible
             label=label,
         )
         final = stress[-1] / arguments.yield_stress

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # Isochor: implicit, stabilised mixed Material Point Method on deal.II.
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Run Isochor, read what it writes, draw fields on material points.
@@ -23,26 +22,24 @@ import numpy as np  # noqa: E402
 from matplotlib.collections import EllipseCollection  # noqa: E402
 from matplotlib.tri import Triangulation  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
-from vtkmodules.vtkIOXML import (  # noqa: E402
-    vtkXMLPUnstructuredGridReader,
-    vtkXMLUnstructuredGridReader,
-)
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader  # noqa: E402
 
 # How a field is drawn. Fields with a sign get a diverging colour map that is
-# white at zero, the others one that grows from dark to bright.
-Style = namedtuple("Style", "label unit colour_map signed")
+# white at zero, the others one that grows from dark to bright. 'limits' says
+# how the colour scale lies: "symmetric" to zero, "from zero", or "free".
+Style = namedtuple("Style", "label unit colour_map limits")
 FIELD_STYLES = {
-    "displacement_x": Style("horizontal displacement", "m", "RdBu_r", True),
-    "displacement_y": Style("vertical displacement", "m", "RdBu_r", True),
-    "pressure": Style("pressure (tension positive)", "Pa", "RdBu_r", True),
-    "cauchy_stress_xx": Style(r"$\sigma_{xx}$", "Pa", "RdBu_r", True),
-    "cauchy_stress_yy": Style(r"$\sigma_{yy}$", "Pa", "RdBu_r", True),
-    "cauchy_stress_zz": Style(r"$\sigma_{zz}$", "Pa", "RdBu_r", True),
-    "cauchy_stress_xy": Style(r"$\sigma_{xy}$", "Pa", "RdBu_r", True),
+    "displacement_x": Style("horizontal displacement", "m", "RdBu_r", "symmetric"),
+    "displacement_y": Style("vertical displacement", "m", "RdBu_r", "symmetric"),
+    "pressure": Style("pressure (tension positive)", "Pa", "RdBu_r", "symmetric"),
+    "cauchy_stress_xx": Style(r"$\sigma_{xx}$", "Pa", "RdBu_r", "symmetric"),
+    "cauchy_stress_yy": Style(r"$\sigma_{yy}$", "Pa", "RdBu_r", "symmetric"),
+    "cauchy_stress_zz": Style(r"$\sigma_{zz}$", "Pa", "RdBu_r", "symmetric"),
+    "cauchy_stress_xy": Style(r"$\sigma_{xy}$", "Pa", "RdBu_r", "symmetric"),
     "equivalent_plastic_strain": Style(
-        "equivalent plastic strain", "-", "inferno", False
+        "equivalent plastic strain", "-", "inferno", "from zero"
     ),
-    "J": Style("J", "-", "viridis", False),
+    "J": Style("J", "-", "viridis", "free"),
 }
 
 # Colours that colour-blind readers can tell apart (Okabe and Ito).
@@ -207,7 +204,8 @@ def read_points(directory, step=-1):
     """The material points of one output, a dict of numpy arrays: 'position'
     (n, 3), 'time', and every field under its name; 'deformation_gradient' as
     (n, 3, 3). @p step counts the outputs in points.pvd, -1 is the last."""
-    data, _ = _read_output(directory, "points", step)
+    data = _read_output(directory, "points", step)
+    del data["cells"]
     gradient = data.get("deformation_gradient")
     if gradient is not None and gradient.shape[-1] == 9:
         data["deformation_gradient"] = gradient.reshape(-1, 3, 3)
@@ -223,15 +221,16 @@ def read_points_at(directory, time):
 def read_grid(directory, step=-1):
     """The active cells of one output of the background grid: like
     read_points(), with 'triangles' (m, 3), the vertices of the cells."""
-    data, grid = _read_output(directory, "grid", step)
-    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
-    if grid.GetNumberOfCells() * 3 != len(cells):
+    data = _read_output(directory, "grid", step)
+    data["triangles"] = data.pop("cells")
+    if data["triangles"].shape[1] != 3:
         raise OutputError(f"The grid in {directory} is not of triangles.")
-    data["triangles"] = cells.reshape(-1, 3)
     return data
 
 
 def _read_output(directory, kind, step):
+    """Time, positions, cells (m, vertices of a cell) and fields of an output,
+    those of all pieces together."""
     records = read_times(directory, kind)
     if not -len(records) <= step < len(records):
         raise OutputError(
@@ -239,39 +238,60 @@ def _read_output(directory, kind, step):
             f"is no number {step}."
         )
     time, path = records[step]
-    _check_pieces(path)
-    parallel = path.suffix == ".pvtu"
-    reader = (
-        vtkXMLPUnstructuredGridReader()
-        if parallel
-        else vtkXMLUnstructuredGridReader()
-    )
-    errors = []
-    reader.AddObserver("ErrorEvent", lambda *_: errors.append(path))
-    reader.SetFileName(str(path))
-    reader.Update()
-    if errors:
-        raise OutputError(f"{path} or a piece of it can't be read.")
-    grid = reader.GetOutput()
-    if grid.GetNumberOfPoints() == 0:
+    pieces = [piece for piece in map(_read_piece, _pieces(path)) if piece]
+    if not pieces:
         raise OutputError(f"{path} holds no points.")
-    data = {"time": time, "position": vtk_to_numpy(grid.GetPoints().GetData())}
-    fields = grid.GetPointData()
-    for index in range(fields.GetNumberOfArrays()):
-        data[fields.GetArrayName(index)] = vtk_to_numpy(fields.GetArray(index))
-    # The arrays are copies: VTK's memory ends with the reader.
-    return {k: np.array(v) if k != "time" else v for k, v in data.items()}, grid
+    if any(piece.keys() != pieces[0].keys() for piece in pieces):
+        raise OutputError(f"The pieces of {path} hold different fields.")
+    sizes = [len(piece["position"]) for piece in pieces]
+    for piece, first in zip(pieces, np.cumsum([0] + sizes)):
+        piece["cells"] = piece["cells"] + first
+    data = {
+        name: np.concatenate([piece[name] for piece in pieces])
+        for name in pieces[0]
+    }
+    return {"time": time, **data}
 
 
-def _check_pieces(path):
+def _pieces(path):
+    """The .vtu files that @p path, a .pvtu or .vtu file, consists of."""
     if not path.is_file():
         raise OutputError(f"There is no {path}, which the .pvd file lists.")
     if path.suffix != ".pvtu":
-        return
-    for piece in xml.etree.ElementTree.parse(path).getroot().iter("Piece"):
-        source = path.parent / piece.get("Source")
-        if not source.is_file():
-            raise OutputError(f"There is no {source}, a piece of {path}.")
+        return [path]
+    root = xml.etree.ElementTree.parse(path).getroot()
+    return [path.parent / piece.get("Source") for piece in root.iter("Piece")]
+
+
+def _read_piece(path):
+    """Arrays of one .vtu file, {} if it is empty, as that of a process without
+    material is. Pieces are read one by one, as VTK's reader of .pvtu files
+    passes over a broken one."""
+    if not path.is_file():
+        raise OutputError(f"There is no {path}, a piece of an output.")
+    errors = []
+    reader = vtkXMLUnstructuredGridReader()
+    reader.AddObserver("ErrorEvent", lambda *_: errors.append(path))
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    n = grid.GetNumberOfPoints()
+    if errors or n != reader.GetNumberOfPoints():
+        raise OutputError(f"{path} can't be read: broken or not complete.")
+    if n == 0:
+        return {}
+    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    arrays = {
+        "position": vtk_to_numpy(grid.GetPoints().GetData()),
+        "cells": cells.reshape(grid.GetNumberOfCells(), -1),
+    }
+    fields = grid.GetPointData()
+    for index in range(fields.GetNumberOfArrays()):
+        arrays[fields.GetArrayName(index)] = vtk_to_numpy(fields.GetArray(index))
+    if any(len(array) != n for name, array in arrays.items() if name != "cells"):
+        raise OutputError(f"{path}: a field has not one value per point.")
+    # Copies: VTK's memory ends with the reader.
+    return {name: np.array(array) for name, array in arrays.items()}
 
 
 def field(data, name):
@@ -290,19 +310,20 @@ def field(data, name):
 # ---------------------------------------------------------------- drawing ---
 
 
-def colour_limits(values, signed, percentile=0.5):
+def colour_limits(values, kind="free", percentile=0.5):
     """Limits (low, high) of a colour scale for the arrays @p values, without
     the outermost @p percentile per cent on either side, so that a few points
-    at a singular corner don't set the scale; symmetric if @p signed and both
-    signs occur."""
+    at a singular corner don't set the scale. @p kind as in FIELD_STYLES."""
     ranges = [np.percentile(v, [percentile, 100 - percentile]) for v in values]
     low = min(r[0] for r in ranges)
     high = max(r[1] for r in ranges)
-    if signed:
+    if kind == "symmetric":
         high = max(abs(low), abs(high))
         low = -high
+    elif kind == "from zero":
+        low = 0.0
     if not high > low:  # a constant field
-        high, low = high + (abs(high) or 1), low - (abs(low) or 1)
+        high, low = low + (abs(low) or 1), low - (abs(low) or 1)
     return low, high
 
 
@@ -329,7 +350,7 @@ def plot_points(
     mirror    draw the image at x -> -x as well (half models)
     Returns what a colour bar can be made of.
     """
-    look = FIELD_STYLES.get(field_name, Style(field_name, "", "viridis", False))
+    look = FIELD_STYLES.get(field_name, Style(field_name, "", "viridis", "free"))
     positions = data["position"][:, :2]
     values = field(data, field_name) * scale
     if mirror:
@@ -349,7 +370,7 @@ def plot_points(
             raise OutputError(f"No material point lies in the window {window}.")
         positions, values = positions[inside], values[inside]
         spacing = spacing[inside]
-    limits = limits or colour_limits([values], look.signed)
+    limits = limits or colour_limits([values], look.limits)
     draw = {"markers": _draw_markers, "triangles": _draw_triangles}
     if style not in draw:
         raise ValueError(f"style is 'markers' or 'triangles', not '{style}'.")
@@ -368,7 +389,7 @@ def plot_points(
 def add_colour_bar(artist, axes, field_name, values=None, unit=None, **options):
     """Colour bar with label and unit beside @p axes (one or several); pointed
     at an end beyond which @p values go."""
-    look = FIELD_STYLES.get(field_name, Style(field_name, "", "viridis", False))
+    look = FIELD_STYLES.get(field_name, Style(field_name, "", "viridis", "free"))
     low, high = artist.get_clim()
     below = values is not None and np.min(values) < low
     above = values is not None and np.max(values) > high
@@ -432,17 +453,20 @@ def _draw_triangles(ax, positions, values, spacing, colour_map, limits):
     )
 
 
-def compare_points(cases, field_name, path, columns=None, **options):
+def compare_points(
+    cases, field_name, path, columns=None, scale_from=None, **options
+):
     """Draw @p field_name of several outputs side by side on one colour scale
-    and save the figure as @p path. @p cases: list of (title, data); @p options
+    and save the figure as @p path. @p cases: list of (title, data); the scale
+    spans all of them, or is that of the case number @p scale_from; @p options
     as for plot_points()."""
     columns = columns or len(cases)
     rows = -(-len(cases) // columns)
-    look = FIELD_STYLES.get(field_name, Style(field_name, "", "viridis", False))
+    look = FIELD_STYLES.get(field_name, Style(field_name, "", "viridis", "free"))
     scale = options.get("scale", 1.0)
     values = [field(data, field_name) * scale for _, data in cases]
     options["limits"] = options.get("limits") or colour_limits(
-        values, look.signed
+        values if scale_from is None else [values[scale_from]], look.limits
     )
     width, height = _extent(cases, options)
     panel = 4.2  # inches, of the longer side
