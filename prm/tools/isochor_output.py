@@ -290,8 +290,12 @@ def _read_piece(path):
         arrays[fields.GetArrayName(index)] = vtk_to_numpy(fields.GetArray(index))
     if any(len(array) != n for name, array in arrays.items() if name != "cells"):
         raise OutputError(f"{path}: a field has not one value per point.")
-    # Copies: VTK's memory ends with the reader.
-    return {name: np.array(array) for name, array in arrays.items()}
+    # Copies, as VTK's memory ends with the reader; in double precision, as
+    # the files hold single, in which sums over all points would lose digits.
+    return {
+        name: np.array(array, dtype=None if name == "cells" else float)
+        for name, array in arrays.items()
+    }
 
 
 def field(data, name):
