@@ -1,0 +1,33 @@
+// Isochor, SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Square plate 0.1 m x 0.1 m, unstructured triangles of edge length h (m):
+//   gmsh -2 plate.geo -setnumber h 0.001 -o plate.msh
+DefineConstant[ h = {0.001, Min 1e-4, Max 0.1, Name "h"} ];
+width  = 0.1;
+height = 0.1;
+
+Point(1) = {0, 0, 0};
+Point(2) = {width, 0, 0};
+Point(3) = {width, height, 0};
+Point(4) = {0, height, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+
+// The size is the same everywhere, whatever the points or options say.
+Field[1] = MathEval;
+Field[1].F = Sprintf("%g", h);
+Background Field = 1;
+Mesh.MeshSizeFromPoints = 0;
+Mesh.MeshSizeExtendFromBoundary = 0;
+Mesh.Algorithm = 6; // frontal Delaunay: nearly equilateral triangles
+Mesh.MshFileVersion = 2.2;
+
+Physical Curve("bottom") = {1};
+Physical Curve("right") = {2};
+Physical Curve("top") = {3};
+Physical Curve("left") = {4};
+Physical Surface("plate") = {1};
