@@ -171,7 +171,7 @@ namespace isochor
         previous = cell;
         cell     = next;
       }
-    return search(x, hint_cell);
+    return search(x);
   }
 
 
@@ -190,8 +190,7 @@ namespace isochor
 
   template <int dim>
   LocateResult<dim>
-  PointLocator<dim>::search(const Point<dim>  &x,
-                            const unsigned int hint_cell) const
+  PointLocator<dim>::search(const Point<dim> &x) const
   {
     LocateResult<dim> best;
     for (unsigned int d = 0; d < dim; ++d)
@@ -207,9 +206,7 @@ namespace isochor
         const auto         lambda = simplices.barycentric(cell, x);
         const double       lowest = minimum(lambda);
         // Ties are decided by the cells' numbers, not by the tree's order.
-        const bool wins_tie =
-          best.cell != hint_cell && (cell == hint_cell || cell < best.cell);
-        if (lowest > best_lowest || (lowest == best_lowest && wins_tie))
+        if (lowest > best_lowest || (lowest == best_lowest && cell < best.cell))
           {
             best.cell        = cell;
             best.barycentric = lambda;

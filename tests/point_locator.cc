@@ -941,6 +941,30 @@ namespace
 
 
 
+  /** Without a hint a vertex belongs to the first of its cells. The
+   * coordinates are such that there is no rounding. */
+  void
+  check_ties()
+  {
+    Check            check("ties");
+    Triangulation<2> tria;
+    GridGenerator::subdivided_hyper_cube_with_simplices(tria, 8);
+    const SimplexGeometry<2>  geometry(tria);
+    const PointLocator<2>     locator(geometry);
+    std::vector<unsigned int> first(tria.n_vertices(), geometry.no_cell);
+    for (const auto &cell : tria.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        first[cell->vertex_index(v)] =
+          std::min(first[cell->vertex_index(v)], cell->active_cell_index());
+    for (unsigned int v = 0; v < first.size(); ++v)
+      check.require(locator.locate(geometry.vertices()[v], geometry.no_cell)
+                        .cell == first[v],
+                    "vertex",
+                    v);
+  }
+
+
+
   /** Every rank sends a record to each rank; without payload, too. */
   void
   check_exchange()
@@ -1018,6 +1042,7 @@ main(int argc, char **argv)
   check_arrays<2>();
   check_arrays<3>();
   check_orientation();
+  check_ties();
   check_errors<2>();
   check_errors<3>();
   check_exchange();

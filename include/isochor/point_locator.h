@@ -39,7 +39,8 @@ namespace isochor
    * and may circle; then a search tree over the cells' bounding boxes decides,
    * so that a point of the grid is found whatever the hint.
    *
-   * A point on a face or vertex belongs to the hint if that is adjacent. A
+   * A point on a face or vertex belongs to the hint if that is adjacent;
+   * without a hint, to the cell that contains it best, of equals the first. A
    * point outside by rounding, with no barycentric coordinate below
    * -clamp_tolerance, belongs to the cell and gets coordinates clamped to the
    * cell; its location is left alone. Rounding stays below that tolerance as
@@ -81,7 +82,7 @@ namespace isochor
     struct SearchTree;
 
     LocateResult<dim>
-    search(const Point<dim> &x, const unsigned int hint_cell) const;
+    search(const Point<dim> &x) const;
 
     const SimplexGeometry<dim>       &simplices;
     const std::unique_ptr<SearchTree> tree;
