@@ -5,7 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/active_nodes.h>
-#include <isochor/exclusive_sum.h>
+#include <isochor/mpi_sums.h>
 
 #include <algorithm>
 

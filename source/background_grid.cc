@@ -149,7 +149,7 @@ namespace isochor
                       "split into 2 triangles or 6 tetrahedra.");
     prm.declare_entry("Diagonals",
                       "/",
-                      Patterns::Selection("/|\\|alternating"),
+                      Patterns::Selection("/|\\|backslash|alternating"),
                       "Direction of the diagonals of a structured mesh.");
     prm.declare_entry("File", "", Patterns::Anything(), "A gmsh .msh file.");
     prm.declare_entry(
@@ -315,7 +315,9 @@ namespace isochor
             rest /= n[d];
             base += index * stride[d];
             if ((parameters.diagonals == "alternating" && index % 2 == 1) ||
-                (parameters.diagonals == "\\" && d == 0))
+                ((parameters.diagonals == "\\" ||
+                  parameters.diagonals == "backslash") &&
+                 d == 0))
               mirror |= 1u << d;
           }
         for (const auto &simplex : simplices)

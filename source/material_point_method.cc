@@ -6,6 +6,7 @@
 
 #include <isochor/expression.h>
 #include <isochor/material_point_method.h>
+#include <isochor/mpi_sums.h>
 
 #include <unistd.h>
 
@@ -422,7 +423,7 @@ namespace isochor
     norms.status =
       static_cast<EvaluationStatus>(Utilities::MPI::max(status, comm));
     norms.pending = Utilities::MPI::max(is_pending, comm) != 0;
-    Utilities::MPI::sum(squares, comm, squares);
+    sum_over_ranks(squares, comm);
     norms.displacement       = std::sqrt(squares[0]);
     norms.pressure           = std::sqrt(squares[1]);
     norms.force_scale        = std::sqrt(std::max(squares[2], squares[3]));

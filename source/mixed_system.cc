@@ -4,8 +4,8 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
-#include <isochor/exclusive_sum.h>
 #include <isochor/mixed_system.h>
+#include <isochor/mpi_sums.h>
 
 #include <algorithm>
 #include <limits>

@@ -2,11 +2,13 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#ifndef isochor_exclusive_sum_h
-#define isochor_exclusive_sum_h
+#ifndef isochor_mpi_sums_h
+#define isochor_mpi_sums_h
 
+#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 
+#include <array>
 #include <utility>
 
 namespace isochor
@@ -27,6 +29,16 @@ namespace isochor
         total += all[r];
       }
     return {before, total};
+  }
+
+  /** Replace each value by its sum over the ranks. */
+  template <std::size_t n>
+  void
+  sum_over_ranks(std::array<double, n> &values, const MPI_Comm comm)
+  {
+    Utilities::MPI::sum(ArrayView<const double>(values.data(), n),
+                        comm,
+                        ArrayView<double>(values.data(), n));
   }
 } // namespace isochor
 

@@ -1,0 +1,165 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/expression.h>
+#include <isochor/mpi_sums.h>
+#include <isochor/postprocessor.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+namespace isochor
+{
+  /**
+   * Named tracers: massless points of the body, given where they are at t = 0,
+   * which move with the displacement field. Their displacement and, in the u-p
+   * form, pressure go into the statistics.
+   */
+  template <int dim>
+  class PointProbes : public Postprocessor<dim>
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm)
+    {
+      prm.declare_entry("Point probes",
+                        "",
+                        Patterns::Anything(),
+                        "Points of the body whose displacement (m) and "
+                        "pressure (Pa) go into the statistics, by their place "
+                        "at t = 0: 'name: x, y(, z); name: ...'.");
+    }
+
+    void
+    parse_parameters(ParameterHandler &prm) override
+    {
+      const std::string name = "Postprocess/Point probes";
+      for (const auto &entry : split_named_list(prm.get("Point probes"), name))
+        {
+          const auto x = Utilities::string_to_double(
+            Utilities::split_string_list(entry.second));
+          AssertThrow(x.size() == dim,
+                      ExcMessage("The probe <" + entry.first +
+                                 "> of the parameter <" + name + "> needs " +
+                                 std::to_string(dim) + " coordinates."));
+          Probe probe;
+          probe.name = entry.first;
+          for (unsigned int d = 0; d < dim; ++d)
+            probe.location[d] = x[d];
+          probes.push_back(probe);
+        }
+    }
+
+    void
+    evaluate_nodes(const StepResult<dim> &result,
+                   Statistics            &statistics) override
+    {
+      for (Probe &probe : probes)
+        {
+          const std::array<double, dim + 2> values = interpolate(result, probe);
+          AssertThrow(values[dim + 1] > 0,
+                      ExcMessage("The point probe <" + probe.name +
+                                 "> lies in no cell that holds material. Check "
+                                 "<Postprocess/Point probes>."));
+          for (unsigned int a = 0; a < dim; ++a)
+            {
+              const double increment = values[a] / values[dim + 1];
+              probe.displacement[a] += increment;
+              probe.location[a] += increment;
+              statistics.set(std::string("Displacement ") + "xyz"[a] + " of " +
+                               probe.name + " (m)",
+                             probe.displacement[a]);
+            }
+          if (result.step.mixed())
+            statistics.set("Pressure at " + probe.name + " (Pa)",
+                           values[dim] / values[dim + 1]);
+        }
+    }
+
+    std::string
+    save_state() const override
+    {
+      std::ostringstream state;
+      state.precision(std::numeric_limits<double>::max_digits10);
+      for (const Probe &probe : probes)
+        state << probe.location << ' ' << probe.displacement << ' ';
+      return state.str();
+    }
+
+    void
+    load_state(const std::string &text) override
+    {
+      std::istringstream state(text);
+      for (Probe &probe : probes)
+        for (unsigned int d = 0; d < 2 * dim; ++d)
+          state >> (d < dim ? probe.location[d] : probe.displacement[d - dim]);
+    }
+
+  private:
+    struct Probe
+    {
+      std::string    name;
+      Point<dim>     location;
+      Tensor<1, dim> displacement;
+    };
+
+    /**
+     * Displacement increment, pressure and the number of ranks that found the
+     * probe in an occupied cell, summed over them. Among the cells around the
+     * probe the occupied one that fits best is taken: a probe may lie on the
+     * surface of the body, or by rounding just outside.
+     */
+    std::array<double, dim + 2>
+    interpolate(const StepResult<dim> &result, const Probe &probe) const
+    {
+      const StepContext<dim>     &step     = result.step;
+      const SimplexGeometry<dim> &geometry = step.grid.geometry();
+      unsigned int                best     = numbers::invalid_unsigned_int;
+      double                      best_fit = -1e-2;
+      for (const unsigned int cell : step.points.cell)
+        {
+          const auto   lambda = geometry.barycentric(cell, probe.location);
+          const double fit    = *std::min_element(lambda.begin(), lambda.end());
+          if (fit > best_fit)
+            {
+              best     = cell;
+              best_fit = fit;
+            }
+        }
+      // several ranks may hold a cell at a face: the one that fits best, or
+      // the first of them
+      const MPI_Comm     comm = step.grid.communicator();
+      const double       fit  = Utilities::MPI::max(best_fit, comm);
+      const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
+      const unsigned int winner =
+        Utilities::MPI::min(best != numbers::invalid_unsigned_int &&
+                                best_fit == fit ?
+                              rank :
+                              numbers::invalid_unsigned_int,
+                            comm);
+
+      std::array<double, dim + 2> values{};
+      if (rank == winner)
+        {
+          const auto lambda = geometry.barycentric(best, probe.location);
+          for (unsigned int I = 0; I <= dim; ++I)
+            {
+              const unsigned int node =
+                step.nodes.node(geometry.vertex_indices(best)[I]);
+              for (unsigned int a = 0; a < step.n_components; ++a)
+                values[a] += lambda[I] * result.unknowns.local_element(
+                                           node * step.n_components + a);
+            }
+          values[dim + 1] = 1;
+        }
+      sum_over_ranks(values, comm);
+      return values;
+    }
+
+    std::vector<Probe> probes;
+  };
+
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, PointProbes, "Point probes")
+} // namespace isochor

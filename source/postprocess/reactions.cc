@@ -1,0 +1,87 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/mpi_sums.h>
+#include <isochor/postprocessor.h>
+
+#include <set>
+
+namespace isochor
+{
+  /**
+   * Reaction of named boundaries: the sum of the constraint forces at their
+   * constrained nodes, the force that the boundary exerts on the body (N, per
+   * metre of thickness in plane strain).
+   */
+  template <int dim>
+  class Reactions : public Postprocessor<dim>
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm)
+    {
+      prm.declare_entry("Reactions",
+                        "",
+                        Patterns::List(Patterns::Anything()),
+                        "Boundaries whose reaction goes into the statistics.");
+    }
+
+    void
+    parse_parameters(ParameterHandler &prm) override
+    {
+      names = Utilities::split_string_list(prm.get("Reactions"));
+    }
+
+    void
+    initialize(const BackgroundGrid<dim> &grid) override
+    {
+      for (const std::string &name : names)
+        {
+          const types::boundary_id id = grid.boundary_id(name);
+          vertices.emplace_back();
+          for (const BoundaryFace &face : grid.boundary_faces())
+            if (face.id == id)
+              for (unsigned int v = 0; v <= dim; ++v)
+                if (v != face.opposite_vertex)
+                  vertices.back().insert(
+                    grid.geometry().vertex_indices(face.cell)[v]);
+        }
+    }
+
+    void
+    evaluate_nodes(const StepResult<dim> &result,
+                   Statistics            &statistics) override
+    {
+      const StepContext<dim> &step = result.step;
+      for (unsigned int i = 0; i < names.size(); ++i)
+        {
+          std::array<double, dim> force{};
+          for (const unsigned int vertex : vertices[i])
+            {
+              const unsigned int node = step.nodes.node(vertex);
+              if (node >= step.nodes.n_owned())
+                continue;
+              for (unsigned int a = 0; a < dim; ++a)
+                {
+                  const unsigned int entry = node * step.n_components + a;
+                  if (result.system.equation(entry) ==
+                      numbers::invalid_unsigned_int)
+                    force[a] += result.system.residual.local_element(entry);
+                }
+            }
+          sum_over_ranks(force, step.grid.communicator());
+          for (unsigned int a = 0; a < dim; ++a)
+            statistics.set(std::string("Reaction ") + "xyz"[a] + " on " +
+                             names[i] + " (N)",
+                           force[a]);
+        }
+    }
+
+  private:
+    std::vector<std::string>            names;
+    std::vector<std::set<unsigned int>> vertices;
+  };
+
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Reactions, "Reactions")
+} // namespace isochor
