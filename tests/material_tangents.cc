@@ -308,6 +308,9 @@ test_all()
                        "set Friction angle = " +
                          angles.substr(0, 2) + "\nset Dilation angle = " +
                          angles.substr(3) + "\nend");
+  test::report("further parameters, dim " + std::to_string(dim),
+               all_passed,
+               "see above");
 }
 
 int

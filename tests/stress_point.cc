@@ -250,6 +250,46 @@ test_j2()
   error.report("J2 returns, dim " + std::to_string(dim), 1e-10);
 }
 
+/** The symmetric part of the tangent, and nothing else changed. */
+template <int dim>
+void
+test_symmetrized_j2()
+{
+  const std::string yield = "subsection J2\nset Yield stress = 1e5\n";
+  const auto        exact = test::make_material<dim>("J2", yield + "end");
+  const auto        symmetrized =
+    test::make_material<dim>("J2",
+                             yield + "set Symmetrize tangent = true\nend");
+  Tensor<2, dim> F(unit_symmetric_tensor<dim>());
+  F[0][0] = 1.3;
+  F[0][1] = 0.2;
+
+  test::Point<dim>          exact_point(*exact), point(*symmetrized);
+  const StressResponse<dim> a = exact_point.evaluate(F);
+  const StressResponse<dim> b = point.evaluate(F);
+  test::WorstError          error;
+  double                    asymmetry = 0;
+  error.add((a.deviatoric_stress - b.deviatoric_stress).norm() / 1e5, "stress");
+  for (unsigned int i = 0; i < dim; ++i)
+    for (unsigned int j = 0; j < dim; ++j)
+      for (unsigned int k = 0; k < dim; ++k)
+        for (unsigned int l = 0; l < dim; ++l)
+          {
+            const double a_ijkl = a.tangent[i][j][k][l];
+            const double a_klij = a.tangent[k][l][i][j];
+            asymmetry = std::max(asymmetry, std::abs(a_ijkl - a_klij));
+            error.add(std::abs(b.tangent[i][j][k][l] - (a_ijkl + a_klij) / 2) /
+                        a.tangent.norm(),
+                      "tangent");
+          }
+  error.report("J2 symmetrized, dim " + std::to_string(dim), 1e-12);
+  test::report("J2, flags of symmetry, dim " + std::to_string(dim),
+               asymmetry > 1e-3 * a.tangent.norm() &&
+                 symmetrized->has_symmetric_tangent() &&
+                 !exact->has_symmetric_tangent(),
+               "asymmetry " + std::to_string(asymmetry));
+}
+
 /** Without a trial state to return from there is nothing to compute: reported,
  * not silently wrong. */
 template <int dim>
@@ -300,6 +340,8 @@ main()
   test_mohr_coulomb<3>();
   test_j2<2>();
   test_j2<3>();
+  test_symmetrized_j2<2>();
+  test_symmetrized_j2<3>();
   test_failure_is_reported<2>();
   test_failure_is_reported<3>();
 
