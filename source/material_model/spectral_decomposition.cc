@@ -70,10 +70,9 @@ namespace isochor
                 continue;
               rotated = true;
 
-              const double ratio = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-              const double tangent =
-                std::copysign(1 / (std::abs(ratio) + std::hypot(ratio, 1.)),
-                              ratio);
+              const double ratio   = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+              const double tangent = std::copysign(
+                1 / (std::abs(ratio) + std::sqrt(ratio * ratio + 1)), ratio);
               const double cosine = 1 / std::sqrt(1 + tangent * tangent);
               const double sine   = tangent * cosine;
 
