@@ -32,7 +32,7 @@ namespace isochor
   MaterialPointMethod<dim>::MaterialPointMethod(const MPI_Comm comm)
     : comm(comm)
     , pcout(std::cout, false)
-    , timer(comm, pcout, TimerOutput::never, TimerOutput::wall_times)
+    , timer(comm, std::cout, TimerOutput::never, TimerOutput::wall_times)
     , grid(comm)
     , points(grid)
     , nodes(grid)
@@ -254,6 +254,10 @@ namespace isochor
   MaterialPointMethod<dim>::initialisation_phase()
   {
     TimerOutput::Scope scope(timer, "initialisation phase");
+    if (grid.is_moving())
+      grid.set_vertices(grid.vertices_at_time(time.time));
+    // here and not after the last step, which may end outside of the grid
+    points.relocate(*locator);
     points.gather(arrays);
     std::vector<unsigned int> touched;
     for (EquationTerm<dim> *term : terms)
@@ -378,7 +382,8 @@ namespace isochor
         unknowns.local_element(i) =
           base_unknowns.local_element(i) + s * correction.local_element(i);
     };
-    return newton_solver.solve(problem, verbose ? &std::cout : nullptr);
+    return newton_solver.solve(problem,
+                               pcout.is_active() ? &std::cout : nullptr);
   }
 
 
@@ -488,9 +493,6 @@ namespace isochor
       TimerOutput::Scope scope(timer, "convective phase");
       update_points();
       time.accept(newton.n_iterations());
-      if (grid.is_moving())
-        grid.set_vertices(grid.vertices_at_time(time.time));
-      points.relocate(*locator);
     }
     {
       TimerOutput::Scope scope(timer, "postprocessing");
