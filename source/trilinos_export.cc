@@ -10,6 +10,7 @@
 #include <Epetra_MpiComm.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace isochor
 {
@@ -82,7 +83,7 @@ namespace isochor
 
     const int n_owned = owned_position.size();
     int       begin   = 0;
-    const int ierr    = MPI_Exscan(&n_owned, &begin, 1, MPI_INT, MPI_SUM, A.comm);
+    const int ierr = MPI_Exscan(&n_owned, &begin, 1, MPI_INT, MPI_SUM, A.comm);
     AssertThrowMPI(ierr);
     locally_owned.set_size(Utilities::MPI::sum(n_owned, A.comm));
     locally_owned.add_range(begin, begin + n_owned);
@@ -140,8 +141,7 @@ namespace isochor
       {
         to_owners =
           std::make_unique<Epetra_Export>(rows.local_map, rows.owned_map);
-        summed =
-          std::make_unique<Epetra_CrsMatrix>(Copy, rows.owned_map, 0);
+        summed = std::make_unique<Epetra_CrsMatrix>(Copy, rows.owned_map, 0);
         check(summed->Export(*local, *to_owners, ::Add), "Export");
         check(summed->FillComplete(columns.owned_map, rows.owned_map),
               "FillComplete");
@@ -162,9 +162,8 @@ namespace isochor
       for (unsigned int i = 0; i + 1 < A.row_start.size(); ++i)
         for (std::size_t k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
           {
-            const unsigned int j = A.column[k];
-            const auto         is_in_block = [&](unsigned int r,
-                                         unsigned int c) {
+            const unsigned int j   = A.column[k];
+            const auto is_in_block = [&](unsigned int r, unsigned int c) {
               return rows.index_of[r] != numbers::invalid_unsigned_int &&
                      columns.index_of[c] != numbers::invalid_unsigned_int;
             };
@@ -235,7 +234,9 @@ namespace isochor
   TrilinosBlock::vmult(TrilinosWrappers::MPI::Vector       &dst,
                        const TrilinosWrappers::MPI::Vector &src) const
   {
-    check(matrix().Multiply(false, src.trilinos_vector(), dst.trilinos_vector()),
+    check(matrix().Multiply(false,
+                            src.trilinos_vector(),
+                            dst.trilinos_vector()),
           "Multiply");
   }
 

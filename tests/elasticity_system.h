@@ -8,7 +8,6 @@
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/utilities.h>
-
 #include <deal.II/lac/full_matrix.h>
 
 #include <isochor/sparse_system.h>
@@ -170,8 +169,8 @@ namespace isochor
             gradient[0][d] -= inverse(d, v);
           }
 
-      const double nu               = options.poisson_ratio;
-      const double bulk_compliance  = 1.5 * (1. - 2. * nu) / (1. + nu);
+      const double nu              = options.poisson_ratio;
+      const double bulk_compliance = 1.5 * (1. - 2. * nu) / (1. + nu);
       const double volumetric_coeff =
         -2. / 3. + (options.mixed ? 0. : 1. / bulk_compliance);
       const unsigned int n = n_fields();
@@ -198,10 +197,9 @@ namespace isochor
                   }
                 const double mass =
                   volume * (v == w ? 2. : 1.) / ((dim + 1) * (dim + 2));
-                const double projected = volume / ((dim + 1) * (dim + 1));
-                m(v * n + dim, w * n + dim) =
-                  -(bulk_compliance * mass +
-                    options.alpha * (mass - projected));
+                const double projected      = volume / ((dim + 1) * (dim + 1));
+                m(v * n + dim, w * n + dim) = -(
+                  bulk_compliance * mass + options.alpha * (mass - projected));
               }
           }
       return m;

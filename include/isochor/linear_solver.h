@@ -58,6 +58,11 @@ namespace isochor
     solve(const TrilinosWrappers::MPI::Vector &b,
           TrilinosWrappers::MPI::Vector &      x) = 0;
   };
+
+  /** Throw ExcLinearSolverFailed, on all ranks, if on any of them @p A has a
+   * value that is infinite or not a number. */
+  void
+  assert_finite(const SparseSystem &A);
 } // namespace isochor
 
 #endif

@@ -60,6 +60,7 @@ namespace isochor
     {
       LinearSolverReport report;
       factorised = false;
+      assert_finite(A);
       if (!solver || pattern_id != A.pattern_id)
         {
           analyse(A);
@@ -80,10 +81,9 @@ namespace isochor
       AssertThrow(factorised,
                   ExcMessage("Amesos: solve() needs a matrix that was "
                              "factorised successfully."));
-      TrilinosWrappers::MPI::Vector rhs(b);
-      problem.SetLHS(&x.trilinos_vector());
-      problem.SetRHS(&rhs.trilinos_vector());
+      rhs = b;
       check(solver->Solve(), "solve");
+      x = solution;
 
       TrilinosWrappers::MPI::Vector residual;
       residual.reinit(b, true);
@@ -94,8 +94,7 @@ namespace isochor
                     norm <= residual_tolerance * b.l2_norm(),
                   ExcLinearSolverFailed(
                     type + ": the residual is " + std::to_string(norm) +
-                    ", that of the right-hand side " +
-                    std::to_string(b.l2_norm()) +
+                    ", the right-hand side " + std::to_string(b.l2_norm()) +
                     ". The matrix is singular or nearly so."));
       return LinearSolverReport();
     }
@@ -108,7 +107,13 @@ namespace isochor
       matrix.reset();
       equations = std::make_unique<EquationSubset>(A);
       matrix    = std::make_unique<TrilinosBlock>(A, *equations, *equations);
+      // Some solvers look at the number of right-hand sides already when they
+      // plan the factorisation.
+      rhs.reinit(A.locally_owned, A.comm);
+      solution.reinit(A.locally_owned, A.comm);
       problem.SetOperator(&matrix->matrix());
+      problem.SetLHS(&solution.trilinos_vector());
+      problem.SetRHS(&rhs.trilinos_vector());
       solver.reset(Amesos().Create(type, problem));
       AssertThrow(solver, ExcMessage("Amesos has no solver <" + type + ">."));
       check(solver->SymbolicFactorization(), "symbolic factorisation");
@@ -147,6 +152,7 @@ namespace isochor
     // to the matrix.
     std::unique_ptr<EquationSubset>    equations;
     std::unique_ptr<TrilinosBlock>     matrix;
+    TrilinosWrappers::MPI::Vector      rhs, solution;
     Epetra_LinearProblem               problem;
     std::unique_ptr<Amesos_BaseSolver> solver;
     unsigned long                      pattern_id = 0;

@@ -5,8 +5,9 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <dmumps_c.h>
 #include <isochor/linear_solver.h>
+
+#include <dmumps_c.h>
 #include <metis.h>
 
 #include <algorithm>
@@ -131,8 +132,11 @@ namespace isochor
     }
 
     /** The values of ICNTL(7) for the orderings inside MUMPS. */
-    const std::map<std::string, int> mumps_orderings = {
-      {"AMD", 0}, {"AMF", 2}, {"SCOTCH", 3}, {"PORD", 4}, {"QAMD", 6}};
+    const std::map<std::string, int> mumps_orderings = {{"AMD", 0},
+                                                        {"AMF", 2},
+                                                        {"SCOTCH", 3},
+                                                        {"PORD", 4},
+                                                        {"QAMD", 6}};
   } // namespace
 
   /**
@@ -193,14 +197,7 @@ namespace isochor
       if (A.n_equations == 0)
         return report;
 
-      const bool all_finite =
-        std::all_of(A.values.begin(), A.values.end(), [](const double a) {
-          return std::isfinite(a);
-        });
-      AssertThrow(Utilities::MPI::min(all_finite ? 1 : 0, A.comm) == 1,
-                  ExcLinearSolverFailed(
-                    "the matrix has entries that are not finite numbers."));
-
+      assert_finite(A);
       if (!mumps || pattern_id != A.pattern_id || comm != A.comm ||
           symmetric != A.symmetric)
         {
@@ -256,9 +253,8 @@ namespace isochor
     void
     analyse(const SparseSystem &A)
     {
-      AssertThrow(A.n_equations <
-                    static_cast<types::global_dof_index>(
-                      std::numeric_limits<int>::max()),
+      AssertThrow(A.n_equations < static_cast<types::global_dof_index>(
+                                    std::numeric_limits<int>::max()),
                   ExcMessage("MUMPS numbers equations by 32-bit integers."));
       mumps.reset();
       comm      = A.comm;
@@ -379,9 +375,9 @@ namespace isochor
     {
       // The codes of INFO(1) that say so.
       const auto more_workspace_helps = [](const int status) {
-        return status == -8 || status == -9 || status == -11 ||
-               status == -12 || status == -14 || status == -15 ||
-               status == -17 || status == -18 || status == -20;
+        return status == -8 || status == -9 || status == -11 || status == -12 ||
+               status == -14 || status == -15 || status == -17 ||
+               status == -18 || status == -20;
       };
       const int largest_increase = 1000; // percent
       int       status           = mumps->run(2);
@@ -417,8 +413,8 @@ namespace isochor
         reason = ", the matrix is singular";
       else if (status == -13 || status == -7)
         reason = ", out of memory";
-      return "MUMPS, " + phase + reason + ": INFOG(1:2) = " +
-             std::to_string(status) + ", " +
+      return "MUMPS, " + phase + reason +
+             ": INFOG(1:2) = " + std::to_string(status) + ", " +
              std::to_string(entry(mumps->id.infog, 2)) + ".";
     }
 
@@ -429,10 +425,9 @@ namespace isochor
       if (n_ranks == 1)
         return;
       const int n_owned = A.locally_owned.n_elements();
-      const int begin =
-        n_owned == 0 ? 0 : A.locally_owned.nth_index_in_set(0);
-      n_owned_by     = Utilities::MPI::gather(comm, n_owned);
-      owned_begin_of = Utilities::MPI::gather(comm, begin);
+      const int begin = n_owned == 0 ? 0 : A.locally_owned.nth_index_in_set(0);
+      n_owned_by      = Utilities::MPI::gather(comm, n_owned);
+      owned_begin_of  = Utilities::MPI::gather(comm, begin);
       if (Utilities::MPI::this_mpi_process(comm) == 0)
         centralised.resize(A.n_equations);
     }
