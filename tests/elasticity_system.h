@@ -28,8 +28,9 @@ namespace isochor
     double       poisson_ratio    = 0.499;
     double       alpha            = 1.; ///< of the PPP stabilisation
     bool         mixed            = true;
-    bool         clamped          = true; ///< fix the nodes at x_dim = 0
-    double       skewness         = 0.;   ///< if not 0: an unsymmetric matrix
+    bool         clamped          = true;  ///< fix the nodes at x_dim = 0
+    double       skewness         = 0.;    ///< if not 0: an unsymmetric matrix
+    bool         idle_rank        = false; ///< the last of several has no cells
   };
 
   /**
@@ -76,8 +77,10 @@ namespace isochor
     unsigned int
     first_slice(const unsigned int rank) const
     {
-      return (options.n_cells_per_edge * rank) /
-             Utilities::MPI::n_mpi_processes(A.comm);
+      const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(A.comm);
+      const unsigned int n_busy =
+        (options.idle_rank && n_ranks > 1 ? n_ranks - 1 : n_ranks);
+      return (options.n_cells_per_edge * std::min(rank, n_busy)) / n_busy;
     }
 
     /** A node belongs to the lowest of the ranks whose cells touch it. As the
@@ -114,7 +117,8 @@ namespace isochor
       A.n_equations   = next;
       A.locally_owned = IndexSet(next);
       AssertThrow(n_ranks <= options.n_cells_per_edge, ExcInternalError());
-      A.locally_owned.add_range(owned_begin, owned_end);
+      if (begin < end)
+        A.locally_owned.add_range(owned_begin, owned_end);
     }
 
     Node

@@ -163,6 +163,12 @@ namespace
     report("keeps the analysis", !done.analysed && done.factorised, "");
     check_solve("changed values", solver, A);
 
+    options.idle_rank             = true;
+    const SparseSystem unbalanced = make(options);
+    solver.factorise(unbalanced);
+    check_solve("a rank without equations", solver, unbalanced);
+    options.idle_rank = false;
+
     options.n_cells_per_edge  = 11;
     options.poisson_ratio     = 0.5;
     const SparseSystem larger = make(options);

@@ -54,6 +54,16 @@ namespace isochor
         minus_C.vmult_add(dst.block(1), src.block(1));
       }
 
+      /** In bytes, on this rank. */
+      double
+      memory_consumption() const
+      {
+        double n_entries = 0.;
+        for (const TrilinosBlock *block : {&K, &B, &B_star, &minus_C})
+          n_entries += block->matrix().NumMyNonzeros();
+        return n_entries * (sizeof(double) + sizeof(int));
+      }
+
       TrilinosBlock K, B, B_star, minus_C;
     };
 
@@ -206,7 +216,7 @@ namespace isochor
       if (pressures->locally_owned.size() > 0)
         build_block_preconditioner();
       report.factorised      = true;
-      report.memory_in_bytes = multigrid.memory_consumption();
+      report.memory_in_bytes = matrix->memory_consumption();
       return report;
     }
 
