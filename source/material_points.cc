@@ -57,10 +57,10 @@ namespace isochor
   {
     prm.enter_subsection("Material points");
     prm.declare_entry("Points per cell",
-                      "3",
+                      dim == 2 ? "3" : "4",
                       Patterns::Integer(1),
                       "Material points seeded per cell: 1, 3, 4, 6, 7, 9, 12, "
-                      "15, 16, ... in 2D, 1, 4, 8, 10, 27, ... in 3D.");
+                      "15, 16, ... in 2D, 1, 4, 8, 14, 27, 35, ... in 3D.");
     prm.declare_entry("Points per cell in zones",
                       "",
                       Patterns::Anything(),

@@ -113,6 +113,17 @@ namespace isochor
       check(what, error <= tolerance, details.str());
     }
 
+    /** @p text in one line: deal.II breaks the lines of messages anywhere. */
+    inline std::string
+    one_line(const std::string &text)
+    {
+      std::istringstream words(text);
+      std::string        line;
+      for (std::string word; words >> word;)
+        line += (line.empty() ? "" : " ") + word;
+      return line;
+    }
+
     /** The larger of two errors; not-a-number is infinitely wrong. */
     inline void
     add_error(double &worst, const double error)
