@@ -7,6 +7,7 @@
 
 #include <isochor/expression.h>
 #include <isochor/material_points.h>
+#include <isochor/plain_message.h>
 #include <isochor/relocation.h>
 #include <isochor/seeding.h>
 
@@ -227,7 +228,7 @@ namespace isochor
                     ExcMessage("The mesh file <" + parameters.body_mesh +
                                "> of the parameter <Material points/Body mesh> "
                                "can't be read: " +
-                               exc.what()));
+                               plain_message(exc)));
       }
     const SimplexGeometry<dim> geometry(body);
     std::vector<Seed>          seeds = seeds_in_cells(geometry, false);

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/linear_solver.h>
 #include <isochor/newton_solver.h>
+#include <isochor/plain_message.h>
 
 #include <algorithm>
 #include <cmath>
@@ -197,7 +198,7 @@ namespace isochor
           }
         catch (const ExcLinearSolverFailed &exc)
           {
-            report.failure = exc.what();
+            report.failure = plain_message(exc);
             return report;
           }
 

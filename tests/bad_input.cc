@@ -14,14 +14,19 @@
 
 using namespace isochor;
 
+/** As in main.cc, the problem is left in @p owner. */
 template <int dim>
 void
-execute(ParameterHandler &prm, const bool validate_only)
+execute(ParameterHandler      &prm,
+        const bool             validate_only,
+        std::shared_ptr<void> &owner)
 {
-  MaterialPointMethod<dim> problem(MPI_COMM_WORLD);
-  problem.parse_parameters(prm);
+  const auto problem =
+    std::make_shared<MaterialPointMethod<dim>>(MPI_COMM_WORLD);
+  owner = problem;
+  problem->parse_parameters(prm);
   if (!validate_only)
-    problem.run();
+    problem->run();
 }
 
 /** A scene without a mistake, but for what @p lines change. */
@@ -45,18 +50,19 @@ test_scene(const std::string              &what,
            const std::vector<std::string> &words)
 {
   std::ofstream("scene.prm") << text;
-  Program program;
+  std::shared_ptr<void> problem;
+  Program               program;
   program.declare = [](auto &prm, const auto dim, const auto n_materials) {
     if (dim == 2)
       MaterialPointMethod<2>::declare_parameters(prm, n_materials);
     else
       MaterialPointMethod<3>::declare_parameters(prm, n_materials);
   };
-  program.execute = [](auto &prm, const auto dim, const bool validate_only) {
+  program.execute = [&](auto &prm, const auto dim, const bool validate_only) {
     if (dim == 2)
-      execute<2>(prm, validate_only);
+      execute<2>(prm, validate_only, problem);
     else
-      execute<3>(prm, validate_only);
+      execute<3>(prm, validate_only, problem);
   };
   const std::array<const char *, 2> argv = {{"isochor", "scene.prm"}};
   std::ostringstream                messages;
@@ -185,9 +191,11 @@ main(int argc, char **argv)
              loads,
              "Gravity = 0, -1e9",
              {"can't be cut back further", "Minimum step size"});
-  test_entry("inverted points",
-             loads,
-             "Displacement = bottom: x = 0, y = 0; top: x = 0, y = -1.5*t",
+  test_scene("inverted points",
+             scene("subsection Boundary conditions\nset Displacement = "
+                   "bottom: x = 0, y = 0; top: x = 0, y = -1.5*t\nend\n"
+                   "subsection Time\nset Minimum step size = 1\nend\n"),
+             1,
              {"can't be cut back further", "inside out"});
   test_scene("body that nothing holds",
              scene("subsection Boundary conditions\nset Displacement = \n"

@@ -268,9 +268,10 @@ test_state(const NeoHookeanState &state,
         formulation.second + unstructured_grid<dim>() +
         "Material/Young modulus = 70\nMaterial/Poisson ratio = " +
         std::to_string(state.nu) +
-        "\nNewton/Tolerance = 1e-13\nNewton/Maximum iterations = 30\n"
+        "\nNewton/Tolerance = 1e-11\n"
         "Time/Step size = " +
         std::to_string(1. / n_steps) +
+        "\nTime/Minimum step size = " + std::to_string(1. / n_steps) +
         (n_steps > 1 ? "\nGrid/Stretch = x: 0 -> 0, 1 -> " + elongation : "") +
         "\nBoundary conditions/Displacement = " + displacement + "\n");
       test::add_error(error_in_F,
