@@ -438,7 +438,12 @@ namespace isochor
     problem.assemble = [this](const bool with_matrix) {
       return assemble(with_matrix);
     };
-    problem.solve   = [this]() { return solve_linear_system(); };
+    problem.solve = [this](const bool factorise) {
+      return solve_linear_system(factorise);
+    };
+    problem.has_factorisation = [this]() {
+      return factorised_pattern == system.matrix().pattern_id;
+    };
     problem.advance = [this](const double s) {
       at_start = false;
       for (unsigned int i = 0; i < nodes.n_local() * n_components; ++i)
@@ -517,16 +522,19 @@ namespace isochor
 
   template <int dim>
   unsigned int
-  MaterialPointMethod<dim>::solve_linear_system()
+  MaterialPointMethod<dim>::solve_linear_system(const bool factorise)
   {
     system.right_hand_side(rhs);
     if (solution.size() != rhs.size() ||
         solution.locally_owned_elements() != rhs.locally_owned_elements())
       solution.reinit(rhs);
-    {
-      TimerOutput::Scope scope(timer, "factorisation");
-      linear_solver->factorise(system.matrix());
-    }
+    if (factorise)
+      {
+        TimerOutput::Scope scope(timer, "factorisation");
+        factorised_pattern = 0; // none, should this throw
+        linear_solver->factorise(system.matrix());
+        factorised_pattern = system.matrix().pattern_id;
+      }
     LinearSolverReport report;
     {
       TimerOutput::Scope scope(timer, "solution");
@@ -558,6 +566,7 @@ namespace isochor
       statistics.set("Time (s)", step.time);
       statistics.set("Step size (s)", step.step_size());
       statistics.set("Newton iterations", newton.n_iterations());
+      statistics.set("Factorisations", newton.n_factorisations);
       statistics.set("Step cuts", time.n_cuts);
       statistics.set("Relative residual of forces",
                      newton.iterations.back().displacement);
@@ -573,7 +582,7 @@ namespace isochor
       remember_motion();
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);
-      time.accept(newton.n_iterations());
+      time.accept(newton.n_factorisations);
     }
     {
       TimerOutput::Scope scope(timer, "postprocessing");

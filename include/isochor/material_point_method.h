@@ -86,7 +86,7 @@ namespace isochor
     ResidualNorms
     assemble(const bool with_matrix);
     unsigned int
-    solve_linear_system();
+    solve_linear_system(const bool factorise);
     void
     update_points();
 
@@ -140,6 +140,8 @@ namespace isochor
     bool                          symmetric    = true;
     std::string                   output_directory;
     TrilinosWrappers::MPI::Vector rhs, solution;
+    /** The pattern of the matrix last factorised, 0 for none. */
+    unsigned long factorised_pattern = 0;
   };
 } // namespace isochor
 
