@@ -164,7 +164,10 @@ namespace isochor
     prm.enter_subsection("Boundary conditions");
     PluginRegistry<BoundaryCondition<dim>>::create_all(boundary_conditions);
     for (auto &condition : boundary_conditions)
-      condition->parse_parameters(prm);
+      {
+        condition->parse_parameters(prm);
+        symmetric = symmetric && condition->has_symmetric_matrix();
+      }
     prm.leave_subsection();
 
     prm.enter_subsection("Linear solver");
@@ -198,7 +201,13 @@ namespace isochor
     while (!time.finished())
       {
         initialisation_phase();
-        const NewtonReport newton = updated_lagrangian_phase();
+        const bool   predicted = predict();
+        NewtonReport newton    = updated_lagrangian_phase();
+        if (!newton.converged && predicted)
+          {
+            start_from_rest();
+            newton = updated_lagrangian_phase();
+          }
         if (newton.converged)
           {
             convective_phase(newton);
@@ -287,6 +296,7 @@ namespace isochor
     nodes.initialize(correction, n_components);
     nodes.initialize(pending, n_components);
     nodes.initialize(external_force, n_components);
+    nodes.initialize(boundary_force, n_components);
     if (n_components == dim + 1)
       map_pressure();
     if (dynamic)
@@ -332,6 +342,57 @@ namespace isochor
         unknowns.local_element(node * n_components + dim) /=
           mass.local_element(node);
     unknowns.update_ghost_values();
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialPointMethod<dim>::predict()
+  {
+    if (!newton_solver.extrapolate || last_motion.step_size == 0)
+      return false;
+    const double ratio = context().step_size() / last_motion.step_size;
+    for (unsigned int i = 0; i < last_motion.vertices.size(); ++i)
+      {
+        const unsigned int node = nodes.node(last_motion.vertices[i]);
+        if (node < nodes.n_owned())
+          for (unsigned int a = 0; a < dim; ++a)
+            unknowns.local_element(node * n_components + a) =
+              ratio * last_motion.increments[i * dim + a];
+      }
+    unknowns.update_ghost_values();
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::start_from_rest()
+  {
+    unknowns.zero_out_ghost_values();
+    unknowns = 0.;
+    if (n_components == dim + 1)
+      map_pressure();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::remember_motion()
+  {
+    last_motion.step_size = context().step_size();
+    last_motion.vertices.clear();
+    last_motion.increments.clear();
+    for (unsigned int node = 0; node < nodes.n_local(); ++node)
+      {
+        last_motion.vertices.push_back(nodes.vertex(node));
+        for (unsigned int a = 0; a < dim; ++a)
+          last_motion.increments.push_back(
+            unknowns.local_element(node * n_components + a));
+      }
   }
 
 
@@ -390,12 +451,14 @@ namespace isochor
           << " (dt = " << time.next_time() - time.time << "), "
           << system.matrix().n_equations << " equations" << std::endl;
 
+    at_start = true;
     NewtonSolver::Problem problem;
     problem.assemble = [this](const bool with_matrix) {
       return assemble(with_matrix);
     };
     problem.solve   = [this]() { return solve_linear_system(); };
     problem.advance = [this](const double s) {
+      at_start = false;
       for (unsigned int i = 0; i < nodes.n_local() * n_components; ++i)
         unknowns.local_element(i) =
           base_unknowns.local_element(i) + s * correction.local_element(i);
@@ -424,6 +487,16 @@ namespace isochor
             is_pending = 1;
         }
 
+    boundary_force = 0.;
+    boundary_force.zero_out_ghost_values();
+    for (const auto &condition : boundary_conditions)
+      {
+        if (at_start && condition->moves_body(step))
+          is_pending = 1;
+        condition->add_boundary_force(step, unknowns, boundary_force);
+      }
+    boundary_force.compress(VectorOperation::add);
+
     system.start_assembly(with_matrix);
     unsigned int status = 0;
     for (unsigned int t = 0; t < terms.size(); ++t)
@@ -437,19 +510,22 @@ namespace isochor
     std::array<double, 4> squares{}; // displacement, pressure, reaction, load
     for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
       {
-        const double r        = system.residual.local_element(i);
-        const double f        = external_force.local_element(i);
-        const bool   pressure = (i % n_components == dim);
+        const double r = system.residual.local_element(i);
+        const double f =
+          external_force.local_element(i) + boundary_force.local_element(i);
+        const bool pressure = (i % n_components == dim);
         squares[constraints.constrained[i] ? 2 : (pressure ? 1 : 0)] += r * r;
-        squares[3] += f * f;
+        if (!pressure)
+          squares[3] += f * f;
       }
     norms.status =
       static_cast<EvaluationStatus>(Utilities::MPI::max(status, comm));
     norms.pending = Utilities::MPI::max(is_pending, comm) != 0;
     sum_over_ranks(squares, comm);
-    norms.displacement       = std::sqrt(squares[0]);
-    norms.pressure           = std::sqrt(squares[1]);
-    norms.force_scale        = std::sqrt(std::max(squares[2], squares[3]));
+    norms.displacement = std::sqrt(squares[0]);
+    norms.pressure     = std::sqrt(squares[1]);
+    norms.force_scale =
+      norms.pending ? 0. : std::sqrt(std::max(squares[2], squares[3]));
     norms.displacement_floor = force_floor;
     norms.pressure_floor     = volume_floor;
     return norms;
@@ -506,10 +582,15 @@ namespace isochor
       statistics.set("Equations", system.matrix().n_equations);
       for (auto &postprocessor : postprocessors)
         postprocessor->evaluate_nodes(result, statistics);
+      for (const auto &condition : boundary_conditions)
+        condition->evaluate(step, unknowns, statistics);
     }
     {
       TimerOutput::Scope scope(timer, "convective phase");
       update_points();
+      remember_motion();
+      for (auto &condition : boundary_conditions)
+        condition->advance(step, unknowns);
       time.accept(newton.n_iterations());
     }
     {

@@ -24,6 +24,12 @@ namespace isochor
                       "this fraction of the external forces and reactions, and "
                       "the residual of the pressure equation below this "
                       "fraction of its largest value in the step.");
+    prm.declare_entry("Predictor",
+                      "extrapolation",
+                      Patterns::Selection("none|extrapolation"),
+                      "Where a step starts: from rest, or with the nodal "
+                      "velocities of the last step. If Newton's method fails "
+                      "from there, it starts again from rest.");
     prm.declare_entry("Maximum iterations",
                       "15",
                       Patterns::Integer(1),
@@ -43,6 +49,7 @@ namespace isochor
   {
     prm.enter_subsection("Newton");
     tolerance      = prm.get_double("Tolerance");
+    extrapolate    = prm.get("Predictor") == "extrapolation";
     max_iterations = prm.get_integer("Maximum iterations");
     max_backtracks = prm.get_integer("Maximum backtracks");
     prm.leave_subsection();
@@ -62,7 +69,7 @@ namespace isochor
       {
         force    = std::max({force, norms.force_scale, first(norms)});
         pressure = std::max(pressure, norms.pressure);
-        started  = true;
+        started  = started || !norms.pending;
       }
 
       double
@@ -102,7 +109,7 @@ namespace isochor
       double
       first(const ResidualNorms &norms) const
       {
-        return started ? 0. : norms.displacement;
+        return started || norms.pending ? 0. : norms.displacement;
       }
 
       bool   started = false;

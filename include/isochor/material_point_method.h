@@ -78,6 +78,12 @@ namespace isochor
     context() const;
     void
     map_pressure();
+    bool
+    predict();
+    void
+    start_from_rest();
+    void
+    remember_motion();
     void
     compute_residual_floor();
     void
@@ -109,7 +115,19 @@ namespace isochor
     NodalConstraints constraints;
     NodalField       unknowns, base_unknowns, correction, pending;
     NodalField       external_force;
-    double           force_floor = 0, volume_floor = 0;
+    /** Forces of the boundary conditions that are terms of the equations. */
+    NodalField boundary_force;
+    /** Whether the iterate is where the step starts. */
+    bool   at_start    = true;
+    double force_floor = 0, volume_floor = 0;
+
+    /** The nodal displacement increments of the last step. */
+    struct Motion
+    {
+      std::vector<unsigned int> vertices;
+      std::vector<double>       increments; ///< dim per vertex
+      double                    step_size = 0;
+    } last_motion;
 
     /** The terms of the equations, in the order of their elements. */
     std::vector<EquationTerm<dim> *> terms;

@@ -29,7 +29,8 @@ namespace isochor
     double force_scale = 0;
     /** Below these a residual is rounding. */
     double displacement_floor = 0, pressure_floor = 0;
-    /** Whether prescribed increments are still to be applied. */
+    /** Whether prescribed increments are still to be applied. Then the
+     * residual is no measure of forces yet. */
     bool pending = false;
   };
 
@@ -86,6 +87,10 @@ namespace isochor
 
     /** Relative tolerance of both residuals. */
     double tolerance = 1e-8;
+
+    /** Whether a step starts from the motion of the last one. For the owner of
+     * the iterate; the solver starts wherever it is. */
+    bool extrapolate = true;
 
   private:
     unsigned int max_iterations = 15;
