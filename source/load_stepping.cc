@@ -150,4 +150,24 @@ namespace isochor
            std::abs(time - reached_output * output_interval) <=
              1e-10 * output_interval;
   }
+
+
+
+  bool
+  LoadStepping::next_output_due() const
+  {
+    return output_interval == 0 || next_time() == next_target();
+  }
+
+
+
+  void
+  LoadStepping::resume(const LoadStepping &saved)
+  {
+    time           = saved.time;
+    step           = saved.step;
+    n_cuts         = saved.n_cuts;
+    step_size      = std::min(saved.step_size, largest);
+    reached_output = saved.reached_output;
+  }
 } // namespace isochor

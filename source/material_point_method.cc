@@ -51,6 +51,7 @@ namespace isochor
     MaterialPoints<dim>::declare_parameters(prm);
     NewtonSolver::declare_parameters(prm);
     LoadStepping::declare_parameters(prm);
+    Checkpoint<dim>::declare_parameters(prm);
     InertiaTerm<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -123,6 +124,7 @@ namespace isochor
     points.parse_parameters(prm);
     newton_solver.parse_parameters(prm);
     time.parse_parameters(prm);
+    checkpoint.parse_parameters(prm);
     dynamic = inertia.parse_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -207,7 +209,10 @@ namespace isochor
             newton = updated_lagrangian_phase();
           }
         if (newton.converged)
-          convective_phase(newton);
+          {
+            convective_phase(newton);
+            start_afresh = checkpoint.write_if_due(state());
+          }
         else
           time.reject(newton.failure);
       }
@@ -236,14 +241,27 @@ namespace isochor
     for (auto &condition : boundary_conditions)
       terms.push_back(condition.get());
 
+    const std::string notice =
+      checkpoint.start(grid, output_directory, state());
     if (Utilities::MPI::this_mpi_process(comm) == 0)
-      statistics.open(output_directory + "/statistics.txt");
+      statistics.open(output_directory + "/statistics.txt", time.step);
     pcout << "Isochor: " << grid.triangulation().n_active_cells() << " cells, "
           << points.handler().n_global_particles() << " material points, "
           << (n_components == dim ?
                 "u" :
                 (kernel.ppp_coefficient > 0 ? "u-p + PPP" : "u-p"))
           << " form" << std::endl;
+    if (!notice.empty())
+      pcout << notice << std::endl;
+  }
+
+
+
+  template <int dim>
+  typename Checkpoint<dim>::State
+  MaterialPointMethod<dim>::state()
+  {
+    return {points, time, postprocessors};
   }
 
 
@@ -271,7 +289,7 @@ namespace isochor
     std::vector<unsigned int> touched;
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched);
-    nodes_changed = nodes.update(std::move(touched));
+    nodes_changed = nodes.update(std::move(touched)) || start_afresh;
 
     nodes.initialize(unknowns, n_components);
     nodes.initialize(base_unknowns, n_components);

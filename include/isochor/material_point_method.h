@@ -10,6 +10,7 @@
 
 #include <isochor/body_term.h>
 #include <isochor/boundary_condition.h>
+#include <isochor/checkpoint.h>
 #include <isochor/inertia_term.h>
 #include <isochor/linear_solver.h>
 #include <isochor/load_stepping.h>
@@ -69,6 +70,10 @@ namespace isochor
     void
     convective_phase(const NewtonReport &newton);
 
+    /** What a checkpoint holds. */
+    typename Checkpoint<dim>::State
+    state();
+
     StepContext<dim>
     context() const;
     void
@@ -103,6 +108,9 @@ namespace isochor
     PointArrays<dim> arrays;
     ActiveNodes<dim> nodes;
     bool             nodes_changed = false;
+    /** Whether the step to come must not use what the last one left in the
+     * solver: a resumed run has none of it. */
+    bool             start_afresh = false;
     MixedSystem<dim> system;
     NodalConstraints constraints;
     NodalField       unknowns, base_unknowns, correction, pending;
@@ -135,6 +143,7 @@ namespace isochor
     NewtonSolver                                         newton_solver;
     LoadStepping                                         time;
     Statistics                                           statistics;
+    Checkpoint<dim>                                      checkpoint;
 
     unsigned int                  n_components = dim + 1;
     bool                          symmetric    = true;
