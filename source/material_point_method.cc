@@ -299,9 +299,13 @@ namespace isochor
     nodes.initialize(boundary_force, n_components);
     if (n_components == dim + 1)
       map_pressure();
-    if (dynamic)
-      inertia.start_step(context());
     prepare_system();
+    if (dynamic)
+      {
+        if (time.step == 0)
+          set_initial_acceleration();
+        inertia.start_step(context());
+      }
     compute_residual_floor();
   }
 
@@ -393,6 +397,48 @@ namespace isochor
           last_motion.increments.push_back(
             unknowns.local_element(node * n_components + a));
       }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::set_initial_acceleration()
+  {
+    const StepContext<dim> start{
+      grid, nodes, arrays, kernel, n_components, time.time, time.time};
+    NodalField force, mass;
+    nodes.initialize(force, n_components);
+    nodes.initialize(mass, 1);
+    for (const auto &condition : boundary_conditions)
+      condition->add_external_force(start, force);
+    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
+      for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
+           ++q)
+        for (unsigned int I = 0; I <= dim; ++I)
+          mass.local_element(
+            nodes.node(grid.geometry().vertex_indices(arrays.cell[k])[I])) +=
+            arrays.shape[q][I] * arrays.mass[q];
+    force.compress(VectorOperation::add);
+    mass.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+      if (constraints.constrained[i])
+        force.local_element(i) = 0.;
+      else
+        force.local_element(i) /= mass.local_element(i / n_components);
+    force.update_ghost_values();
+
+    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
+      for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
+           ++q)
+        for (unsigned int I = 0; I <= dim; ++I)
+          for (unsigned int a = 0; a < dim; ++a)
+            arrays.acceleration[q][a] +=
+              arrays.shape[q][I] *
+              force.local_element(
+                nodes.node(grid.geometry().vertex_indices(arrays.cell[k])[I]) *
+                  n_components +
+                a);
   }
 
 

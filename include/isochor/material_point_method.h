@@ -86,6 +86,11 @@ namespace isochor
     remember_motion();
     void
     compute_residual_floor();
+    /** Give the points the acceleration with which a body without stress
+     * answers the loads at t = 0. Newmark's scheme starts from it: without, a
+     * load that is there from the start would act on half of the first step. */
+    void
+    set_initial_acceleration();
     void
     prepare_system();
     ResidualNorms
