@@ -34,9 +34,10 @@ namespace isochor
     prm.declare_entry("Maximum iterations",
                       "15",
                       Patterns::Integer(1),
-                      "More are a failure; the step is then cut back.");
+                      "More (with a new factorisation each) are a failure; the "
+                      "step is then cut back.");
     prm.declare_entry("Reuse factorisation",
-                      "0.2",
+                      "0.1",
                       Patterns::Double(0, 1),
                       "A factorisation is kept over iterations and steps as "
                       "long as each iteration reduces the residual to this "
@@ -193,7 +194,8 @@ namespace isochor
             report.converged = true;
             return report;
           }
-        if (report.n_iterations() >= max_iterations)
+        if (report.n_factorisations >= max_iterations ||
+            report.n_iterations() >= 4 * max_iterations)
           {
             report.failure = "Newton's method did not converge in " +
                              std::to_string(max_iterations) + " iterations";
