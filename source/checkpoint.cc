@@ -28,7 +28,8 @@ namespace isochor
     std::map<std::string, std::string> problem;
 
     LoadStepping             time;
-    std::vector<std::string> postprocessors;
+    LastMotion               last_motion;
+    std::vector<std::string> boundary_conditions, postprocessors;
 
     /** The points in the order of the handler: per point the cell, the id, the
      * coordinates (dim in space, dim in the reference cell) and properties. */
@@ -41,8 +42,9 @@ namespace isochor
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &n_ranks &grid_fingerprint &problem &time &postprocessors
-        &n_properties &cells &ids &coordinates &properties;
+      archive &n_ranks &grid_fingerprint &problem &time &last_motion
+        &boundary_conditions &postprocessors &n_properties &cells &ids
+          &coordinates &properties;
     }
   };
 
@@ -279,10 +281,10 @@ namespace isochor
     if (!by_wall_time && !by_steps && !time.finished())
       return false;
 
+    const Contents contents = collect(state);
     run_on_all_ranks(comm, [&]() {
       std::ostringstream stream(std::ios::binary);
       {
-        const Contents                  contents = collect(state);
         boost::archive::binary_oarchive archive(stream);
         archive << contents;
       }
@@ -316,6 +318,9 @@ namespace isochor
     c.grid_fingerprint = grid_fingerprint;
     c.problem          = problem;
     c.time             = state.time;
+    c.last_motion      = state.last_motion;
+    for (const auto &condition : state.boundary_conditions)
+      c.boundary_conditions.push_back(condition->save_state());
     for (const auto &postprocessor : state.postprocessors)
       c.postprocessors.push_back(postprocessor->save_state());
 
@@ -461,15 +466,20 @@ namespace isochor
   Checkpoint<dim>::restore(const Contents &c, const State &state) const
   {
     run_on_all_ranks(grid->communicator(), [&]() {
-      AssertThrow(c.postprocessors.size() == state.postprocessors.size(),
+      AssertThrow(c.boundary_conditions.size() ==
+                      state.boundary_conditions.size() &&
+                    c.postprocessors.size() == state.postprocessors.size(),
                   ExcMessage("The checkpoint was written by a program with "
-                             "other post-processors."));
+                             "other boundary conditions or post-processors."));
       AssertThrow(c.n_properties ==
                     state.points.handler().n_properties_per_particle(),
                   ExcMessage("The checkpoint was written by a program whose "
                              "material points carry other fields."));
     });
     state.time.resume(c.time);
+    state.last_motion = c.last_motion;
+    for (unsigned int i = 0; i < c.boundary_conditions.size(); ++i)
+      state.boundary_conditions[i]->load_state(c.boundary_conditions[i]);
     for (unsigned int i = 0; i < c.postprocessors.size(); ++i)
       state.postprocessors[i]->load_state(c.postprocessors[i]);
 

@@ -261,7 +261,7 @@ namespace isochor
   typename Checkpoint<dim>::State
   MaterialPointMethod<dim>::state()
   {
-    return {points, time, postprocessors};
+    return {points, time, last_motion, boundary_conditions, postprocessors};
   }
 
 
@@ -290,6 +290,7 @@ namespace isochor
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched);
     nodes_changed = nodes.update(std::move(touched)) || start_afresh;
+    start_afresh  = false;
 
     nodes.initialize(unknowns, n_components);
     nodes.initialize(base_unknowns, n_components);

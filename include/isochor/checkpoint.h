@@ -5,6 +5,8 @@
 #ifndef isochor_checkpoint_h
 #define isochor_checkpoint_h
 
+#include <isochor/boundary_condition.h>
+#include <isochor/last_motion.h>
 #include <isochor/postprocessor.h>
 
 #include <chrono>
@@ -20,7 +22,8 @@ namespace isochor
    * Saves a run between two steps and restores it, so that the resumed run
    * gives bit by bit what the uninterrupted one does on the same number of
    * ranks. What a step leaves to the next is all there is to save: the points
-   * in their order, the load stepping, and what post-processors remember.
+   * in their order, the load stepping, the last motion, and what boundary
+   * conditions and post-processors remember.
    *
    * Each rank writes the files `checkpoint-0.<rank>.bin` and
    * `checkpoint-1.<rank>.bin` in turn, each complete or not at all. So a run
@@ -35,9 +38,11 @@ namespace isochor
     /** What is saved and restored. */
     struct State
     {
-      MaterialPoints<dim>                              &points;
-      LoadStepping                                     &time;
-      std::vector<std::unique_ptr<Postprocessor<dim>>> &postprocessors;
+      MaterialPoints<dim>                                  &points;
+      LoadStepping                                         &time;
+      LastMotion                                           &last_motion;
+      std::vector<std::unique_ptr<BoundaryCondition<dim>>> &boundary_conditions;
+      std::vector<std::unique_ptr<Postprocessor<dim>>>     &postprocessors;
     };
 
     static void

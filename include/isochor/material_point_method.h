@@ -126,13 +126,7 @@ namespace isochor
     bool   at_start    = true;
     double force_floor = 0, volume_floor = 0;
 
-    /** The nodal displacement increments of the last step. */
-    struct Motion
-    {
-      std::vector<unsigned int> vertices;
-      std::vector<double>       increments; ///< dim per vertex
-      double                    step_size = 0;
-    } last_motion;
+    LastMotion last_motion;
 
     /** The terms of the equations, in the order of their elements. */
     std::vector<EquationTerm<dim> *> terms;
