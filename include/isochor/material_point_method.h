@@ -113,11 +113,11 @@ namespace isochor
     bool   at_start    = true;
     double force_floor = 0, volume_floor = 0;
 
-    /** The nodal displacement increments of the last step. */
+    /** The nodal unknowns of the last step. */
     struct Motion
     {
       std::vector<unsigned int> vertices;
-      std::vector<double>       increments; ///< dim per vertex
+      std::vector<double>       unknowns; ///< n_components per vertex
       double                    step_size = 0;
     } last_motion;
 
