@@ -51,6 +51,7 @@ namespace isochor
     MaterialPoints<dim>::declare_parameters(prm);
     NewtonSolver::declare_parameters(prm);
     LoadStepping::declare_parameters(prm);
+    Checkpoint<dim>::declare_parameters(prm);
     InertiaTerm<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -123,6 +124,7 @@ namespace isochor
     points.parse_parameters(prm);
     newton_solver.parse_parameters(prm);
     time.parse_parameters(prm);
+    checkpoint.parse_parameters(prm);
     dynamic = inertia.parse_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -207,7 +209,10 @@ namespace isochor
             newton = updated_lagrangian_phase();
           }
         if (newton.converged)
-          convective_phase(newton);
+          {
+            convective_phase(newton);
+            start_afresh = checkpoint.write_if_due(state());
+          }
         else
           time.reject(newton.failure);
       }
@@ -236,14 +241,27 @@ namespace isochor
     for (auto &condition : boundary_conditions)
       terms.push_back(condition.get());
 
+    const std::string notice =
+      checkpoint.start(grid, output_directory, state());
     if (Utilities::MPI::this_mpi_process(comm) == 0)
-      statistics.open(output_directory + "/statistics.txt");
+      statistics.open(output_directory + "/statistics.txt", time.step);
     pcout << "Isochor: " << grid.triangulation().n_active_cells() << " cells, "
           << points.handler().n_global_particles() << " material points, "
           << (n_components == dim ?
                 "u" :
                 (kernel.ppp_coefficient > 0 ? "u-p + PPP" : "u-p"))
           << " form" << std::endl;
+    if (!notice.empty())
+      pcout << notice << std::endl;
+  }
+
+
+
+  template <int dim>
+  typename Checkpoint<dim>::State
+  MaterialPointMethod<dim>::state()
+  {
+    return {points, time, postprocessors};
   }
 
 
@@ -271,7 +289,7 @@ namespace isochor
     std::vector<unsigned int> touched;
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched);
-    nodes_changed = nodes.update(std::move(touched));
+    nodes_changed = nodes.update(std::move(touched)) || start_afresh;
 
     nodes.initialize(unknowns, n_components);
     nodes.initialize(base_unknowns, n_components);
@@ -281,9 +299,13 @@ namespace isochor
     nodes.initialize(boundary_force, n_components);
     if (n_components == dim + 1)
       map_pressure();
-    if (dynamic)
-      inertia.start_step(context());
     prepare_system();
+    if (dynamic)
+      {
+        if (time.step == 0)
+          set_initial_acceleration();
+        inertia.start_step(context());
+      }
     compute_residual_floor();
   }
 
@@ -384,6 +406,48 @@ namespace isochor
 
   template <int dim>
   void
+  MaterialPointMethod<dim>::set_initial_acceleration()
+  {
+    const StepContext<dim> start{
+      grid, nodes, arrays, kernel, n_components, time.time, time.time};
+    NodalField force, mass;
+    nodes.initialize(force, n_components);
+    nodes.initialize(mass, 1);
+    for (const auto &condition : boundary_conditions)
+      condition->add_external_force(start, force);
+    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
+      for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
+           ++q)
+        for (unsigned int I = 0; I <= dim; ++I)
+          mass.local_element(
+            nodes.node(grid.geometry().vertex_indices(arrays.cell[k])[I])) +=
+            arrays.shape[q][I] * arrays.mass[q];
+    force.compress(VectorOperation::add);
+    mass.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+      if (constraints.constrained[i])
+        force.local_element(i) = 0.;
+      else
+        force.local_element(i) /= mass.local_element(i / n_components);
+    force.update_ghost_values();
+
+    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
+      for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
+           ++q)
+        for (unsigned int I = 0; I <= dim; ++I)
+          for (unsigned int a = 0; a < dim; ++a)
+            arrays.acceleration[q][a] +=
+              arrays.shape[q][I] *
+              force.local_element(
+                nodes.node(grid.geometry().vertex_indices(arrays.cell[k])[I]) *
+                  n_components +
+                a);
+  }
+
+
+
+  template <int dim>
+  void
   MaterialPointMethod<dim>::prepare_system()
   {
     const StepContext<dim> step = context();
@@ -441,7 +505,12 @@ namespace isochor
     problem.assemble = [this](const bool with_matrix) {
       return assemble(with_matrix);
     };
-    problem.solve   = [this]() { return solve_linear_system(); };
+    problem.solve = [this](const bool factorise) {
+      return solve_linear_system(factorise);
+    };
+    problem.has_factorisation = [this]() {
+      return factorised_pattern == system.matrix().pattern_id;
+    };
     problem.advance = [this](const double s) {
       at_start = false;
       for (unsigned int i = 0; i < nodes.n_local() * n_components; ++i)
@@ -520,16 +589,19 @@ namespace isochor
 
   template <int dim>
   unsigned int
-  MaterialPointMethod<dim>::solve_linear_system()
+  MaterialPointMethod<dim>::solve_linear_system(const bool factorise)
   {
     system.right_hand_side(rhs);
     if (solution.size() != rhs.size() ||
         solution.locally_owned_elements() != rhs.locally_owned_elements())
       solution.reinit(rhs);
-    {
-      TimerOutput::Scope scope(timer, "factorisation");
-      linear_solver->factorise(system.matrix());
-    }
+    if (factorise)
+      {
+        TimerOutput::Scope scope(timer, "factorisation");
+        factorised_pattern = 0; // none, should this throw
+        linear_solver->factorise(system.matrix());
+        factorised_pattern = system.matrix().pattern_id;
+      }
     LinearSolverReport report;
     {
       TimerOutput::Scope scope(timer, "solution");
@@ -561,6 +633,7 @@ namespace isochor
       statistics.set("Time (s)", step.time);
       statistics.set("Step size (s)", step.step_size());
       statistics.set("Newton iterations", newton.n_iterations());
+      statistics.set("Factorisations", newton.n_factorisations);
       statistics.set("Step cuts", time.n_cuts);
       statistics.set("Relative residual of forces",
                      newton.iterations.back().displacement);
@@ -576,7 +649,7 @@ namespace isochor
       remember_motion();
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);
-      time.accept(newton.n_iterations());
+      time.accept(newton.n_factorisations);
     }
     {
       TimerOutput::Scope scope(timer, "postprocessing");

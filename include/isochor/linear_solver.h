@@ -22,7 +22,10 @@ namespace isochor
     bool         factorised        = false; ///< a numeric factorisation too
     unsigned int iterations        = 0;     ///< 0 for direct solvers
     unsigned int n_negative_pivots = 0;     ///< if the solver knows
-    double       memory_in_bytes   = 0;     ///< of the factors, this rank
+    /** Held by this rank: for direct solvers by the factors and the workspace
+     * of the factorisation, for iterative ones by the matrix, not counting the
+     * preconditioner; 0: not known. */
+    double memory_in_bytes = 0;
   };
 
   /** Thrown when a system can't be solved; the step is then cut back. */
@@ -58,6 +61,11 @@ namespace isochor
     solve(const TrilinosWrappers::MPI::Vector &b,
           TrilinosWrappers::MPI::Vector       &x) = 0;
   };
+
+  /** Throw ExcLinearSolverFailed, on all ranks, if on any of them @p A has a
+   * value that is infinite or not a number. */
+  void
+  assert_finite(const SparseSystem &A);
 } // namespace isochor
 
 #endif

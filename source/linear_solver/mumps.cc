@@ -1,0 +1,486 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#include <deal.II/base/mpi.h>
+
+#include <isochor/linear_solver.h>
+
+#include <dmumps_c.h>
+#include <metis.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Where the MUMPS users' guide's 1-based "ICNTL(i)" etc. are found. */
+    template <typename Array>
+    auto &
+    entry(Array &array, const unsigned int i)
+    {
+      return array[i - 1];
+    }
+
+    /**
+     * One MUMPS instance: a factorisation of one matrix pattern. Ends with the
+     * object, which has to happen before MPI_Finalize().
+     */
+    class MumpsInstance
+    {
+    public:
+      MumpsInstance(const MPI_Comm comm, const bool symmetric)
+      {
+        std::memset(&id, 0, sizeof(id));
+        id.comm_fortran = MPI_Comm_c2f(comm);
+        id.par          = 1; // rank 0 takes part in the factorisation
+        id.sym          = symmetric ? 2 : 0;
+        run(-1);
+        for (const unsigned int output : {1, 2, 3, 4})
+          entry(id.icntl, output) = 0;
+      }
+
+      ~MumpsInstance()
+      {
+        run(-2);
+      }
+
+      MumpsInstance(const MumpsInstance &) = delete;
+      MumpsInstance &
+      operator=(const MumpsInstance &) = delete;
+
+      /** Do a phase and return INFOG(1), the same on all ranks. */
+      int
+      run(const int job)
+      {
+        id.job = job;
+        dmumps_c(&id);
+        return entry(id.infog, 1);
+      }
+
+      DMUMPS_STRUC_C id;
+    };
+
+    /**
+     * A fill-reducing ordering by METIS' nested dissection of the graph of
+     * the matrix whose entries are (row, column), 1-based, each off-diagonal
+     * pair in one triangle or in both, duplicates allowed. Returns the
+     * position of each equation, 1-based.
+     */
+    std::vector<int>
+    nested_dissection(const unsigned int                   n,
+                      const std::vector<std::vector<int>> &rows,
+                      const std::vector<std::vector<int>> &columns)
+    {
+      const auto for_each_edge = [&](const auto &action) {
+        for (unsigned int rank = 0; rank < rows.size(); ++rank)
+          for (std::size_t k = 0; k < rows[rank].size(); ++k)
+            if (rows[rank][k] != columns[rank][k])
+              {
+                action(rows[rank][k] - 1, columns[rank][k] - 1);
+                action(columns[rank][k] - 1, rows[rank][k] - 1);
+              }
+      };
+      std::vector<std::size_t> start(n + 1, 0);
+      for_each_edge([&](const int i, const int) { ++start[i + 1]; });
+      for (unsigned int i = 0; i < n; ++i)
+        start[i + 1] += start[i];
+      std::vector<idx_t> neighbour(start[n]);
+      {
+        std::vector<std::size_t> next(start.begin(), start.end() - 1);
+        for_each_edge(
+          [&](const int i, const int j) { neighbour[next[i]++] = j; });
+      }
+
+      std::vector<idx_t> row_start(n + 1, 0);
+      std::size_t        end = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const auto first = neighbour.begin() + start[i];
+          const auto last  = neighbour.begin() + start[i + 1];
+          std::sort(first, last);
+          const auto last_unique = std::unique(first, last);
+          std::copy(first, last_unique, neighbour.begin() + end);
+          end += last_unique - first;
+          row_start[i + 1] = end;
+        }
+      neighbour.resize(std::max<std::size_t>(end, 1));
+
+      std::vector<idx_t> equation_at(n), position_of(n);
+      idx_t              n_vertices = n;
+      const int          status     = METIS_NodeND(&n_vertices,
+                                      row_start.data(),
+                                      neighbour.data(),
+                                      nullptr,
+                                      nullptr,
+                                      equation_at.data(),
+                                      position_of.data());
+      AssertThrow(status == METIS_OK,
+                  ExcLinearSolverFailed("METIS could not order the equations "
+                                        "(METIS_NodeND returned " +
+                                        std::to_string(status) + ")."));
+      std::vector<int> position(n);
+      for (unsigned int i = 0; i < n; ++i)
+        position[i] = position_of[i] + 1;
+      return position;
+    }
+
+    /** The values of ICNTL(7) for the orderings inside MUMPS. */
+    const std::map<std::string, int> mumps_orderings = {{"AMD", 0},
+                                                        {"AMF", 2},
+                                                        {"SCOTCH", 3},
+                                                        {"PORD", 4},
+                                                        {"QAMD", 6}};
+  } // namespace
+
+  /**
+   * The multifrontal direct solver MUMPS (Amestoy, Duff, L'Excellent & Koster,
+   * SIAM J. Matrix Anal. Appl. 23 (2001) 15-41): LDL^T with 2x2 pivots of
+   * symmetric indefinite matrices, LU of others. The names ICNTL, CNTL, INFO
+   * are those of its users' guide.
+   *
+   * The matrix goes to MUMPS as it is: its values are not copied, the analysis
+   * is kept while SparseSystem::pattern_id stays.
+   */
+  class MUMPS : public LinearSolver
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm)
+    {
+      prm.enter_subsection("MUMPS");
+      prm.declare_entry(
+        "Ordering",
+        "automatic",
+        Patterns::Selection("automatic|AMD|AMF|QAMD|PORD|METIS|SCOTCH"),
+        "Fill-reducing ordering of the equations. <automatic> is AMF, the "
+        "approximate minimum fill, in 2D, where its analysis takes a fifth of "
+        "the time of nested dissection and the factors are no larger; and "
+        "METIS' nested dissection in 3D, where the factors decide. SCOTCH "
+        "is there if MUMPS was built with it.");
+      prm.declare_entry(
+        "Pivot threshold",
+        "0.01",
+        Patterns::Double(0., 1.),
+        "Relative threshold of numerical pivoting (CNTL(1); at most 0.5 is "
+        "used for symmetric matrices). Zero disables pivoting: a tenth "
+        "faster, and safe only for positive definite displacement blocks.");
+      prm.declare_entry("Iterative refinement steps",
+                        "0",
+                        Patterns::Integer(0, 10),
+                        "Largest number of iterative refinement steps of a "
+                        "solution.");
+      prm.leave_subsection();
+    }
+
+    void
+    parse_parameters(ParameterHandler &prm) override
+    {
+      prm.enter_subsection("MUMPS");
+      ordering           = prm.get("Ordering");
+      pivot_threshold    = prm.get_double("Pivot threshold");
+      n_refinement_steps = prm.get_integer("Iterative refinement steps");
+      prm.leave_subsection();
+    }
+
+    LinearSolverReport
+    factorise(const SparseSystem &A) override
+    {
+      LinearSolverReport report;
+      factorised = false;
+      if (A.n_equations == 0)
+        return report;
+
+      assert_finite(A);
+      if (!mumps || pattern_id != A.pattern_id || comm != A.comm ||
+          symmetric != A.symmetric)
+        {
+          analyse(A);
+          report.analysed = true;
+        }
+      set_values(A);
+      factorise_with_enough_memory();
+      factorised        = true;
+      report.factorised = true;
+
+      const auto &id = mumps->id;
+      if (symmetric)
+        report.n_negative_pivots = entry(id.infog, 12);
+      report.memory_in_bytes = 1e6 * entry(id.info, 22);
+      return report;
+    }
+
+    LinearSolverReport
+    solve(const TrilinosWrappers::MPI::Vector &b,
+          TrilinosWrappers::MPI::Vector       &x) override
+    {
+      if (b.size() == 0)
+        return LinearSolverReport();
+      AssertThrow(factorised,
+                  ExcMessage("MUMPS: solve() needs a matrix that was "
+                             "factorised successfully."));
+      x        = b;
+      auto &id = mumps->id;
+      id.nrhs  = 1;
+      id.lrhs  = id.n;
+      if (n_ranks == 1)
+        {
+          id.rhs = x.begin();
+          check(mumps->run(3), "solve");
+        }
+      else
+        {
+          gather(x);
+          id.rhs = centralised.data();
+          check(mumps->run(3), "solve");
+          scatter(x);
+        }
+      id.rhs = nullptr;
+      AssertThrow(std::isfinite(x.l2_norm()),
+                  ExcLinearSolverFailed(
+                    "the solution has entries that are not finite numbers."));
+      return LinearSolverReport();
+    }
+
+  private:
+    /** The symbolic phase: order the equations and plan the factorisation. */
+    void
+    analyse(const SparseSystem &A)
+    {
+      AssertThrow(A.n_equations < static_cast<types::global_dof_index>(
+                                    std::numeric_limits<int>::max()),
+                  ExcMessage("MUMPS numbers equations by 32-bit integers."));
+      mumps.reset();
+      comm      = A.comm;
+      symmetric = A.symmetric;
+      n_ranks   = Utilities::MPI::n_mpi_processes(comm);
+      mumps     = std::make_unique<MumpsInstance>(comm, symmetric);
+
+      set_pattern(A);
+      set_values(A);
+      set_options();
+      std::vector<int> permutation;
+      set_ordering(A.dim, permutation);
+      const int status = mumps->run(1);
+      if (status < 0)
+        {
+          const std::string message = explanation(status, "analysis");
+          mumps.reset();
+          AssertThrow(false, ExcLinearSolverFailed(message));
+        }
+      mumps->id.perm_in = nullptr;
+      check_ordering();
+      pattern_id = A.pattern_id;
+      share_ownership(A);
+    }
+
+    /** Coordinates of the entries. A rank alone passes its matrix centralised,
+     * which is analysed faster than the same matrix as distributed. */
+    void
+    set_pattern(const SparseSystem &A)
+    {
+      row.resize(A.column.size());
+      column.resize(A.column.size());
+      for (std::size_t i = 0; i + 1 < A.row_start.size(); ++i)
+        for (std::size_t k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
+          {
+            row[k]    = A.global_equation[i] + 1;
+            column[k] = A.global_equation[A.column[k]] + 1;
+          }
+
+      auto &id = mumps->id;
+      id.n     = A.n_equations;
+      if (n_ranks == 1)
+        {
+          entry(id.icntl, 18) = 0;
+          id.nnz              = row.size();
+          id.irn              = row.data();
+          id.jcn              = column.data();
+        }
+      else
+        {
+          entry(id.icntl, 18) = 3;
+          id.nnz_loc          = row.size();
+          id.irn_loc          = row.data();
+          id.jcn_loc          = column.data();
+        }
+    }
+
+    /** MUMPS only reads the values, but its interface lacks the const. */
+    void
+    set_values(const SparseSystem &A)
+    {
+      (n_ranks == 1 ? mumps->id.a : mumps->id.a_loc) =
+        const_cast<double *>(A.values.data());
+    }
+
+    void
+    set_options()
+    {
+      auto &id            = mumps->id;
+      entry(id.icntl, 10) = n_refinement_steps;
+      // Ask for null pivots to be detected; otherwise a singular matrix whose
+      // last pivot is rounding noise passes for a regular one. Costs nothing.
+      entry(id.icntl, 24) = 1;
+      entry(id.cntl, 1)   = pivot_threshold;
+    }
+
+    /** @p permutation has to live until the analysis is done. */
+    void
+    set_ordering(const unsigned int dim, std::vector<int> &permutation)
+    {
+      requested_ordering = ordering;
+      if (ordering == "automatic")
+        requested_ordering = (dim == 2 ? "AMF" : "METIS");
+
+      auto &id            = mumps->id;
+      entry(id.icntl, 28) = 1; // the analysis is sequential
+      if (requested_ordering != "METIS")
+        {
+          entry(id.icntl, 7) = mumps_orderings.at(requested_ordering);
+          return;
+        }
+      const auto rows    = Utilities::MPI::gather(comm, row);
+      const auto columns = Utilities::MPI::gather(comm, column);
+      if (Utilities::MPI::this_mpi_process(comm) == 0)
+        {
+          permutation = nested_dissection(id.n, rows, columns);
+          id.perm_in  = permutation.data();
+        }
+      entry(id.icntl, 7) = 1; // the permutation given
+    }
+
+    /** MUMPS replaces an ordering that it was built without by another. */
+    void
+    check_ordering() const
+    {
+      if (requested_ordering != "METIS")
+        AssertThrow(entry(mumps->id.infog, 7) ==
+                      mumps_orderings.at(requested_ordering),
+                    ExcMessage("The parameter <Linear solver/MUMPS/Ordering> "
+                               "is <" +
+                               requested_ordering +
+                               ">, but this MUMPS was built without it."));
+    }
+
+    /** Factorise; where the estimated workspace is too small, give more. */
+    void
+    factorise_with_enough_memory()
+    {
+      // The codes of INFO(1) that say so.
+      const auto more_workspace_helps = [](const int status) {
+        return status == -8 || status == -9 || status == -11 || status == -12 ||
+               status == -14 || status == -15 || status == -17 ||
+               status == -18 || status == -20;
+      };
+      const int largest_increase = 1000; // percent
+      int       status           = mumps->run(2);
+      int      &increase         = entry(mumps->id.icntl, 14);
+      while (more_workspace_helps(status) && increase < largest_increase)
+        {
+          increase = std::max(50, 2 * increase);
+          status   = mumps->run(2);
+        }
+      check(status, "factorisation");
+
+      const int n_null_pivots = entry(mumps->id.infog, 28);
+      AssertThrow(n_null_pivots == 0,
+                  ExcLinearSolverFailed(
+                    "MUMPS: the matrix is singular, " +
+                    std::to_string(n_null_pivots) +
+                    " pivot(s) vanish. Are the boundary conditions enough to "
+                    "hold every body?"));
+    }
+
+    void
+    check(const int status, const std::string &phase) const
+    {
+      AssertThrow(status >= 0,
+                  ExcLinearSolverFailed(explanation(status, phase)));
+    }
+
+    std::string
+    explanation(const int status, const std::string &phase) const
+    {
+      std::string reason;
+      if (status == -10 || status == -6)
+        reason = ", the matrix is singular";
+      else if (status == -13 || status == -7)
+        reason = ", out of memory";
+      return "MUMPS, " + phase + reason +
+             ": INFOG(1:2) = " + std::to_string(status) + ", " +
+             std::to_string(entry(mumps->id.infog, 2)) + ".";
+    }
+
+    /** Tell rank 0 who owns what: MUMPS wants the right-hand side there. */
+    void
+    share_ownership(const SparseSystem &A)
+    {
+      if (n_ranks == 1)
+        return;
+      const int n_owned = A.locally_owned.n_elements();
+      const int begin = n_owned == 0 ? 0 : A.locally_owned.nth_index_in_set(0);
+      n_owned_by      = Utilities::MPI::gather(comm, n_owned);
+      owned_begin_of  = Utilities::MPI::gather(comm, begin);
+      if (Utilities::MPI::this_mpi_process(comm) == 0)
+        centralised.resize(A.n_equations);
+    }
+
+    void
+    gather(TrilinosWrappers::MPI::Vector &x)
+    {
+      const int ierr = MPI_Gatherv(x.begin(),
+                                   x.end() - x.begin(),
+                                   MPI_DOUBLE,
+                                   centralised.data(),
+                                   n_owned_by.data(),
+                                   owned_begin_of.data(),
+                                   MPI_DOUBLE,
+                                   0,
+                                   comm);
+      AssertThrowMPI(ierr);
+    }
+
+    void
+    scatter(TrilinosWrappers::MPI::Vector &x)
+    {
+      const int ierr = MPI_Scatterv(centralised.data(),
+                                    n_owned_by.data(),
+                                    owned_begin_of.data(),
+                                    MPI_DOUBLE,
+                                    x.begin(),
+                                    x.end() - x.begin(),
+                                    MPI_DOUBLE,
+                                    0,
+                                    comm);
+      AssertThrowMPI(ierr);
+    }
+
+    std::string ordering           = "automatic";
+    double      pivot_threshold    = 0.01;
+    int         n_refinement_steps = 0;
+
+    std::unique_ptr<MumpsInstance> mumps;
+    bool                           factorised = false;
+    unsigned long                  pattern_id = 0;
+    MPI_Comm                       comm       = MPI_COMM_NULL;
+    unsigned int                   n_ranks    = 1;
+    bool                           symmetric  = true;
+    std::string                    requested_ordering;
+
+    /** Coordinates of the entries, 1-based. */
+    std::vector<int> row, column;
+
+    /** On rank 0: the ranges of the ranks, and a vector over all equations. */
+    std::vector<int>    n_owned_by, owned_begin_of;
+    std::vector<double> centralised;
+  };
+
+  ISOCHOR_REGISTER(LinearSolver, MUMPS, "MUMPS")
+} // namespace isochor
