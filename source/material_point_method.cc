@@ -362,9 +362,12 @@ namespace isochor
       {
         const unsigned int node = nodes.node(last_motion.vertices[i]);
         if (node < nodes.n_owned())
-          for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int a = 0; a < n_components; ++a)
+            // the nodal pressure is kept: mapped to the points and back it
+            // would be smoothed
             unknowns.local_element(node * n_components + a) =
-              ratio * last_motion.increments[i * dim + a];
+              (a < dim ? ratio : 1.) *
+              last_motion.unknowns[i * n_components + a];
       }
     unknowns.update_ghost_values();
     return true;
@@ -390,12 +393,12 @@ namespace isochor
   {
     last_motion.step_size = context().step_size();
     last_motion.vertices.clear();
-    last_motion.increments.clear();
+    last_motion.unknowns.clear();
     for (unsigned int node = 0; node < nodes.n_local(); ++node)
       {
         last_motion.vertices.push_back(nodes.vertex(node));
-        for (unsigned int a = 0; a < dim; ++a)
-          last_motion.increments.push_back(
+        for (unsigned int a = 0; a < n_components; ++a)
+          last_motion.unknowns.push_back(
             unknowns.local_element(node * n_components + a));
       }
   }
