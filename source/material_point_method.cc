@@ -51,6 +51,7 @@ namespace isochor
     MaterialPoints<dim>::declare_parameters(prm);
     NewtonSolver::declare_parameters(prm);
     LoadStepping::declare_parameters(prm);
+    Checkpoint<dim>::declare_parameters(prm);
     InertiaTerm<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -123,6 +124,7 @@ namespace isochor
     points.parse_parameters(prm);
     newton_solver.parse_parameters(prm);
     time.parse_parameters(prm);
+    checkpoint.parse_parameters(prm);
     dynamic = inertia.parse_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -207,7 +209,10 @@ namespace isochor
             newton = updated_lagrangian_phase();
           }
         if (newton.converged)
-          convective_phase(newton);
+          {
+            convective_phase(newton);
+            start_afresh = checkpoint.write_if_due(state());
+          }
         else
           time.reject(newton.failure);
       }
@@ -236,14 +241,27 @@ namespace isochor
     for (auto &condition : boundary_conditions)
       terms.push_back(condition.get());
 
+    const std::string notice =
+      checkpoint.start(grid, output_directory, state());
     if (Utilities::MPI::this_mpi_process(comm) == 0)
-      statistics.open(output_directory + "/statistics.txt");
+      statistics.open(output_directory + "/statistics.txt", time.step);
     pcout << "Isochor: " << grid.triangulation().n_active_cells() << " cells, "
           << points.handler().n_global_particles() << " material points, "
           << (n_components == dim ?
                 "u" :
                 (kernel.ppp_coefficient > 0 ? "u-p + PPP" : "u-p"))
           << " form" << std::endl;
+    if (!notice.empty())
+      pcout << notice << std::endl;
+  }
+
+
+
+  template <int dim>
+  typename Checkpoint<dim>::State
+  MaterialPointMethod<dim>::state()
+  {
+    return {points, time, last_motion, boundary_conditions, postprocessors};
   }
 
 
@@ -271,7 +289,8 @@ namespace isochor
     std::vector<unsigned int> touched;
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched);
-    nodes_changed = nodes.update(std::move(touched));
+    nodes_changed = nodes.update(std::move(touched)) || start_afresh;
+    start_afresh  = false;
 
     nodes.initialize(unknowns, n_components);
     nodes.initialize(base_unknowns, n_components);
@@ -343,9 +362,12 @@ namespace isochor
       {
         const unsigned int node = nodes.node(last_motion.vertices[i]);
         if (node < nodes.n_owned())
-          for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int a = 0; a < n_components; ++a)
+            // the nodal pressure is kept: mapped to the points and back it
+            // would be smoothed
             unknowns.local_element(node * n_components + a) =
-              ratio * last_motion.increments[i * dim + a];
+              (a < dim ? ratio : 1.) *
+              last_motion.unknowns[i * n_components + a];
       }
     unknowns.update_ghost_values();
     return true;
@@ -371,12 +393,12 @@ namespace isochor
   {
     last_motion.step_size = context().step_size();
     last_motion.vertices.clear();
-    last_motion.increments.clear();
+    last_motion.unknowns.clear();
     for (unsigned int node = 0; node < nodes.n_local(); ++node)
       {
         last_motion.vertices.push_back(nodes.vertex(node));
-        for (unsigned int a = 0; a < dim; ++a)
-          last_motion.increments.push_back(
+        for (unsigned int a = 0; a < n_components; ++a)
+          last_motion.unknowns.push_back(
             unknowns.local_element(node * n_components + a));
       }
   }
@@ -489,7 +511,12 @@ namespace isochor
     problem.assemble = [this](const bool with_matrix) {
       return assemble(with_matrix);
     };
-    problem.solve   = [this]() { return solve_linear_system(); };
+    problem.solve = [this](const bool factorise) {
+      return solve_linear_system(factorise);
+    };
+    problem.has_factorisation = [this]() {
+      return factorised_pattern == system.matrix().pattern_id;
+    };
     problem.advance = [this](const double s) {
       at_start = false;
       for (unsigned int i = 0; i < nodes.n_local() * n_components; ++i)
@@ -568,16 +595,19 @@ namespace isochor
 
   template <int dim>
   unsigned int
-  MaterialPointMethod<dim>::solve_linear_system()
+  MaterialPointMethod<dim>::solve_linear_system(const bool factorise)
   {
     system.right_hand_side(rhs);
     if (solution.size() != rhs.size() ||
         solution.locally_owned_elements() != rhs.locally_owned_elements())
       solution.reinit(rhs);
-    {
-      TimerOutput::Scope scope(timer, "factorisation");
-      linear_solver->factorise(system.matrix());
-    }
+    if (factorise)
+      {
+        TimerOutput::Scope scope(timer, "factorisation");
+        factorised_pattern = 0; // none, should this throw
+        linear_solver->factorise(system.matrix());
+        factorised_pattern = system.matrix().pattern_id;
+      }
     LinearSolverReport report;
     {
       TimerOutput::Scope scope(timer, "solution");
@@ -609,6 +639,7 @@ namespace isochor
       statistics.set("Time (s)", step.time);
       statistics.set("Step size (s)", step.step_size());
       statistics.set("Newton iterations", newton.n_iterations());
+      statistics.set("Factorisations", newton.n_factorisations);
       statistics.set("Step cuts", time.n_cuts);
       statistics.set("Relative residual of forces",
                      newton.iterations.back().displacement);
@@ -624,7 +655,7 @@ namespace isochor
       remember_motion();
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);
-      time.accept(newton.n_iterations());
+      time.accept(newton.n_factorisations);
     }
     {
       TimerOutput::Scope scope(timer, "postprocessing");

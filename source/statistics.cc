@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/exceptions.h>
 
+#include <isochor/safe_file.h>
 #include <isochor/statistics.h>
 
 #include <algorithm>
@@ -40,8 +41,8 @@ namespace isochor
                                std::to_string(n_rows) + "."));
         header_written = true;
       }
-    file.open(file_name);
-    file << kept << std::flush;
+    write_file_safely(file_name, [&](std::ostream &out) { out << kept; });
+    file.open(file_name, std::ios::app);
     AssertThrow(file, ExcMessage("Can't write the file <" + file_name + ">."));
   }
 

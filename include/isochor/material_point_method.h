@@ -10,6 +10,7 @@
 
 #include <isochor/body_term.h>
 #include <isochor/boundary_condition.h>
+#include <isochor/checkpoint.h>
 #include <isochor/inertia_term.h>
 #include <isochor/linear_solver.h>
 #include <isochor/load_stepping.h>
@@ -69,6 +70,10 @@ namespace isochor
     void
     convective_phase(const NewtonReport &newton);
 
+    /** What a checkpoint holds. */
+    typename Checkpoint<dim>::State
+    state();
+
     StepContext<dim>
     context() const;
     void
@@ -91,7 +96,7 @@ namespace isochor
     ResidualNorms
     assemble(const bool with_matrix);
     unsigned int
-    solve_linear_system();
+    solve_linear_system(const bool factorise);
     void
     update_points();
 
@@ -108,6 +113,9 @@ namespace isochor
     PointArrays<dim> arrays;
     ActiveNodes<dim> nodes;
     bool             nodes_changed = false;
+    /** Whether the step to come must not use what the last one left in the
+     * solver: a resumed run has none of it. */
+    bool             start_afresh = false;
     MixedSystem<dim> system;
     NodalConstraints constraints;
     NodalField       unknowns, base_unknowns, correction, pending;
@@ -118,13 +126,7 @@ namespace isochor
     bool   at_start    = true;
     double force_floor = 0, volume_floor = 0;
 
-    /** The nodal displacement increments of the last step. */
-    struct Motion
-    {
-      std::vector<unsigned int> vertices;
-      std::vector<double>       increments; ///< dim per vertex
-      double                    step_size = 0;
-    } last_motion;
+    LastMotion last_motion;
 
     /** The terms of the equations, in the order of their elements. */
     std::vector<EquationTerm<dim> *> terms;
@@ -140,11 +142,14 @@ namespace isochor
     NewtonSolver                                         newton_solver;
     LoadStepping                                         time;
     Statistics                                           statistics;
+    Checkpoint<dim>                                      checkpoint;
 
     unsigned int                  n_components = dim + 1;
     bool                          symmetric    = true;
     std::string                   output_directory;
     TrilinosWrappers::MPI::Vector rhs, solution;
+    /** The pattern of the matrix last factorised, 0 for none. */
+    unsigned long factorised_pattern = 0;
   };
 } // namespace isochor
 
