@@ -11,7 +11,6 @@
 #include <cstdio>
 #include <limits>
 #include <ostream>
-#include <sstream>
 
 namespace isochor
 {

@@ -86,7 +86,8 @@ test_displacements(const Variant                     &variant,
 void
 test_newton(const Variant &variant, const double tolerance)
 {
-  test::run_scene<2>(variant.scene(64, tolerance));
+  test::run_scene<2>(variant.scene(64, tolerance) +
+                     "Newton/Reuse factorisation = 0\n");
   const NewtonReport &newton = test::recorded().newton.at(0);
   std::vector<double> r;
   std::ostringstream  details;

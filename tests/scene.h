@@ -82,7 +82,9 @@ namespace isochor
       ParameterHandler prm;
       MaterialPointMethod<dim>::declare_parameters(prm);
       set_parameters(prm,
-                     "Output/Directory = .\nOutput/Terminal = quiet\n" +
+                     "Output/Directory = .\nOutput/Terminal = quiet\n"
+                     "Postprocess/Write grid = false\n"
+                     "Postprocess/Write material points = false\n" +
                        settings);
       recorded()   = {};
       auto problem = std::make_unique<MaterialPointMethod<dim>>(MPI_COMM_WORLD);
