@@ -598,9 +598,7 @@ namespace isochor
   MaterialPointMethod<dim>::solve_linear_system(const bool factorise)
   {
     system.right_hand_side(rhs);
-    if (solution.size() != rhs.size() ||
-        solution.locally_owned_elements() != rhs.locally_owned_elements())
-      solution.reinit(rhs);
+    system.shape(solution);
     if (factorise)
       {
         TimerOutput::Scope scope(timer, "factorisation");

@@ -365,11 +365,22 @@ namespace isochor
 
   template <int dim>
   void
+  MixedSystem<dim>::shape(TrilinosWrappers::MPI::Vector &vector) const
+  {
+    // all ranks or none: the equations of one may have changed alone
+    const bool fits = vector.size() == system.n_equations &&
+                      vector.locally_owned_elements() == system.locally_owned;
+    if (Utilities::MPI::min(fits ? 1 : 0, system.comm) == 0)
+      vector.reinit(system.locally_owned, system.comm);
+  }
+
+
+
+  template <int dim>
+  void
   MixedSystem<dim>::right_hand_side(TrilinosWrappers::MPI::Vector &rhs) const
   {
-    if (rhs.size() != system.n_equations ||
-        rhs.locally_owned_elements() != system.locally_owned)
-      rhs.reinit(system.locally_owned, system.comm);
+    shape(rhs);
     double *const values = rhs.begin();
     unsigned int  next   = 0;
     for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)

@@ -223,7 +223,9 @@ test_bodies_2d()
                     1e-9);
 
   check_message(
-    "no points", [&]() { Body<2>(box + in + "Region = x > 3"); }, "Region");
+    "no points",
+    [&]() { Body<2>(box + in + "Region = x > 3"); },
+    "parameters of <Material points>");
   check_message(
     "body outside of the grid",
     [&]() {

@@ -94,6 +94,10 @@ namespace isochor
     void
     finish_assembly();
 
+    /** Make @p vector one over the equations, if it isn't. Collective. */
+    void
+    shape(TrilinosWrappers::MPI::Vector &vector) const;
+
     /** rhs = - residual - (columns of pending increments), free unknowns. */
     void
     right_hand_side(TrilinosWrappers::MPI::Vector &rhs) const;
