@@ -80,9 +80,10 @@ namespace isochor
         }
     mapped.compress(VectorOperation::add);
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
-      for (unsigned int i = 1; i < n_mapped; ++i)
-        mapped.local_element(node * n_mapped + i) /=
-          mapped.local_element(node * n_mapped);
+      if (mapped.local_element(node * n_mapped) > 0)
+        for (unsigned int i = 1; i < n_mapped; ++i)
+          mapped.local_element(node * n_mapped + i) /=
+            mapped.local_element(node * n_mapped);
     mapped.update_ghost_values();
   }
 

@@ -460,7 +460,10 @@ namespace isochor
     nodes.initialize(force, n_components);
     nodes.initialize(mass, 1);
     for (const auto &condition : boundary_conditions)
-      condition->add_external_force(start, force);
+      {
+        condition->add_external_force(start, force);
+        condition->add_boundary_force(start, unknowns, force);
+      }
     for (unsigned int k = 0; k < arrays.cell.size(); ++k)
       for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
            ++q)
@@ -471,10 +474,12 @@ namespace isochor
     force.compress(VectorOperation::add);
     mass.compress(VectorOperation::add);
     for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
-      if (constraints.constrained[i])
-        force.local_element(i) = 0.;
-      else
-        force.local_element(i) /= mass.local_element(i / n_components);
+      {
+        const double m         = mass.local_element(i / n_components);
+        force.local_element(i) = constraints.constrained[i] || m == 0. ?
+                                   0. :
+                                   force.local_element(i) / m;
+      }
     force.update_ghost_values();
 
     for (unsigned int k = 0; k < arrays.cell.size(); ++k)

@@ -7,6 +7,7 @@
 
 #include <isochor/expression.h>
 #include <isochor/material_points.h>
+#include <isochor/plain_message.h>
 #include <isochor/relocation.h>
 #include <isochor/seeding.h>
 
@@ -61,10 +62,10 @@ namespace isochor
   {
     prm.enter_subsection("Material points");
     prm.declare_entry("Points per cell",
-                      "3",
+                      dim == 2 ? "3" : "4",
                       Patterns::Integer(1),
                       "Material points seeded per cell: 1, 3, 4, 6, 7, 9, 12, "
-                      "15, 16, ... in 2D, 1, 4, 8, 10, 27, ... in 3D.");
+                      "15, 16, ... in 2D, 1, 4, 8, 14, 27, 35, ... in 3D.");
     prm.declare_entry("Points per cell in zones",
                       "",
                       Patterns::Anything(),
@@ -249,7 +250,7 @@ namespace isochor
                     ExcMessage("The mesh file <" + parameters.body_mesh +
                                "> of the parameter <Material points/Body mesh> "
                                "can't be read: " +
-                               exc.what()));
+                               plain_message(exc)));
       }
     const SimplexGeometry<dim> geometry(body);
     std::vector<Seed>          seeds = seeds_in_cells(geometry, false);

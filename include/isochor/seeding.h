@@ -22,6 +22,7 @@ namespace isochor
    *    of equal volume (1, 4, 9, 16, ... in 2D; 1, 8, 27, ... in 3D);
    *  - 2D, 3, 6 and 12: the symmetric rules of degree 2, 4 and 6 of Dunavant,
    *    Int. J. Numer. Meth. Eng. 21 (1985) 1129-1148;
+   *  - 3D, 4: the symmetric rule of degree 2;
    *  - every other count for which deal.II has a simplex rule.
    * Throws otherwise, naming the counts there are.
    */

@@ -48,7 +48,8 @@ namespace isochor
     initialize(const BackgroundGrid<dim> &grid) override
     {
       for (Load &load : loads)
-        load.id = grid.boundary_id(load.boundary);
+        load.id =
+          grid.boundary_id(load.boundary, "Boundary conditions/Traction");
     }
 
     void
