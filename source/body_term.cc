@@ -135,15 +135,20 @@ namespace isochor
              q < points.cell_start[k + 1];
              ++q)
           {
-            const double V = points.weight[q];
-            const double G =
-              step.kernel.materials[points.material[q]]->shear_modulus();
+            const double              V = points.weight[q];
+            const MaterialModel<dim> &material =
+              *step.kernel.materials[points.material[q]];
+            // in the u form the rounding of J is multiplied by K
+            double modulus = material.shear_modulus();
+            if (!step.mixed())
+              modulus += 0.1 / material.inverse_bulk_modulus();
             for (unsigned int I = 0; I <= dim; ++I)
               {
                 const unsigned int entry =
                   step.nodes.node(vertices[I]) * step.n_components;
                 for (unsigned int a = 0; a < dim; ++a)
-                  scale.local_element(entry + a) += V * G * gradients[I].norm();
+                  scale.local_element(entry + a) +=
+                    V * modulus * gradients[I].norm();
                 if (step.mixed())
                   scale.local_element(entry + dim) += V * points.shape[q][I];
               }

@@ -41,7 +41,7 @@ namespace isochor
     prm.declare_entry("Iterations of an easy step",
                       "5",
                       Patterns::Integer(1),
-                      "A step with at most so many Newton iterations went "
+                      "A step with at most so many factorisations went "
                       "well.");
     prm.declare_entry("Output interval",
                       "0",

@@ -300,9 +300,13 @@ namespace isochor
     nodes.initialize(boundary_force, n_components);
     if (n_components == dim + 1)
       map_pressure();
-    if (dynamic)
-      inertia.start_step(context());
     prepare_system();
+    if (dynamic)
+      {
+        if (time.step == 0)
+          set_initial_acceleration();
+        inertia.start_step(context());
+      }
     compute_residual_floor();
   }
 
@@ -358,9 +362,12 @@ namespace isochor
       {
         const unsigned int node = nodes.node(last_motion.vertices[i]);
         if (node < nodes.n_owned())
-          for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int a = 0; a < n_components; ++a)
+            // the nodal pressure is kept: mapped to the points and back it
+            // would be smoothed
             unknowns.local_element(node * n_components + a) =
-              ratio * last_motion.increments[i * dim + a];
+              (a < dim ? ratio : 1.) *
+              last_motion.unknowns[i * n_components + a];
       }
     unknowns.update_ghost_values();
     return true;
@@ -386,14 +393,56 @@ namespace isochor
   {
     last_motion.step_size = context().step_size();
     last_motion.vertices.clear();
-    last_motion.increments.clear();
+    last_motion.unknowns.clear();
     for (unsigned int node = 0; node < nodes.n_local(); ++node)
       {
         last_motion.vertices.push_back(nodes.vertex(node));
-        for (unsigned int a = 0; a < dim; ++a)
-          last_motion.increments.push_back(
+        for (unsigned int a = 0; a < n_components; ++a)
+          last_motion.unknowns.push_back(
             unknowns.local_element(node * n_components + a));
       }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::set_initial_acceleration()
+  {
+    const StepContext<dim> start{
+      grid, nodes, arrays, kernel, n_components, time.time, time.time};
+    NodalField force, mass;
+    nodes.initialize(force, n_components);
+    nodes.initialize(mass, 1);
+    for (const auto &condition : boundary_conditions)
+      condition->add_external_force(start, force);
+    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
+      for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
+           ++q)
+        for (unsigned int I = 0; I <= dim; ++I)
+          mass.local_element(
+            nodes.node(grid.geometry().vertex_indices(arrays.cell[k])[I])) +=
+            arrays.shape[q][I] * arrays.mass[q];
+    force.compress(VectorOperation::add);
+    mass.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+      if (constraints.constrained[i])
+        force.local_element(i) = 0.;
+      else
+        force.local_element(i) /= mass.local_element(i / n_components);
+    force.update_ghost_values();
+
+    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
+      for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
+           ++q)
+        for (unsigned int I = 0; I <= dim; ++I)
+          for (unsigned int a = 0; a < dim; ++a)
+            arrays.acceleration[q][a] +=
+              arrays.shape[q][I] *
+              force.local_element(
+                nodes.node(grid.geometry().vertex_indices(arrays.cell[k])[I]) *
+                  n_components +
+                a);
   }
 
 
@@ -457,7 +506,12 @@ namespace isochor
     problem.assemble = [this](const bool with_matrix) {
       return assemble(with_matrix);
     };
-    problem.solve   = [this]() { return solve_linear_system(); };
+    problem.solve = [this](const bool factorise) {
+      return solve_linear_system(factorise);
+    };
+    problem.has_factorisation = [this]() {
+      return factorised_pattern == system.matrix().pattern_id;
+    };
     problem.advance = [this](const double s) {
       at_start = false;
       for (unsigned int i = 0; i < nodes.n_local() * n_components; ++i)
@@ -536,16 +590,19 @@ namespace isochor
 
   template <int dim>
   unsigned int
-  MaterialPointMethod<dim>::solve_linear_system()
+  MaterialPointMethod<dim>::solve_linear_system(const bool factorise)
   {
     system.right_hand_side(rhs);
     if (solution.size() != rhs.size() ||
         solution.locally_owned_elements() != rhs.locally_owned_elements())
       solution.reinit(rhs);
-    {
-      TimerOutput::Scope scope(timer, "factorisation");
-      linear_solver->factorise(system.matrix());
-    }
+    if (factorise)
+      {
+        TimerOutput::Scope scope(timer, "factorisation");
+        factorised_pattern = 0; // none, should this throw
+        linear_solver->factorise(system.matrix());
+        factorised_pattern = system.matrix().pattern_id;
+      }
     LinearSolverReport report;
     {
       TimerOutput::Scope scope(timer, "solution");
@@ -577,6 +634,7 @@ namespace isochor
       statistics.set("Time (s)", step.time);
       statistics.set("Step size (s)", step.step_size());
       statistics.set("Newton iterations", newton.n_iterations());
+      statistics.set("Factorisations", newton.n_factorisations);
       statistics.set("Step cuts", time.n_cuts);
       statistics.set("Relative residual of forces",
                      newton.iterations.back().displacement);
@@ -592,7 +650,7 @@ namespace isochor
       remember_motion();
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);
-      time.accept(newton.n_iterations());
+      time.accept(newton.n_factorisations);
     }
     {
       TimerOutput::Scope scope(timer, "postprocessing");

@@ -62,7 +62,14 @@ namespace isochor
   double
   Statistics::get(const std::string &column) const
   {
-    return row.at(column);
+    const auto present = row.find(column);
+    if (present != row.end())
+      return present->second;
+    const auto last = last_row.find(column);
+    AssertThrow(last != last_row.end(),
+                ExcMessage("There is no column <" + column +
+                           "> in the statistics."));
+    return last->second;
   }
 
 
@@ -87,6 +94,7 @@ namespace isochor
                                ">. Is the disk full?"));
       }
     header_written = true;
+    last_row.swap(row);
     row.clear();
   }
 } // namespace isochor

@@ -9,19 +9,19 @@
 
 namespace isochor
 {
-  /** The nodal displacement increments of the last step at this rank's active
+  /** The nodal unknowns of the last step at this rank's active
    * nodes: what the next step's start is extrapolated from. */
   struct LastMotion
   {
     std::vector<unsigned int> vertices;
-    std::vector<double>       increments;    ///< dim per vertex
+    std::vector<double>       unknowns;      ///< n_components per vertex
     double                    step_size = 0; ///< 0: there was no step yet
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &vertices &increments &step_size;
+      archive &vertices &unknowns &step_size;
     }
   };
 } // namespace isochor

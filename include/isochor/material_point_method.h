@@ -86,12 +86,17 @@ namespace isochor
     remember_motion();
     void
     compute_residual_floor();
+    /** Give the points the acceleration with which a body without stress
+     * answers the loads at t = 0. Newmark's scheme starts from it: without, a
+     * load that is there from the start would act on half of the first step. */
+    void
+    set_initial_acceleration();
     void
     prepare_system();
     ResidualNorms
     assemble(const bool with_matrix);
     unsigned int
-    solve_linear_system();
+    solve_linear_system(const bool factorise);
     void
     update_points();
 
@@ -143,6 +148,8 @@ namespace isochor
     bool                          symmetric    = true;
     std::string                   output_directory;
     TrilinosWrappers::MPI::Vector rhs, solution;
+    /** The pattern of the matrix last factorised, 0 for none. */
+    unsigned long factorised_pattern = 0;
   };
 } // namespace isochor
 

@@ -69,9 +69,13 @@ namespace isochor
     {
       /** Residual at the present iterate; with the matrix if asked. */
       std::function<ResidualNorms(const bool with_matrix)> assemble;
-      /** Solve for the correction with the matrix last assembled; returns the
-       * number of linear iterations. Throws ExcLinearSolverFailed. */
-      std::function<unsigned int()> solve;
+      /** Solve for the correction, with the matrix last assembled or, if not
+       * @p factorise, with the one factorised before. Returns the number of
+       * linear iterations. Throws ExcLinearSolverFailed. */
+      std::function<unsigned int(const bool factorise)> solve;
+      /** Whether there is a factorisation of a matrix of the present pattern.
+       */
+      std::function<bool()> has_factorisation;
       /** Set the iterate to (the one at the last solve) + s (correction). */
       std::function<void(const double s)> advance;
     };
@@ -94,6 +98,9 @@ namespace isochor
 
   private:
     unsigned int max_iterations = 15;
+    /** Keep a factorisation as long as it reduces the residual by this factor
+     * per iteration; 0: always factorise. */
+    double       reuse_ratio    = 0.2;
     unsigned int max_backtracks = 4;
   };
 } // namespace isochor
