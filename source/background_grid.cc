@@ -103,7 +103,7 @@ namespace isochor
     , dofs(tria)
     , p1_mapping(FE_SimplexP<dim>(1))
   {
-    tria.signals.post_refinement.connect([this]() {
+    tria.signals.create.connect([this]() {
       if (tria.n_active_cells() > 0)
         GridTools::partition_triangulation(
           Utilities::MPI::n_mpi_processes(this->comm), tria);

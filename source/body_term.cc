@@ -251,15 +251,19 @@ namespace isochor
         {
           const auto   stencil = points.stencil(grid.geometry(), k, q);
           const double V       = points.weight[q];
-          const double G =
-            step.kernel.materials[points.material[q]]->shear_modulus();
+          const MaterialModel<dim> &material =
+            *step.kernel.materials[points.material[q]];
+          // in the u form the rounding of J is multiplied by K
+          double modulus = material.shear_modulus();
+          if (!step.mixed())
+            modulus += 0.1 / material.inverse_bulk_modulus();
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
               const unsigned int entry =
                 step.nodes.node(stencil.vertex[I]) * step.n_components;
               for (unsigned int a = 0; a < dim; ++a)
                 scale.local_element(entry + a) +=
-                  V * G * stencil.gradient[I].norm();
+                  V * modulus * stencil.gradient[I].norm();
               if (step.mixed())
                 scale.local_element(entry + dim) += V * stencil.shape[I];
             }

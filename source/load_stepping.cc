@@ -41,7 +41,7 @@ namespace isochor
     prm.declare_entry("Iterations of an easy step",
                       "5",
                       Patterns::Integer(1),
-                      "A step with at most so many Newton iterations went "
+                      "A step with at most so many factorisations went "
                       "well.");
     prm.declare_entry("Output interval",
                       "0",
@@ -149,5 +149,25 @@ namespace isochor
     return output_interval == 0 || time >= end ||
            std::abs(time - reached_output * output_interval) <=
              1e-10 * output_interval;
+  }
+
+
+
+  bool
+  LoadStepping::next_output_due() const
+  {
+    return output_interval == 0 || next_time() == next_target();
+  }
+
+
+
+  void
+  LoadStepping::resume(const LoadStepping &saved)
+  {
+    time           = saved.time;
+    step           = saved.step;
+    n_cuts         = saved.n_cuts;
+    step_size      = std::min(saved.step_size, largest);
+    reached_output = saved.reached_output;
   }
 } // namespace isochor

@@ -55,6 +55,7 @@ namespace isochor
     MaterialPoints<dim>::declare_parameters(prm);
     NewtonSolver::declare_parameters(prm);
     LoadStepping::declare_parameters(prm);
+    Checkpoint<dim>::declare_parameters(prm);
     InertiaTerm<dim>::declare_parameters(prm);
     BodyQuadrature<dim>::declare_parameters(prm);
     GhostPenalty<dim>::declare_parameters(prm);
@@ -129,6 +130,7 @@ namespace isochor
     points.parse_parameters(prm);
     newton_solver.parse_parameters(prm);
     time.parse_parameters(prm);
+    checkpoint.parse_parameters(prm);
     dynamic = inertia.parse_parameters(prm);
     quadrature.parse_parameters(prm);
     ghost_penalty.parse_parameters(prm);
@@ -170,7 +172,10 @@ namespace isochor
     prm.enter_subsection("Boundary conditions");
     PluginRegistry<BoundaryCondition<dim>>::create_all(boundary_conditions);
     for (auto &condition : boundary_conditions)
-      condition->parse_parameters(prm);
+      {
+        condition->parse_parameters(prm);
+        symmetric = symmetric && condition->has_symmetric_matrix();
+      }
     prm.leave_subsection();
 
     prm.enter_subsection("Linear solver");
@@ -204,9 +209,18 @@ namespace isochor
     while (!time.finished())
       {
         initialisation_phase();
-        const NewtonReport newton = updated_lagrangian_phase();
+        const bool   predicted = predict();
+        NewtonReport newton    = updated_lagrangian_phase();
+        if (!newton.converged && predicted)
+          {
+            start_from_rest();
+            newton = updated_lagrangian_phase();
+          }
         if (newton.converged)
-          convective_phase(newton);
+          {
+            convective_phase(newton);
+            start_afresh = checkpoint.write_if_due(state());
+          }
         else
           time.reject(newton.failure);
       }
@@ -243,14 +257,27 @@ namespace isochor
     for (auto &condition : boundary_conditions)
       terms.push_back(condition.get());
 
+    const std::string notice =
+      checkpoint.start(grid, output_directory, state());
     if (Utilities::MPI::this_mpi_process(comm) == 0)
-      statistics.open(output_directory + "/statistics.txt");
+      statistics.open(output_directory + "/statistics.txt", time.step);
     pcout << "Isochor: " << grid.triangulation().n_active_cells() << " cells, "
           << points.handler().n_global_particles() << " material points, "
           << (n_components == dim ?
                 "u" :
                 (kernel.ppp_coefficient > 0 ? "u-p + PPP" : "u-p"))
           << " form" << std::endl;
+    if (!notice.empty())
+      pcout << notice << std::endl;
+  }
+
+
+
+  template <int dim>
+  typename Checkpoint<dim>::State
+  MaterialPointMethod<dim>::state()
+  {
+    return {points, time, last_motion, boundary_conditions, postprocessors};
   }
 
 
@@ -308,18 +335,24 @@ namespace isochor
     std::vector<unsigned int> touched;
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched);
-    nodes_changed = nodes.update(std::move(touched));
+    nodes_changed = nodes.update(std::move(touched)) || start_afresh;
+    start_afresh  = false;
 
     nodes.initialize(unknowns, n_components);
     nodes.initialize(base_unknowns, n_components);
     nodes.initialize(correction, n_components);
     nodes.initialize(pending, n_components);
     nodes.initialize(external_force, n_components);
+    nodes.initialize(boundary_force, n_components);
     if (n_components == dim + 1)
       map_pressure();
-    if (dynamic)
-      inertia.start_step(context());
     prepare_system();
+    if (dynamic)
+      {
+        if (time.step == 0)
+          set_initial_acceleration();
+        inertia.start_step(context());
+      }
     compute_residual_floor();
   }
 
@@ -359,6 +392,105 @@ namespace isochor
         unknowns.local_element(node * n_components + dim) /=
           mass.local_element(node);
     unknowns.update_ghost_values();
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialPointMethod<dim>::predict()
+  {
+    if (!newton_solver.extrapolate || last_motion.step_size == 0)
+      return false;
+    const double ratio = context().step_size() / last_motion.step_size;
+    for (unsigned int i = 0; i < last_motion.vertices.size(); ++i)
+      {
+        const unsigned int node = nodes.node(last_motion.vertices[i]);
+        if (node < nodes.n_owned())
+          for (unsigned int a = 0; a < n_components; ++a)
+            // the nodal pressure is kept: mapped to the points and back it
+            // would be smoothed
+            unknowns.local_element(node * n_components + a) =
+              (a < dim ? ratio : 1.) *
+              last_motion.unknowns[i * n_components + a];
+      }
+    unknowns.update_ghost_values();
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::start_from_rest()
+  {
+    unknowns.zero_out_ghost_values();
+    unknowns = 0.;
+    if (n_components == dim + 1)
+      map_pressure();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::remember_motion()
+  {
+    last_motion.step_size = context().step_size();
+    last_motion.vertices.clear();
+    last_motion.unknowns.clear();
+    for (unsigned int node = 0; node < nodes.n_local(); ++node)
+      {
+        last_motion.vertices.push_back(nodes.vertex(node));
+        for (unsigned int a = 0; a < n_components; ++a)
+          last_motion.unknowns.push_back(
+            unknowns.local_element(node * n_components + a));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::set_initial_acceleration()
+  {
+    const StepContext<dim> start{
+      grid, nodes, arrays, kernel, n_components, time.time, time.time};
+    NodalField force, mass;
+    nodes.initialize(force, n_components);
+    nodes.initialize(mass, 1);
+    for (const auto &condition : boundary_conditions)
+      condition->add_external_force(start, force);
+    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
+      for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
+           ++q)
+        {
+          const auto stencil = arrays.stencil(grid.geometry(), k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            mass.local_element(nodes.node(stencil.vertex[I])) +=
+              stencil.shape[I] * arrays.mass[q];
+        }
+    force.compress(VectorOperation::add);
+    mass.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+      if (constraints.constrained[i])
+        force.local_element(i) = 0.;
+      else
+        force.local_element(i) /= mass.local_element(i / n_components);
+    force.update_ghost_values();
+
+    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
+      for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
+           ++q)
+        {
+          const auto stencil = arrays.stencil(grid.geometry(), k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            for (unsigned int a = 0; a < dim; ++a)
+              arrays.acceleration[q][a] +=
+                stencil.shape[I] *
+                force.local_element(
+                  nodes.node(stencil.vertex[I]) * n_components + a);
+        }
   }
 
 
@@ -417,12 +549,19 @@ namespace isochor
           << " (dt = " << time.next_time() - time.time << "), "
           << system.matrix().n_equations << " equations" << std::endl;
 
+    at_start = true;
     NewtonSolver::Problem problem;
     problem.assemble = [this](const bool with_matrix) {
       return assemble(with_matrix);
     };
-    problem.solve   = [this]() { return solve_linear_system(); };
+    problem.solve = [this](const bool factorise) {
+      return solve_linear_system(factorise);
+    };
+    problem.has_factorisation = [this]() {
+      return factorised_pattern == system.matrix().pattern_id;
+    };
     problem.advance = [this](const double s) {
+      at_start = false;
       for (unsigned int i = 0; i < nodes.n_local() * n_components; ++i)
         unknowns.local_element(i) =
           base_unknowns.local_element(i) + s * correction.local_element(i);
@@ -451,6 +590,16 @@ namespace isochor
             is_pending = 1;
         }
 
+    boundary_force = 0.;
+    boundary_force.zero_out_ghost_values();
+    for (const auto &condition : boundary_conditions)
+      {
+        if (at_start && condition->moves_body(step))
+          is_pending = 1;
+        condition->add_boundary_force(step, unknowns, boundary_force);
+      }
+    boundary_force.compress(VectorOperation::add);
+
     system.start_assembly(with_matrix);
     unsigned int status = 0;
     for (unsigned int t = 0; t < terms.size(); ++t)
@@ -464,19 +613,22 @@ namespace isochor
     std::array<double, 4> squares{}; // displacement, pressure, reaction, load
     for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
       {
-        const double r        = system.residual.local_element(i);
-        const double f        = external_force.local_element(i);
-        const bool   pressure = (i % n_components == dim);
+        const double r = system.residual.local_element(i);
+        const double f =
+          external_force.local_element(i) + boundary_force.local_element(i);
+        const bool pressure = (i % n_components == dim);
         squares[constraints.constrained[i] ? 2 : (pressure ? 1 : 0)] += r * r;
-        squares[3] += f * f;
+        if (!pressure)
+          squares[3] += f * f;
       }
     norms.status =
       static_cast<EvaluationStatus>(Utilities::MPI::max(status, comm));
     norms.pending = Utilities::MPI::max(is_pending, comm) != 0;
     sum_over_ranks(squares, comm);
-    norms.displacement       = std::sqrt(squares[0]);
-    norms.pressure           = std::sqrt(squares[1]);
-    norms.force_scale        = std::sqrt(std::max(squares[2], squares[3]));
+    norms.displacement = std::sqrt(squares[0]);
+    norms.pressure     = std::sqrt(squares[1]);
+    norms.force_scale =
+      norms.pending ? 0. : std::sqrt(std::max(squares[2], squares[3]));
     norms.displacement_floor = force_floor;
     norms.pressure_floor     = volume_floor;
     return norms;
@@ -486,16 +638,19 @@ namespace isochor
 
   template <int dim>
   unsigned int
-  MaterialPointMethod<dim>::solve_linear_system()
+  MaterialPointMethod<dim>::solve_linear_system(const bool factorise)
   {
     system.right_hand_side(rhs);
     if (solution.size() != rhs.size() ||
         solution.locally_owned_elements() != rhs.locally_owned_elements())
       solution.reinit(rhs);
-    {
-      TimerOutput::Scope scope(timer, "factorisation");
-      linear_solver->factorise(system.matrix());
-    }
+    if (factorise)
+      {
+        TimerOutput::Scope scope(timer, "factorisation");
+        factorised_pattern = 0; // none, should this throw
+        linear_solver->factorise(system.matrix());
+        factorised_pattern = system.matrix().pattern_id;
+      }
     LinearSolverReport report;
     {
       TimerOutput::Scope scope(timer, "solution");
@@ -527,17 +682,23 @@ namespace isochor
       statistics.set("Time (s)", step.time);
       statistics.set("Step size (s)", step.step_size());
       statistics.set("Newton iterations", newton.n_iterations());
+      statistics.set("Factorisations", newton.n_factorisations);
       statistics.set("Step cuts", time.n_cuts);
       statistics.set("Relative residual of forces",
                      newton.iterations.back().displacement);
       statistics.set("Equations", system.matrix().n_equations);
       for (auto &postprocessor : postprocessors)
         postprocessor->evaluate_nodes(result, statistics);
+      for (const auto &condition : boundary_conditions)
+        condition->evaluate(step, unknowns, statistics);
     }
     {
       TimerOutput::Scope scope(timer, "convective phase");
       update_points();
-      time.accept(newton.n_iterations());
+      remember_motion();
+      for (auto &condition : boundary_conditions)
+        condition->advance(step, unknowns);
+      time.accept(newton.n_factorisations);
     }
     {
       TimerOutput::Scope scope(timer, "postprocessing");

@@ -499,9 +499,7 @@ namespace isochor
             arrays.pressure[q] = properties[l.pressure];
             arrays.material[q] =
               static_cast<unsigned char>(properties[l.material]);
-            for (unsigned int d = 0; d < dim; ++d)
-              for (unsigned int e = 0; e < dim; ++e)
-                arrays.F[q][d][e] = properties[l.F + d * dim + e];
+            arrays.F[q] = deformation_gradient<dim>(properties, l);
             std::copy_n(properties + l.history,
                         l.n_history,
                         arrays.history.data() + q * std::size_t(l.n_history));

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <limits>
 #include <ostream>
+#include <sstream>
 
 namespace isochor
 {
@@ -24,10 +25,25 @@ namespace isochor
                       "this fraction of the external forces and reactions, and "
                       "the residual of the pressure equation below this "
                       "fraction of its largest value in the step.");
+    prm.declare_entry("Predictor",
+                      "extrapolation",
+                      Patterns::Selection("none|extrapolation"),
+                      "Where a step starts: from rest, or with the nodal "
+                      "velocities of the last step. If Newton's method fails "
+                      "from there, it starts again from rest.");
     prm.declare_entry("Maximum iterations",
                       "15",
                       Patterns::Integer(1),
-                      "More are a failure; the step is then cut back.");
+                      "More (with a new factorisation each) are a failure; the "
+                      "step is then cut back.");
+    prm.declare_entry("Reuse factorisation",
+                      "0.1",
+                      Patterns::Double(0, 1),
+                      "A factorisation is kept over iterations and steps as "
+                      "long as each iteration reduces the residual to this "
+                      "fraction or less. It changes the way to the solution, "
+                      "not the solution. 0: Newton's method proper, a new "
+                      "factorisation for each iteration.");
     prm.declare_entry("Maximum backtracks",
                       "4",
                       Patterns::Integer(0),
@@ -43,7 +59,9 @@ namespace isochor
   {
     prm.enter_subsection("Newton");
     tolerance      = prm.get_double("Tolerance");
+    extrapolate    = prm.get("Predictor") == "extrapolation";
     max_iterations = prm.get_integer("Maximum iterations");
+    reuse_ratio    = prm.get_double("Reuse factorisation");
     max_backtracks = prm.get_integer("Maximum backtracks");
     prm.leave_subsection();
   }
@@ -62,7 +80,7 @@ namespace isochor
       {
         force    = std::max({force, norms.force_scale, first(norms)});
         pressure = std::max(pressure, norms.pressure);
-        started  = true;
+        started  = started || !norms.pending;
       }
 
       double
@@ -102,7 +120,7 @@ namespace isochor
       double
       first(const ResidualNorms &norms) const
       {
-        return started ? 0. : norms.displacement;
+        return started || norms.pending ? 0. : norms.displacement;
       }
 
       bool   started = false;
@@ -163,6 +181,7 @@ namespace isochor
     };
     add_row(0, 0);
 
+    double last_ratio = 0.; // try the factorisation of the last step
     while (true)
       {
         if (!std::isfinite(gauge.merit(norms)))
@@ -175,22 +194,29 @@ namespace isochor
             report.converged = true;
             return report;
           }
-        if (report.n_iterations() >= max_iterations)
+        if (report.n_factorisations >= max_iterations ||
+            report.n_iterations() >= 4 * max_iterations)
           {
             report.failure = "Newton's method did not converge in " +
                              std::to_string(max_iterations) + " iterations";
             return report;
           }
 
+        // an old matrix is worth a try where it, or the quadratic convergence
+        // of the last iteration, promises to do
+        const bool reuse = reuse_ratio > 0 && last_ratio <= reuse_ratio &&
+                           problem.has_factorisation();
         unsigned int n_linear = 0;
         try
           {
-            n_linear = problem.solve();
-            ++report.n_factorisations;
+            n_linear = problem.solve(!reuse);
+            report.n_factorisations += reuse ? 0 : 1;
           }
         catch (const ExcLinearSolverFailed &exc)
           {
-            report.failure = exc.what();
+            std::ostringstream message;
+            exc.print_info(message);
+            report.failure = Utilities::trim(message.str());
             return report;
           }
 
@@ -198,7 +224,8 @@ namespace isochor
         // points that turn over shorten such a correction.
         const bool   may_grow = norms.pending || report.n_iterations() == 0;
         const double old      = gauge.merit(norms);
-        double       s = 1., best_s = 0., best = 0.;
+        const unsigned int n_backtracks = reuse ? 0 : max_backtracks;
+        double             s = 1., best_s = 0., best = 0.;
         for (unsigned int k = 0;; ++k, s /= 2)
           {
             problem.advance(s);
@@ -210,14 +237,23 @@ namespace isochor
                 best_s = s;
               }
             const bool accepted = may_grow ? std::isfinite(merit) : merit < old;
-            if (accepted || k == max_backtracks ||
+            if (accepted || k == n_backtracks ||
                 gauge.converged(norms, tolerance))
               break;
+          }
+        if (reuse && (may_grow ? !std::isfinite(best) : !(best < old)))
+          {
+            // the old matrix led astray: back, and take the right one
+            problem.advance(0.);
+            norms      = problem.assemble(true);
+            last_ratio = 1.;
+            continue;
           }
         if (best_s != s)
           problem.advance(best_s);
         if (best_s != 1.)
           norms = problem.assemble(true);
+        last_ratio = may_grow ? 0. : best / old;
         gauge.take(norms);
         add_row(best_s, n_linear);
       }

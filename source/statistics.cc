@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/exceptions.h>
 
+#include <isochor/safe_file.h>
 #include <isochor/statistics.h>
 
 #include <algorithm>
@@ -40,8 +41,8 @@ namespace isochor
                                std::to_string(n_rows) + "."));
         header_written = true;
       }
-    file.open(file_name);
-    file << kept << std::flush;
+    write_file_safely(file_name, [&](std::ostream &out) { out << kept; });
+    file.open(file_name, std::ios::app);
     AssertThrow(file, ExcMessage("Can't write the file <" + file_name + ">."));
   }
 
@@ -61,7 +62,14 @@ namespace isochor
   double
   Statistics::get(const std::string &column) const
   {
-    return row.at(column);
+    const auto present = row.find(column);
+    if (present != row.end())
+      return present->second;
+    const auto last = last_row.find(column);
+    AssertThrow(last != last_row.end(),
+                ExcMessage("There is no column <" + column +
+                           "> in the statistics."));
+    return last->second;
   }
 
 
@@ -86,6 +94,7 @@ namespace isochor
                                ">. Is the disk full?"));
       }
     header_written = true;
+    last_row.swap(row);
     row.clear();
   }
 } // namespace isochor

@@ -7,6 +7,9 @@
 
 #include <isochor/equation_term.h>
 #include <isochor/plugin_registry.h>
+#include <isochor/statistics.h>
+
+#include <string>
 
 namespace isochor
 {
@@ -39,6 +42,53 @@ namespace isochor
     virtual void
     add_external_force(const StepContext<dim> & /*step*/,
                        NodalField & /*force*/) const
+    {}
+
+    /** Whether what assemble() adds is symmetric. */
+    virtual bool
+    has_symmetric_matrix() const
+    {
+      return true;
+    }
+
+    /** Whether assemble() sets this rank's part of the body in motion over the
+     * step. The first residual of such a step is no measure of forces. */
+    virtual bool
+    moves_body(const StepContext<dim> & /*step*/) const
+    {
+      return false;
+    }
+
+    /** Add the forces on the body (N) that assemble() accounts for, as
+     * add_external_force(): what residuals are measured against. */
+    virtual void
+    add_boundary_force(const StepContext<dim> & /*step*/,
+                       const NodalField & /*unknowns*/,
+                       NodalField & /*force*/) const
+    {}
+
+    /** The step has converged: set columns of the statistics. Collective. */
+    virtual void
+    evaluate(const StepContext<dim> & /*step*/,
+             const NodalField & /*unknowns*/,
+             Statistics & /*statistics*/) const
+    {}
+
+    /** The step has converged: follow the body. Collective. */
+    virtual void
+    advance(const StepContext<dim> & /*step*/, const NodalField & /*unknowns*/)
+    {}
+
+    /** What has to survive a restart, the same text on all ranks. Collective.
+     */
+    virtual std::string
+    save_state() const
+    {
+      return {};
+    }
+    /** Called on all ranks, after initialize(). */
+    virtual void
+    load_state(const std::string & /*state*/)
     {}
   };
 } // namespace isochor

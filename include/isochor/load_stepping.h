@@ -46,6 +46,10 @@ namespace isochor
     bool
     output_due() const;
 
+    /** Whether next_time() is one to write output at. */
+    bool
+    next_output_due() const;
+
     double       time      = 0;
     unsigned int step      = 0;
     unsigned int n_cuts    = 0;
@@ -56,6 +60,10 @@ namespace isochor
     {
       return end;
     }
+
+    /** Continue where @p saved was, with the parameters of this object. */
+    void
+    resume(const LoadStepping &saved);
 
     template <class Archive>
     void

@@ -11,6 +11,7 @@
 #include <isochor/body_quadrature.h>
 #include <isochor/body_term.h>
 #include <isochor/boundary_condition.h>
+#include <isochor/checkpoint.h>
 #include <isochor/ghost_penalty.h>
 #include <isochor/inertia_term.h>
 #include <isochor/linear_solver.h>
@@ -73,18 +74,33 @@ namespace isochor
     void
     convective_phase(const NewtonReport &newton);
 
+    /** What a checkpoint holds. */
+    typename Checkpoint<dim>::State
+    state();
+
     StepContext<dim>
     context() const;
     void
     map_pressure();
+    bool
+    predict();
+    void
+    start_from_rest();
+    void
+    remember_motion();
     void
     compute_residual_floor();
+    /** Give the points the acceleration with which a body without stress
+     * answers the loads at t = 0. Newmark's scheme starts from it: without, a
+     * load that is there from the start would act on half of the first step. */
+    void
+    set_initial_acceleration();
     void
     prepare_system();
     ResidualNorms
     assemble(const bool with_matrix);
     unsigned int
-    solve_linear_system();
+    solve_linear_system(const bool factorise);
     void
     update_points();
 
@@ -101,11 +117,20 @@ namespace isochor
     PointArrays<dim> arrays;
     ActiveNodes<dim> nodes;
     bool             nodes_changed = false;
+    /** Whether the step to come must not use what the last one left in the
+     * solver: a resumed run has none of it. */
+    bool             start_afresh = false;
     MixedSystem<dim> system;
     NodalConstraints constraints;
     NodalField       unknowns, base_unknowns, correction, pending;
     NodalField       external_force;
-    double           force_floor = 0, volume_floor = 0;
+    /** Forces of the boundary conditions that are terms of the equations. */
+    NodalField boundary_force;
+    /** Whether the iterate is where the step starts. */
+    bool   at_start    = true;
+    double force_floor = 0, volume_floor = 0;
+
+    LastMotion last_motion;
 
     /** The terms of the equations, in the order of their elements. */
     std::vector<EquationTerm<dim> *> terms;
@@ -125,11 +150,14 @@ namespace isochor
     NewtonSolver                                         newton_solver;
     LoadStepping                                         time;
     Statistics                                           statistics;
+    Checkpoint<dim>                                      checkpoint;
 
     unsigned int                  n_components = dim + 1;
     bool                          symmetric    = true;
     std::string                   output_directory;
     TrilinosWrappers::MPI::Vector rhs, solution;
+    /** The pattern of the matrix last factorised, 0 for none. */
+    unsigned long factorised_pattern = 0;
   };
 } // namespace isochor
 

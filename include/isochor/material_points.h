@@ -56,6 +56,18 @@ namespace isochor
                 const bool         with_domains = false);
   };
 
+  /** F of a point from its @p properties. */
+  template <int dim>
+  Tensor<2, dim>
+  deformation_gradient(const double *properties, const PointLayout &layout)
+  {
+    Tensor<2, dim> F;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        F[i][j] = properties[layout.F + i * dim + j];
+    return F;
+  }
+
   /** Store a symmetric 3D tensor as xx, yy, zz, xy(, xz, yz). */
   template <int dim>
   void

@@ -29,7 +29,8 @@ namespace isochor
     double force_scale = 0;
     /** Below these a residual is rounding. */
     double displacement_floor = 0, pressure_floor = 0;
-    /** Whether prescribed increments are still to be applied. */
+    /** Whether prescribed increments are still to be applied. Then the
+     * residual is no measure of forces yet. */
     bool pending = false;
   };
 
@@ -68,9 +69,13 @@ namespace isochor
     {
       /** Residual at the present iterate; with the matrix if asked. */
       std::function<ResidualNorms(const bool with_matrix)> assemble;
-      /** Solve for the correction with the matrix last assembled; returns the
-       * number of linear iterations. Throws ExcLinearSolverFailed. */
-      std::function<unsigned int()> solve;
+      /** Solve for the correction, with the matrix last assembled or, if not
+       * @p factorise, with the one factorised before. Returns the number of
+       * linear iterations. Throws ExcLinearSolverFailed. */
+      std::function<unsigned int(const bool factorise)> solve;
+      /** Whether there is a factorisation of a matrix of the present pattern.
+       */
+      std::function<bool()> has_factorisation;
       /** Set the iterate to (the one at the last solve) + s (correction). */
       std::function<void(const double s)> advance;
     };
@@ -87,8 +92,15 @@ namespace isochor
     /** Relative tolerance of both residuals. */
     double tolerance = 1e-8;
 
+    /** Whether a step starts from the motion of the last one. For the owner of
+     * the iterate; the solver starts wherever it is. */
+    bool extrapolate = true;
+
   private:
     unsigned int max_iterations = 15;
+    /** Keep a factorisation as long as it reduces the residual by this factor
+     * per iteration; 0: always factorise. */
+    double       reuse_ratio    = 0.2;
     unsigned int max_backtracks = 4;
   };
 } // namespace isochor

@@ -29,7 +29,8 @@ namespace isochor
     void
     set(const std::string &column, const double value);
 
-    /** The value of the present row; for terminal output and tests. */
+    /** The value in the present row or, if it isn't set there (yet), in the
+     * last one; for terminal output and tests. Throws if there is none. */
     double
     get(const std::string &column) const;
 
@@ -41,7 +42,7 @@ namespace isochor
     std::string                   file_name;
     std::ofstream                 file;
     std::vector<std::string>      columns;
-    std::map<std::string, double> row;
+    std::map<std::string, double> row, last_row;
     bool                          header_written = false;
   };
 } // namespace isochor

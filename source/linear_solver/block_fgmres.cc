@@ -68,11 +68,14 @@ namespace isochor
     };
 
     /**
-     * The diagonal of C + B* diag(K)^{-1} B. Up to a factor near one this is
-     * the pressure mass matrix, lumped and divided by the shear modulus, plus
-     * the diagonal of C: unlike the whole of that product, it is spectrally
-     * equivalent to the Schur complement C + B* K^{-1} B of a Stokes-like
-     * system whatever the mesh size, and needs no material constants.
+     * Twice the diagonal of C + B* diag(K)^{-1} B, an approximation of the
+     * Schur complement C + B* K^{-1} B. Up to a factor near one it is the
+     * pressure mass matrix, lumped and divided by the shear modulus, plus the
+     * diagonal of C: unlike the whole of that product, whose iteration counts
+     * grow as cells shrink, it is spectrally equivalent to the Schur complement
+     * of a Stokes-like system whatever the mesh size, and it needs no material
+     * constants. The factor two is an experiment's: it takes the fewest
+     * iterations in 2D, and a fifth less than one in 3D.
      */
     DistributedVector
     schur_complement_diagonal(const SaddlePointMatrix &A,
@@ -90,6 +93,7 @@ namespace isochor
       minus_C.ExtractDiagonalCopy(C_diagonal);
 
       DistributedVector diagonal(pressures.locally_owned, comm);
+      const double      factor = 2.;
       for (int i = 0; i < B_star.NumMyRows(); ++i)
         {
           int     n_entries;
@@ -99,7 +103,7 @@ namespace isochor
           double sum = -C_diagonal[i];
           for (int k = 0; k < n_entries; ++k)
             sum += values[k] * values[k] / K_diagonal[columns[k]];
-          diagonal.begin()[i] = sum;
+          diagonal.begin()[i] = factor * sum;
         }
       return diagonal;
     }
@@ -244,7 +248,11 @@ namespace isochor
       Epetra_MultiVector modes = near_null_space(A, *displacements);
       parameters.set("null space: type", "pre-computed");
       parameters.set("null space: dimension", modes.NumVectors());
-      parameters.set("null space: vectors", modes.Values());
+      // ML takes a null pointer, which a rank without rows has, for modes that
+      // are missing.
+      double no_values = 0.;
+      parameters.set("null space: vectors",
+                     modes.MyLength() > 0 ? modes.Values() : &no_values);
       multigrid.initialize(K, parameters);
     }
 

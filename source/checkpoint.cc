@@ -1,0 +1,513 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/checkpoint.h>
+#include <isochor/safe_file.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace isochor
+{
+  /** What one rank saves. */
+  template <int dim>
+  struct Checkpoint<dim>::Contents
+  {
+    unsigned int                       n_ranks          = 0;
+    std::uint64_t                      grid_fingerprint = 0;
+    std::map<std::string, std::string> problem;
+
+    LoadStepping             time;
+    LastMotion               last_motion;
+    std::vector<std::string> boundary_conditions, postprocessors;
+
+    /** The points in the order of the handler: per point the cell, the id, the
+     * coordinates (dim in space, dim in the reference cell) and properties. */
+    unsigned int               n_properties = 0;
+    std::vector<unsigned int>  cells;
+    std::vector<std::uint64_t> ids;
+    std::vector<double>        coordinates, properties;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &n_ranks &grid_fingerprint &problem &time &last_motion
+        &boundary_conditions &postprocessors &n_properties &cells &ids
+          &coordinates &properties;
+    }
+  };
+
+
+
+  namespace
+  {
+    constexpr unsigned int n_slots = 2;
+
+    /** How a file starts. Read back on a machine of other byte order or word
+     * size, or from another kind of file, it does not compare equal. */
+    struct Header
+    {
+      char          magic[8]   = {'I', 's', 'o', 'c', 'h', 'o', 'r', '\n'};
+      std::uint64_t version    = 1;
+      std::uint64_t byte_order = 0x0102030405060708;
+      std::uint64_t dimension  = 0;
+      std::uint64_t size       = 0; ///< of the rest, in bytes
+      std::uint64_t checksum   = 0; ///< of the rest
+    };
+
+
+
+    /** The hash FNV-1a of 64 bits, continued from @p hash. */
+    std::uint64_t
+    fnv1a(const void         *data,
+          const std::size_t   n_bytes,
+          const std::uint64_t hash = 14695981039346656037ull)
+    {
+      std::uint64_t        result = hash;
+      const unsigned char *bytes  = static_cast<const unsigned char *>(data);
+      for (std::size_t i = 0; i < n_bytes; ++i)
+        result = (result ^ bytes[i]) * 1099511628211ull;
+      return result;
+    }
+
+
+
+    /** Of vertices, cells and who owns them. */
+    template <int dim>
+    std::uint64_t
+    fingerprint(const SimplexGeometry<dim> &geometry)
+    {
+      const auto   &vertices = geometry.vertices();
+      std::uint64_t hash =
+        fnv1a(vertices.data(), vertices.size() * sizeof(vertices[0]));
+      for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+        {
+          const auto        &corners = geometry.vertex_indices(cell);
+          const unsigned int owner   = geometry.owner(cell);
+          hash = fnv1a(corners.data(), sizeof(corners), hash);
+          hash = fnv1a(&owner, sizeof(owner), hash);
+        }
+      return hash;
+    }
+
+
+
+    /** Whether a resumed run may have another value than the first run: what
+     * says how to go on, not what the problem is. */
+    bool
+    may_change(const std::string &path)
+    {
+      for (const char *subsection :
+           {"Newton/", "Linear solver/", "Output/", "Checkpoint/"})
+        if (path.rfind(subsection, 0) == 0)
+          return true;
+      for (const char *name : {"Time/End time",
+                               "Time/Minimum step size",
+                               "Time/Maximum step size",
+                               "Time/Growth factor",
+                               "Time/Iterations of an easy step"})
+        if (path == name)
+          return true;
+      return false;
+    }
+
+
+
+    /** All parameters that describe the problem, by path. */
+    std::map<std::string, std::string>
+    problem_parameters(const ParameterHandler &prm)
+    {
+      std::stringstream text;
+      prm.print_parameters(text, ParameterHandler::ShortPRM);
+      std::map<std::string, std::string> values;
+      std::vector<std::string>           path = {""};
+      for (std::string line; std::getline(text, line);)
+        {
+          line = Utilities::trim(line);
+          if (line.rfind("subsection ", 0) == 0)
+            path.push_back(path.back() + Utilities::trim(line.substr(11)) +
+                           "/");
+          else if (line == "end")
+            path.pop_back();
+          else if (line.rfind("set ", 0) == 0)
+            {
+              const auto        equals = line.find('=');
+              const std::string name =
+                path.back() + Utilities::trim(line.substr(4, equals - 4));
+              if (!may_change(name))
+                values[name] = Utilities::trim(line.substr(equals + 1));
+            }
+        }
+      return values;
+    }
+
+
+
+    /** Which parameters differ, for messages. */
+    std::string
+    differences(const std::map<std::string, std::string> &then,
+                const std::map<std::string, std::string> &now)
+    {
+      std::string text;
+      const auto  add = [&](const std::string &path,
+                           const std::string &old_value,
+                           const std::string &new_value) {
+        text +=
+          "\n  <" + path + ">: " + old_value + " then, " + new_value + " now";
+      };
+      for (const auto &entry : then)
+        {
+          const auto other = now.find(entry.first);
+          if (other == now.end())
+            add(entry.first, "'" + entry.second + "'", "unknown");
+          else if (other->second != entry.second)
+            add(entry.first,
+                "'" + entry.second + "'",
+                "'" + other->second + "'");
+        }
+      for (const auto &entry : now)
+        if (then.find(entry.first) == then.end())
+          add(entry.first, "unknown", "'" + entry.second + "'");
+      return text;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Checkpoint<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Checkpoint");
+    prm.declare_entry(
+      "Interval",
+      "0",
+      Patterns::Integer(0),
+      "Steps between two checkpoints, from which an interrupted "
+      "run can be resumed. Another is written at the end. 0: "
+      "none after a number of steps.");
+    prm.declare_entry("Wall time interval",
+                      "0",
+                      Patterns::Double(0),
+                      "A checkpoint is written after the first step that ends "
+                      "so long (s, of real time) after the last one. 0: none "
+                      "by wall time.");
+    prm.declare_entry("Resume",
+                      "false",
+                      Patterns::Bool(),
+                      "Whether to continue from the last checkpoint in the "
+                      "output directory, on as many processes as wrote it. "
+                      "Parameters that describe the problem must be those of "
+                      "the first run; the step size is that of the "
+                      "checkpoint.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  Checkpoint<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Checkpoint");
+    step_interval = prm.get_integer("Interval");
+    wall_interval = prm.get_double("Wall time interval");
+    resume        = prm.get_bool("Resume");
+    prm.leave_subsection();
+    problem = problem_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  std::string
+  Checkpoint<dim>::file_name(const unsigned int slot) const
+  {
+    const unsigned int rank =
+      Utilities::MPI::this_mpi_process(grid->communicator());
+    return directory + "/checkpoint-" + std::to_string(slot) + "." +
+           Utilities::int_to_string(rank, 4) + ".bin";
+  }
+
+
+
+  template <int dim>
+  std::string
+  Checkpoint<dim>::start(const BackgroundGrid<dim> &grid_,
+                         const std::string         &directory_,
+                         const State               &state)
+  {
+    grid             = &grid_;
+    directory        = directory_;
+    grid_fingerprint = fingerprint(grid->geometry());
+    last_time        = std::chrono::steady_clock::now();
+    if (resume)
+      return resume_from_newest(state);
+    for (unsigned int slot = 0; slot < n_slots; ++slot)
+      std::remove(file_name(slot).c_str());
+    return "";
+  }
+
+
+
+  template <int dim>
+  bool
+  Checkpoint<dim>::write_if_due(const State &state)
+  {
+    if (step_interval == 0 && wall_interval == 0)
+      return false;
+    const MPI_Comm      comm = grid->communicator();
+    const LoadStepping &time = state.time;
+
+    // one clock decides for all ranks
+    const std::chrono::duration<double> elapsed =
+      std::chrono::steady_clock::now() - last_time;
+    const bool by_wall_time =
+      wall_interval > 0 &&
+      Utilities::MPI::broadcast(comm, elapsed.count(), 0) >= wall_interval;
+    const bool by_steps =
+      step_interval > 0 && time.step >= last_step + step_interval;
+    if (!by_wall_time && !by_steps && !time.finished())
+      return false;
+
+    const Contents contents = collect(state);
+    run_on_all_ranks(comm, [&]() {
+      std::ostringstream stream(std::ios::binary);
+      {
+        boost::archive::binary_oarchive archive(stream);
+        archive << contents;
+      }
+      const std::string data = stream.str();
+      Header            header;
+      header.dimension = dim;
+      header.size      = data.size();
+      header.checksum  = fnv1a(data.data(), data.size());
+      write_file_safely(
+        file_name(next_slot),
+        [&](std::ostream &out) {
+          out.write(reinterpret_cast<const char *>(&header), sizeof(header));
+          out.write(data.data(), data.size());
+        },
+        Durability::of_machine);
+    });
+    next_slot = (next_slot + 1) % n_slots;
+    last_step = time.step;
+    last_time = std::chrono::steady_clock::now();
+    return true;
+  }
+
+
+
+  template <int dim>
+  typename Checkpoint<dim>::Contents
+  Checkpoint<dim>::collect(const State &state) const
+  {
+    Contents c;
+    c.n_ranks          = Utilities::MPI::n_mpi_processes(grid->communicator());
+    c.grid_fingerprint = grid_fingerprint;
+    c.problem          = problem;
+    c.time             = state.time;
+    c.last_motion      = state.last_motion;
+    for (const auto &condition : state.boundary_conditions)
+      c.boundary_conditions.push_back(condition->save_state());
+    for (const auto &postprocessor : state.postprocessors)
+      c.postprocessors.push_back(postprocessor->save_state());
+
+    const auto &handler = state.points.handler();
+    c.n_properties      = handler.n_properties_per_particle();
+    for (auto particle = handler.begin(); particle != handler.end(); ++particle)
+      {
+        c.cells.push_back(
+          particle->get_surrounding_cell()->active_cell_index());
+        c.ids.push_back(particle->get_id());
+        for (unsigned int d = 0; d < dim; ++d)
+          c.coordinates.push_back(particle->get_location()[d]);
+        for (unsigned int d = 0; d < dim; ++d)
+          c.coordinates.push_back(particle->get_reference_location()[d]);
+        const auto values = particle->get_properties();
+        c.properties.insert(c.properties.end(), values.begin(), values.end());
+      }
+    return c;
+  }
+
+
+
+  template <int dim>
+  typename Checkpoint<dim>::Slot
+  Checkpoint<dim>::read_slot(const unsigned int slot) const
+  {
+    const std::string name = file_name(slot);
+    Slot              result;
+    std::ifstream     file(name, std::ios::binary);
+    if (!file)
+      {
+        result.error = "The file <" + name + "> does not exist.";
+        return result;
+      }
+
+    Header       header;
+    const Header expected;
+    file.read(reinterpret_cast<char *>(&header), sizeof(header));
+    if (!file || std::memcmp(header.magic, expected.magic, 8) != 0 ||
+        header.version != expected.version ||
+        header.byte_order != expected.byte_order || header.dimension != dim)
+      {
+        result.error = "The file <" + name + "> is no checkpoint of " +
+                       std::to_string(dim) +
+                       "D and of this version of the program and machine.";
+        return result;
+      }
+    const std::string data{std::istreambuf_iterator<char>(file),
+                           std::istreambuf_iterator<char>()};
+    if (data.size() != header.size ||
+        fnv1a(data.data(), data.size()) != header.checksum)
+      {
+        result.error = "The file <" + name + "> is damaged.";
+        return result;
+      }
+    std::istringstream              stream(data, std::ios::binary);
+    boost::archive::binary_iarchive archive(stream);
+    result.contents = std::make_unique<Contents>();
+    archive >> *result.contents;
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  Checkpoint<dim>::check_problem(const Contents &contents) const
+  {
+    const unsigned int n_ranks =
+      Utilities::MPI::n_mpi_processes(grid->communicator());
+    AssertThrow(contents.n_ranks == n_ranks,
+                ExcMessage("The checkpoint in <" + directory +
+                           "> was written by " +
+                           std::to_string(contents.n_ranks) +
+                           " processes. Resume it with as many, not with " +
+                           std::to_string(n_ranks) + "."));
+    AssertThrow(contents.problem == problem,
+                ExcMessage("The checkpoint in <" + directory +
+                           "> belongs to another problem:" +
+                           differences(contents.problem, problem)));
+    AssertThrow(contents.grid_fingerprint == grid_fingerprint,
+                ExcMessage("The checkpoint in <" + directory +
+                           "> belongs to another grid, or to another "
+                           "partition of it: the parameters are the same, but "
+                           "not vertices, cells or their owners. Has the mesh "
+                           "file changed?"));
+  }
+
+
+
+  template <int dim>
+  std::string
+  Checkpoint<dim>::resume_from_newest(const State &state)
+  {
+    const MPI_Comm                comm = grid->communicator();
+    std::array<Slot, n_slots>     slots;
+    std::array<unsigned, n_slots> step{};
+    std::string                   problems;
+    unsigned int                  newest = n_slots;
+    for (unsigned int slot = 0; slot < n_slots; ++slot)
+      {
+        run_on_all_ranks(comm, [&]() { slots[slot] = read_slot(slot); });
+        Slot &s = slots[slot];
+        // a set counts if all ranks have their part of the same step
+        step[slot]         = s.contents ? s.contents->time.step : 0;
+        const auto minimum = Utilities::MPI::min(step[slot], comm);
+        const auto maximum = Utilities::MPI::max(step[slot], comm);
+        if (s.error.empty() && minimum < maximum)
+          s.error = "The set of the file <" + file_name(slot) +
+                    "> is not of one step on all processes.";
+        const auto errors = Utilities::MPI::all_gather(comm, s.error);
+        // a rank whose file says how many ranks there were knows best
+        run_on_all_ranks(comm, [&]() {
+          if (s.contents && s.contents->n_ranks != errors.size())
+            check_problem(*s.contents);
+        });
+        const auto error =
+          std::find_if(errors.begin(), errors.end(), [](const auto &e) {
+            return !e.empty();
+          });
+        if (error != errors.end())
+          problems += (problems.empty() ? "" : " ") + *error;
+        else if (newest == n_slots || step[slot] > step[newest])
+          newest = slot;
+      }
+    AssertThrow(newest < n_slots,
+                ExcMessage("There is no checkpoint to resume from in <" +
+                           directory + ">. " + problems));
+
+    run_on_all_ranks(comm, [&]() { check_problem(*slots[newest].contents); });
+    restore(*slots[newest].contents, state);
+    next_slot = (newest + 1) % n_slots;
+    last_step = state.time.step;
+    return "Resumed after step " + std::to_string(state.time.step) +
+           ", t = " + std::to_string(state.time.time) +
+           (problems.empty() ? "" : " (" + problems + ")");
+  }
+
+
+
+  template <int dim>
+  void
+  Checkpoint<dim>::restore(const Contents &c, const State &state) const
+  {
+    run_on_all_ranks(grid->communicator(), [&]() {
+      AssertThrow(c.boundary_conditions.size() ==
+                      state.boundary_conditions.size() &&
+                    c.postprocessors.size() == state.postprocessors.size(),
+                  ExcMessage("The checkpoint was written by a program with "
+                             "other boundary conditions or post-processors."));
+      AssertThrow(c.n_properties ==
+                    state.points.handler().n_properties_per_particle(),
+                  ExcMessage("The checkpoint was written by a program whose "
+                             "material points carry other fields."));
+    });
+    state.time.resume(c.time);
+    state.last_motion = c.last_motion;
+    for (unsigned int i = 0; i < c.boundary_conditions.size(); ++i)
+      state.boundary_conditions[i]->load_state(c.boundary_conditions[i]);
+    for (unsigned int i = 0; i < c.postprocessors.size(); ++i)
+      state.postprocessors[i]->load_state(c.postprocessors[i]);
+
+    // in the order saved, which is then that of the handler: sums over points
+    // must not change by rounding
+    auto &handler = state.points.handler();
+    handler.clear_particles();
+    for (std::size_t i = 0; i < c.cells.size(); ++i)
+      {
+        Point<dim> location, reference;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            location[d]  = c.coordinates[2 * dim * i + d];
+            reference[d] = c.coordinates[2 * dim * i + dim + d];
+          }
+        handler.insert_particle(location,
+                                reference,
+                                c.ids[i],
+                                grid->geometry().cell_iterator(c.cells[i]),
+                                ArrayView<const double>(c.properties.data() +
+                                                          c.n_properties * i,
+                                                        c.n_properties));
+      }
+    handler.update_cached_numbers();
+  }
+
+
+
+  template class Checkpoint<2>;
+  template class Checkpoint<3>;
+} // namespace isochor

@@ -1,0 +1,126 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_tests_scene_h
+#define isochor_tests_scene_h
+
+// Scenes run through the library, for tests that look into the results.
+
+#include <deal.II/base/mpi.h>
+
+#include <isochor/material_point_method.h>
+
+#include <cmath>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+namespace isochor
+{
+  namespace test
+  {
+    /** Set the parameters listed in @p settings, one "Section/Name = value" a
+     * line. */
+    inline void
+    set_parameters(ParameterHandler &prm, const std::string &settings)
+    {
+      std::istringstream lines(settings);
+      for (std::string line; std::getline(lines, line);)
+        {
+          const auto equals = line.find('=');
+          if (equals == std::string::npos)
+            continue;
+          auto path = Utilities::split_string_list(line.substr(0, equals), '/');
+          for (unsigned int i = 0; i + 1 < path.size(); ++i)
+            prm.enter_subsection(path[i]);
+          prm.set(path.back(), Utilities::trim(line.substr(equals + 1)));
+          for (unsigned int i = 0; i + 1 < path.size(); ++i)
+            prm.leave_subsection();
+        }
+    }
+
+    /** What the post-processor below saw, of the scene run last. */
+    struct Recorded
+    {
+      std::vector<NewtonReport> newton;
+      std::vector<double>       times;
+    };
+
+    inline Recorded &
+    recorded()
+    {
+      static Recorded r;
+      return r;
+    }
+
+    /** Keeps the reports of Newton's method. */
+    template <int dim>
+    class Recorder : public Postprocessor<dim>
+    {
+    public:
+      static void
+      declare_parameters(ParameterHandler &)
+      {}
+      void
+      parse_parameters(ParameterHandler &) override
+      {}
+      void
+      evaluate_nodes(const StepResult<dim> &result, Statistics &) override
+      {
+        recorded().newton.push_back(result.newton);
+        recorded().times.push_back(result.step.time);
+      }
+    };
+    ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Recorder, "Recorder")
+
+    /** Run the scene described by @p settings, see set_parameters(). */
+    template <int dim>
+    std::unique_ptr<MaterialPointMethod<dim>>
+    run_scene(const std::string &settings)
+    {
+      ParameterHandler prm;
+      MaterialPointMethod<dim>::declare_parameters(prm);
+      set_parameters(prm,
+                     "Output/Directory = .\nOutput/Terminal = quiet\n" +
+                       settings);
+      recorded()   = {};
+      auto problem = std::make_unique<MaterialPointMethod<dim>>(MPI_COMM_WORLD);
+      problem->parse_parameters(prm);
+      problem->run();
+      return problem;
+    }
+
+    /** Print "what: OK", or what went wrong, from rank 0 or where it did. */
+    inline void
+    check(const std::string &what, const bool ok, const std::string &details)
+    {
+      const bool all_ok = Utilities::MPI::min(ok ? 1 : 0, MPI_COMM_WORLD) == 1;
+      if (!ok)
+        std::cout << what << ": FAILED, " << details << std::endl;
+      else if (all_ok && Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::cout << what << ": OK" << std::endl;
+    }
+
+    /** As above, for an error that must not exceed a tolerance. */
+    inline void
+    check_error(const std::string &what,
+                const double       error,
+                const double       tolerance)
+    {
+      std::ostringstream details;
+      details << "error " << error << " > " << tolerance;
+      check(what, error <= tolerance, details.str());
+    }
+
+    /** The larger of two errors; not-a-number is infinitely wrong. */
+    inline void
+    add_error(double &worst, const double error)
+    {
+      if (!(error <= worst))
+        worst = (error == error ? error : 1e300);
+    }
+  } // namespace test
+} // namespace isochor
+
+#endif
