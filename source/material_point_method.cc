@@ -467,10 +467,12 @@ namespace isochor
     for (unsigned int k = 0; k < arrays.cell.size(); ++k)
       for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
            ++q)
-        for (unsigned int I = 0; I <= dim; ++I)
-          mass.local_element(
-            nodes.node(grid.geometry().vertex_indices(arrays.cell[k])[I])) +=
-            arrays.shape[q][I] * arrays.mass[q];
+        {
+          const auto stencil = arrays.stencil(grid.geometry(), k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            mass.local_element(nodes.node(stencil.vertex[I])) +=
+              stencil.shape[I] * arrays.mass[q];
+        }
     force.compress(VectorOperation::add);
     mass.compress(VectorOperation::add);
     for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
@@ -485,14 +487,15 @@ namespace isochor
     for (unsigned int k = 0; k < arrays.cell.size(); ++k)
       for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
            ++q)
-        for (unsigned int I = 0; I <= dim; ++I)
-          for (unsigned int a = 0; a < dim; ++a)
-            arrays.acceleration[q][a] +=
-              arrays.shape[q][I] *
-              force.local_element(
-                nodes.node(grid.geometry().vertex_indices(arrays.cell[k])[I]) *
-                  n_components +
-                a);
+        {
+          const auto stencil = arrays.stencil(grid.geometry(), k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            for (unsigned int a = 0; a < dim; ++a)
+              arrays.acceleration[q][a] +=
+                stencil.shape[I] *
+                force.local_element(
+                  nodes.node(stencil.vertex[I]) * n_components + a);
+        }
   }
 
 

@@ -91,7 +91,9 @@ namespace isochor
                       "0",
                       Patterns::Double(0),
                       "If positive, points are seeded on a square lattice of "
-                      "this spacing (m) instead of per cell.");
+                      "this spacing (m) instead of per cell: one per box, or "
+                      "one per simplex of each box (2 in 2D, 6 in 3D) if "
+                      "'Quadrature/Type' gives the points simplex domains.");
     prm.declare_entry("Materials in zones",
                       "",
                       Patterns::Anything(),
@@ -284,24 +286,37 @@ namespace isochor
         n[d] = std::ceil((upper[d] - lower[d]) / h - 1e-10);
         n_points *= n[d];
       }
-    // the domain of a point: the unit simplex, scaled to the point's volume
-    const double       scale = h * (dim == 2 ? std::sqrt(2.) : std::cbrt(6.));
-    CornerVectors<dim> domain;
+    // one point in the middle of each box; where points carry simplex domains,
+    // one in each simplex of the box, so that the domains tile the body
+    std::vector<CornerVectors<dim>> domains(1);
+    std::vector<Point<dim>>         places(1);
     for (unsigned int d = 0; d < dim; ++d)
+      places[0][d] = 0.5;
+    if (point_layout.with_domains)
       {
-        domain[d + 1][d] += scale;
-        for (unsigned int c = 0; c <= dim; ++c)
-          domain[c][d] -= scale / (dim + 1);
+        domains.clear();
+        places.clear();
+        for (const auto &corners : box_simplices<dim>())
+          {
+            Point<dim> centroid;
+            for (const Point<dim> &corner : corners)
+              centroid += corner / (dim + 1.);
+            places.push_back(centroid);
+            domains.emplace_back();
+            for (unsigned int c = 0; c <= dim; ++c)
+              domains.back()[c] = h * (corners[c] - centroid);
+          }
       }
     std::vector<Seed> seeds;
     for (unsigned int i = 0; i < n_points; ++i)
-      {
-        Seed         seed{lower, 0, std::pow(h, dim), domain};
-        unsigned int rest = i;
-        for (unsigned int d = 0; d < dim; ++d, rest /= n[d - 1])
-          seed.location[d] += (rest % n[d] + 0.5) * h;
-        seeds.push_back(seed);
-      }
+      for (unsigned int s = 0; s < places.size(); ++s)
+        {
+          Seed seed{lower, 0, std::pow(h, dim) / places.size(), domains[s]};
+          unsigned int rest = i;
+          for (unsigned int d = 0; d < dim; ++d, rest /= n[d - 1])
+            seed.location[d] += (rest % n[d] + places[s][d]) * h;
+          seeds.push_back(seed);
+        }
     const Expression<dim> in_body(parameters.region, "Material points/Region");
     seeds.erase(std::remove_if(seeds.begin(),
                                seeds.end(),

@@ -195,6 +195,29 @@ namespace isochor
 
 
   template <int dim>
+  std::vector<std::array<Point<dim>, dim + 1>>
+  box_simplices()
+  {
+    std::vector<std::array<Point<dim>, dim + 1>> simplices;
+    std::array<unsigned int, dim>                axes;
+    std::iota(axes.begin(), axes.end(), 0);
+    do
+      {
+        std::array<Point<dim>, dim + 1> path;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            path[d + 1] = path[d];
+            path[d + 1][axes[d]] += 1;
+          }
+        simplices.push_back(path);
+      }
+    while (std::next_permutation(axes.begin(), axes.end()));
+    return simplices;
+  }
+
+
+
+  template <int dim>
   std::vector<CornerVectors<dim>>
   material_point_domains(const unsigned int n_points)
   {
@@ -232,6 +255,10 @@ namespace isochor
   material_point_rule<2>(const unsigned int);
   template Quadrature<3>
   material_point_rule<3>(const unsigned int);
+  template std::vector<std::array<Point<2>, 3>>
+  box_simplices<2>();
+  template std::vector<std::array<Point<3>, 4>>
+  box_simplices<3>();
   template std::vector<CornerVectors<2>>
   material_point_domains<2>(const unsigned int);
   template std::vector<CornerVectors<3>>

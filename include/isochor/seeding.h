@@ -34,6 +34,11 @@ namespace isochor
   template <int dim>
   using CornerVectors = std::array<Tensor<1, dim>, dim + 1>;
 
+  /** The d! Kuhn simplices of the unit cube, by their corners. They tile it. */
+  template <int dim>
+  std::vector<std::array<Point<dim>, dim + 1>>
+  box_simplices();
+
   /**
    * The simplex domains of the points of material_point_rule(), in the same
    * order and in the reference simplex. For n = k^dim they are the simplices of
