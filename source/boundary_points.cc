@@ -63,6 +63,26 @@ namespace isochor
 
 
     template <int dim>
+    PointRecords<dim>
+    sorted_by_id(const PointRecords<dim> &records)
+    {
+      std::vector<std::size_t> order(records.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        return records.ids[a] < records.ids[b];
+      });
+      PointRecords<dim> sorted(records.n_payload);
+      for (const std::size_t i : order)
+        sorted.push_back(records.cells[i],
+                         records.ids[i],
+                         records.locations[i],
+                         records.payload(i));
+      return sorted;
+    }
+
+
+
+    template <int dim>
     void
     read_mesh(const std::string &file_name, Triangulation<dim> &tria)
     {
@@ -229,7 +249,8 @@ namespace isochor
                                      nearest_occupied(x, cell, occupied);
       }
     std::size_t n_shipped;
-    records = exchange_points(records, geometry, n_shipped);
+    // in an order that does not depend on how the points came here
+    records = sorted_by_id(exchange_points(records, geometry, n_shipped));
     shapes.resize(size());
     for (unsigned int b = 0; b < size(); ++b)
       shapes[b] = geometry.barycentric(records.cells[b], records.locations[b]);

@@ -89,6 +89,15 @@ namespace isochor
 
 
   template <int patch_dim, int dim>
+  unsigned int
+  FieldPatches<patch_dim, dim>::n_patches() const
+  {
+    return patches.size();
+  }
+
+
+
+  template <int patch_dim, int dim>
   const std::vector<typename FieldPatches<patch_dim, dim>::Patch> &
   FieldPatches<patch_dim, dim>::get_patches() const
   {
@@ -159,14 +168,20 @@ namespace isochor
     flags.print_date_and_time = false; // equal results, equal files
     flags.compression_level   = decltype(flags.compression_level)::best_speed;
     fields.set_flags(flags);
+    // readers stumble over a piece without patches, of a rank without material
+    const bool has_piece = fields.n_patches() > 0;
     run_on_all_ranks(comm, [&]() {
-      write_file_safely(path + piece(rank),
-                        [&](std::ostream &out) { fields.write_vtu(out); });
+      if (has_piece)
+        write_file_safely(path + piece(rank),
+                          [&](std::ostream &out) { fields.write_vtu(out); });
     });
 
     std::vector<std::string> pieces;
+    const auto               have_piece =
+      Utilities::MPI::all_gather(comm, static_cast<unsigned int>(has_piece));
     for (unsigned int r = 0; r < n_ranks; ++r)
-      pieces.push_back(piece(r));
+      if (have_piece[r])
+        pieces.push_back(piece(r));
     std::vector<std::pair<double, std::string>> records;
     for (unsigned int k = 0; k < times.size(); ++k)
       records.emplace_back(times[k], numbered(name, k + 1) + ".pvtu");

@@ -47,6 +47,9 @@ namespace isochor
     Patch &
     add_patch(const ArrayView<const Point<dim>> &vertices);
 
+    unsigned int
+    n_patches() const;
+
   protected:
     const std::vector<Patch> &
     get_patches() const override;
@@ -81,8 +84,8 @@ namespace isochor
 
   /**
    * The outputs of a run, for ParaView and the like: the k-th is
-   * `<name>-<k>.pvtu` with a .vtu file from each rank, and `<name>.pvd` lists
-   * them with their times.
+   * `<name>-<k>.pvtu` with a .vtu file from each rank that has any, and
+   * `<name>.pvd` lists them with their times.
    */
   class OutputSeries
   {

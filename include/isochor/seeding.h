@@ -6,6 +6,10 @@
 #define isochor_seeding_h
 
 #include <deal.II/base/quadrature.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <vector>
 
 namespace isochor
 {
@@ -25,6 +29,26 @@ namespace isochor
   template <int dim>
   Quadrature<dim>
   material_point_rule(const unsigned int n_points);
+
+  /** The corners of a simplex relative to its centroid. */
+  template <int dim>
+  using CornerVectors = std::array<Tensor<1, dim>, dim + 1>;
+
+  /** The d! Kuhn simplices of the unit cube, by their corners. They tile it. */
+  template <int dim>
+  std::vector<std::array<Point<dim>, dim + 1>>
+  box_simplices();
+
+  /**
+   * The simplex domains of the points of material_point_rule(), in the same
+   * order and in the reference simplex. For n = k^dim they are the simplices of
+   * the subdivision, which tile the cell. The domains of other rules are images
+   * of the cell, scaled to the volume fraction of the point and centred at it;
+   * they overlap and leave gaps.
+   */
+  template <int dim>
+  std::vector<CornerVectors<dim>>
+  material_point_domains(const unsigned int n_points);
 } // namespace isochor
 
 #endif

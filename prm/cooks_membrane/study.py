@@ -31,13 +31,13 @@ VARIANTS = {
     "u-p, PPP 1": Variant("u-p", "PPP", 1),
     "u-p, PPP 8": Variant("u-p", "PPP", 8),
 }
-# The Poisson ratios of the paper, what its u column is in truth, and the
-# limit that only the mixed form can take.
+# The Poisson ratios of the paper, what its u column is in truth (0.49995), and
+# the limit that only the mixed form can take.
 POISSON_RATIOS = {
     "u": (0.33, 0.499, 0.49995),
-    "u-p": (0.33, 0.499, 0.5),
-    "u-p, PPP 1": (0.33, 0.499, 0.5),
-    "u-p, PPP 8": (0.33, 0.499, 0.5),
+    "u-p": (0.33, 0.499, 0.49995, 0.5),
+    "u-p, PPP 1": (0.33, 0.499, 0.49995, 0.5),
+    "u-p, PPP 8": (0.33, 0.499, 0.49995, 0.5),
 }
 
 

@@ -1,0 +1,299 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// A run that is interrupted and resumed must equal the uninterrupted one bit by
+// bit: statistics, all that the points carry, and the files of fields. Broken
+// checkpoints and those of other problems must not be taken.
+
+#include <isochor/material_point_method.h>
+#include <isochor/parameter_file.h>
+
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+
+using namespace isochor;
+
+namespace
+{
+  constexpr unsigned int dim = 2;
+
+  /** Ends a run in the middle, after the outputs of a step and before its
+   * checkpoint. */
+  unsigned int crash_after_step = numbers::invalid_unsigned_int;
+
+  template <int dim>
+  class Crash : public Postprocessor<dim>
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &)
+    {}
+    void
+    parse_parameters(ParameterHandler &) override
+    {}
+    void
+    evaluate_points(const StepResult<dim> &result, Statistics &) override
+    {
+      AssertThrow(result.time.step != crash_after_step, ExcMessage("crash"));
+    }
+  };
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Crash, "Z: after all others")
+
+  // A block flies and turns through the grid under gravity and deforms: its
+  // points change cells and ranks in every step. One surface carries a load.
+  const char *const scene = R"(
+    subsection Grid
+      set Type         = box
+      set Upper corner = 4, 4
+      set Subdivisions = 20, 20
+    end
+    subsection Material points
+      set Points per cell = 3
+      set Region          = (x-1.2)*(2.2-x)*if(y>1,1,0)*if(y<2.4,1,0)
+    end
+    subsection Material
+      set Young modulus = 1e4
+      set Poisson ratio = 0.4
+      set Density       = 100
+    end
+    subsection Dynamics
+      set Inertia          = true
+      set Initial velocity = 3 - 2*(y-1.7), 1 + 2*(x-1.7)
+    end
+    subsection Time
+      set End time        = 0.16
+      set Step size       = 0.02
+      set Output interval = 0.04
+    end
+    subsection Boundary conditions
+      set Gravity = 0, -9.81
+    end
+    subsection Postprocess
+      set Point probes = centre: 1.7, 1.7
+    end
+    subsection Output
+      set Terminal = quiet
+    end
+    subsection Checkpoint
+      set Interval = 2
+    end)";
+
+
+
+  struct Result
+  {
+    std::string         error;
+    std::vector<double> points; ///< of this rank, in the handler's order
+  };
+
+
+
+  Result
+  run(const MPI_Comm                                         &comm,
+      const std::string                                      &directory,
+      const std::vector<std::pair<std::string, std::string>> &settings = {})
+  {
+    ParameterHandler prm;
+    MaterialPointMethod<dim>::declare_parameters(prm);
+    prm.parse_input_from_string(scene);
+    prm.enter_subsection("Output");
+    prm.set("Directory", directory);
+    prm.leave_subsection();
+    // MUMPS on several ranks adds in the order in which messages come: two runs
+    // differ by rounding, interrupted or not
+    if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+      {
+        prm.enter_subsection("Linear solver");
+        prm.set("Solver", "Amesos");
+        prm.leave_subsection();
+      }
+    for (const auto &setting : settings)
+      apply_parameters(
+        {parse_override(setting.first + "=" + setting.second, "test")}, prm);
+    create_output_directory(directory, comm);
+
+    Result                   result;
+    MaterialPointMethod<dim> problem(comm);
+    try
+      {
+        problem.parse_parameters(prm);
+        problem.run();
+      }
+    catch (const ExceptionBase &exception)
+      {
+        std::ostringstream text;
+        exception.print_info(text);
+        result.error = Utilities::trim(text.str());
+      }
+    const auto &handler = problem.material_points().handler();
+    for (const auto &particle : handler)
+      {
+        result.points.push_back(particle.get_id());
+        for (unsigned int d = 0; d < dim; ++d)
+          result.points.push_back(particle.get_location()[d]);
+        for (const double value : particle.get_properties())
+          result.points.push_back(value);
+      }
+    return result;
+  }
+
+
+
+  std::string
+  contents(const std::string &file_name)
+  {
+    std::ifstream file(file_name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file),
+            std::istreambuf_iterator<char>()};
+  }
+
+
+
+  void
+  write(const std::string &file_name, const std::string &data)
+  {
+    std::ofstream(file_name, std::ios::binary) << data;
+  }
+
+
+
+  void
+  report(const std::string &name, const bool success, const std::string &why)
+  {
+    const bool everywhere =
+      Utilities::MPI::min(static_cast<unsigned int>(success), MPI_COMM_WORLD) ==
+      1;
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cout << name << ": " << (everywhere ? "OK" : "FAILED " + why)
+                << std::endl;
+  }
+
+
+
+  void
+  compare(const std::string &name,
+          const Result      &result,
+          const std::string &directory,
+          const Result      &reference,
+          const std::string &reference_directory)
+  {
+    std::string why = result.error;
+    if (!(result.points == reference.points))
+      why += " points differ;";
+    for (const char *file :
+         {"statistics.txt", "points-00004.0000.vtu", "grid-00004.0000.vtu"})
+      {
+        const std::string expected = contents(reference_directory + "/" + file);
+        if (expected.empty() || contents(directory + "/" + file) != expected)
+          why += std::string(" ") + file + " differs;";
+      }
+    report(name, why.empty(), why);
+  }
+
+
+
+  void
+  expect_error(const std::string &name,
+               const Result      &result,
+               const std::string &part)
+  {
+    report(name,
+           result.error.find(part) != std::string::npos,
+           "<" + result.error + ">");
+  }
+
+
+
+  /** The checkpoint file of this rank. */
+  std::string
+  checkpoint(const std::string &directory, const unsigned int slot)
+  {
+    return directory + "/checkpoint-" + std::to_string(slot) + "." +
+           Utilities::int_to_string(
+             Utilities::MPI::this_mpi_process(MPI_COMM_WORLD), 4) +
+           ".bin";
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize          mpi(argc, argv, 1);
+  const MPI_Comm                            comm   = MPI_COMM_WORLD;
+  const std::string                         a      = "checkpoint-a";
+  const std::string                         b      = "checkpoint-b";
+  const std::pair<std::string, std::string> resume = {"Checkpoint/Resume",
+                                                      "true"};
+
+  // eight steps, checkpoints after 2, 4, 6, 8 in the slots 0, 1, 0, 1
+  const Result whole = run(comm, a);
+  report("uninterrupted", whole.error.empty(), whole.error);
+  {
+    const Result again = run(comm, b);
+    compare("repeated", again, b, whole, a);
+  }
+
+  crash_after_step = 5;
+  expect_error("interrupted", run(comm, b), "crash");
+  crash_after_step            = numbers::invalid_unsigned_int;
+  const std::string step_2    = contents(checkpoint(b, 0));
+  const std::string step_4    = contents(checkpoint(b, 1));
+  const std::string old_stats = contents(b + "/statistics.txt");
+  const auto        put_back  = [&](const std::string &slot_0,
+                            const std::string &slot_1) {
+    write(checkpoint(b, 0), slot_0);
+    write(checkpoint(b, 1), slot_1);
+    if (Utilities::MPI::this_mpi_process(comm) == 0)
+      write(b + "/statistics.txt", old_stats);
+    MPI_Barrier(comm);
+  };
+  compare("resumed", run(comm, b, {resume}), b, whole, a);
+
+  put_back(step_2, step_4.substr(0, step_4.size() / 2));
+  compare("truncated file: older one", run(comm, b, {resume}), b, whole, a);
+
+  std::string flipped = step_4;
+  flipped[flipped.size() / 2] ^= 1;
+  put_back(step_2, flipped);
+  compare("damaged file: older one", run(comm, b, {resume}), b, whole, a);
+
+  // killed while it wrote: the last rank has step 4 in place of step 0 already
+  const bool last = Utilities::MPI::this_mpi_process(comm) + 1 ==
+                    Utilities::MPI::n_mpi_processes(comm);
+  put_back(step_2, last ? step_4.substr(0, 10) : step_4);
+  compare("set not complete: older one", run(comm, b, {resume}), b, whole, a);
+
+  put_back(flipped, step_4.substr(0, 10));
+  expect_error("both damaged", run(comm, b, {resume}), "is damaged");
+
+  put_back(step_2, step_4);
+  expect_error("other grid",
+               run(comm, b, {resume, {"Grid/Subdivisions", "10, 10"}}),
+               "<Grid/Subdivisions>: '20, 20' then, '10, 10' now");
+  put_back(step_2, step_4);
+  expect_error("other material",
+               run(comm, b, {resume, {"Material/Poisson ratio", "0.3"}}),
+               "<Material/Poisson ratio>: '0.4' then, '0.3' now");
+  put_back(step_2, step_4);
+  expect_error("other formulation",
+               run(comm, b, {resume, {"Formulation/Type", "u"}}),
+               "<Formulation/Type>");
+  expect_error("nothing to resume",
+               run(comm, "checkpoint-c", {resume}),
+               "There is no checkpoint to resume from");
+
+  if (Utilities::MPI::n_mpi_processes(comm) > 1)
+    {
+      Result result;
+      result.error = "2 processes. Resume";
+      if (Utilities::MPI::this_mpi_process(comm) == 0)
+        result = run(MPI_COMM_SELF, b, {resume});
+      expect_error("other number of processes", result, " processes. Resume");
+    }
+}
