@@ -212,7 +212,7 @@ def draw_slopes(ax, n):
     lowest = min(errors.min() for errors in series if len(errors))
     ends = np.array([n[-1] / 4, n[-1]])
     for order in (1, 2):
-        errors = 0.35 * lowest * (ends / n[-1]) ** -order
+        errors = 0.15 * lowest * (ends / n[-1]) ** -order
         ax.loglog(ends, errors, color="0.6", lw=0.9, ls="--", zorder=1)
         ax.annotate(
             f"order {order}",
