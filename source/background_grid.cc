@@ -8,6 +8,7 @@
 
 #include <isochor/background_grid.h>
 #include <isochor/expression.h>
+#include <isochor/plain_message.h>
 
 #include <algorithm>
 #include <array>
@@ -389,7 +390,7 @@ namespace isochor
                     ExcMessage("The mesh file <" + parameters.file +
                                "> of the parameter <Grid/File> can't be read "
                                "as a gmsh .msh file (format 2 or 4.1): " +
-                               exc.what()));
+                               plain_message(exc)));
       }
     AssertThrow(tria.all_reference_cells_are_simplex(),
                 ExcMessage("The mesh <" + parameters.file +
@@ -501,7 +502,8 @@ namespace isochor
 
   template <int dim>
   types::boundary_id
-  BackgroundGrid<dim>::boundary_id(const std::string &name) const
+  BackgroundGrid<dim>::boundary_id(const std::string &name,
+                                   const std::string &parameter) const
   {
     const auto found = names.find(name);
     if (found == names.end())
@@ -510,8 +512,10 @@ namespace isochor
         for (const auto &entry : names)
           known += (known.empty() ? "" : ", ") + entry.first;
         AssertThrow(false,
-                    ExcMessage("The grid has no boundary named <" + name +
-                               ">. It has: " + known + "."));
+                    ExcMessage("The parameter <" + parameter +
+                               "> names the boundary <" + name +
+                               ">, which the grid does not have. It has: " +
+                               known + "."));
       }
     return found->second;
   }

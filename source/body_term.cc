@@ -19,9 +19,21 @@ namespace isochor
   void
   BodyTerm<dim>::touch_vertices(std::vector<unsigned int> &vertices)
   {
-    for (const unsigned int cell : points.cell)
+    const auto touch = [&](const unsigned int cell) {
       for (const unsigned int vertex : grid.geometry().vertex_indices(cell))
         vertices.push_back(vertex);
+    };
+    if (points.has_stencils())
+      {
+        vertices.insert(vertices.end(),
+                        points.stencil_vertex.begin(),
+                        points.stencil_vertex.end());
+        for (const auto &cell : points.overlapped_cells)
+          touch(cell.first);
+      }
+    else
+      for (const unsigned int cell : points.cell)
+        touch(cell);
   }
 
 
@@ -31,13 +43,25 @@ namespace isochor
   BodyTerm<dim>::collect_elements(const StepContext<dim> &step,
                                   ElementNodes           &elements)
   {
-    for (const unsigned int cell : points.cell)
+    std::vector<unsigned int> nodes;
+    const auto                add = [&](const unsigned int *const vertices,
+                         const unsigned int        n_nodes) {
+      nodes.clear();
+      for (unsigned int I = 0; I < n_nodes; ++I)
+        nodes.push_back(step.nodes.node(vertices[I]));
+      elements.add(nodes.begin(), nodes.end());
+    };
+    if (points.has_stencils())
       {
-        std::array<unsigned int, dim + 1> nodes;
-        for (unsigned int v = 0; v <= dim; ++v)
-          nodes[v] = step.nodes.node(grid.geometry().vertex_indices(cell)[v]);
-        elements.add(nodes.begin(), nodes.end());
+        for (unsigned int q = 0; q < points.n_points(); ++q)
+          add(&points.stencil_vertex[points.stencil_start[q]],
+              points.stencil_start[q + 1] - points.stencil_start[q]);
+        for (const auto &cell : points.overlapped_cells)
+          add(grid.geometry().vertex_indices(cell.first).data(), dim + 1);
       }
+    else
+      for (const unsigned int cell : points.cell)
+        add(grid.geometry().vertex_indices(cell).data(), dim + 1);
   }
 
 
@@ -51,12 +75,106 @@ namespace isochor
                           const bool              with_matrix,
                           MixedSystem<dim>       &system)
   {
-    if (step.mixed())
-      return assemble_cells<dim + 1>(
-        step, unknowns, pending, first_element, with_matrix, system);
-    else
-      return assemble_cells<dim>(
-        step, unknowns, pending, first_element, with_matrix, system);
+    if (!points.has_stencils())
+      return step.mixed() ?
+               assemble_cells<dim + 1>(
+                 step, unknowns, pending, first_element, with_matrix, system) :
+               assemble_cells<dim>(
+                 step, unknowns, pending, first_element, with_matrix, system);
+
+    if (step.mixed() && step.kernel.ppp_coefficient > 0)
+      assemble_overlapped_cells(step,
+                                unknowns,
+                                pending,
+                                first_element + points.n_points(),
+                                with_matrix,
+                                system);
+    return step.mixed() ?
+             assemble_domains<dim + 1>(
+               step, unknowns, pending, first_element, with_matrix, system) :
+             assemble_domains<dim>(
+               step, unknowns, pending, first_element, with_matrix, system);
+  }
+
+
+
+  template <int dim>
+  template <int n_components>
+  EvaluationStatus
+  BodyTerm<dim>::assemble_domains(const StepContext<dim> &step,
+                                  const NodalField       &unknowns,
+                                  const NodalField       &pending,
+                                  const unsigned int      first_element,
+                                  const bool              with_matrix,
+                                  MixedSystem<dim>       &system) const
+  {
+    constexpr std::size_t                 max_nodes = (dim + 1) * (dim + 1);
+    const double *const                   values    = unknowns.begin();
+    Element<dim, n_components, max_nodes> element;
+    for (unsigned int q = 0; q < points.n_points(); ++q)
+      {
+        const auto stencil = points.stencil(grid.geometry(), 0, q);
+        element.n_nodes    = stencil.n_nodes;
+        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+          {
+            element.gradient[I] = stencil.gradient[I];
+            const double *const nodal =
+              values + step.nodes.node(stencil.vertex[I]) * n_components;
+            for (unsigned int a = 0; a < dim; ++a)
+              element.increment[I][a] = nodal[a];
+            if (element.mixed)
+              element.pressure[I] = nodal[n_components - 1];
+          }
+        const EvaluationStatus status = step.kernel.evaluate(
+          element,
+          points,
+          q,
+          q + 1,
+          [&](const unsigned int, const unsigned int I) {
+            return stencil.shape[I];
+          },
+          with_matrix);
+        if (status != EvaluationStatus::success)
+          return status;
+        system.add_element(first_element + q,
+                           element.residual.data(),
+                           with_matrix ? element.matrix.data() : nullptr,
+                           pending);
+      }
+    return EvaluationStatus::success;
+  }
+
+
+
+  template <int dim>
+  void
+  BodyTerm<dim>::assemble_overlapped_cells(const StepContext<dim> &step,
+                                           const NodalField       &unknowns,
+                                           const NodalField       &pending,
+                                           const unsigned int first_element,
+                                           const bool         with_matrix,
+                                           MixedSystem<dim>  &system) const
+  {
+    Element<dim, dim + 1, dim + 1> element;
+    element.matrix.fill(0.);
+    for (unsigned int k = 0; k < points.overlapped_cells.size(); ++k)
+      {
+        const auto &vertices =
+          grid.geometry().vertex_indices(points.overlapped_cells[k].first);
+        for (unsigned int I = 0; I <= dim; ++I)
+          element.pressure[I] = unknowns.local_element(
+            step.nodes.node(vertices[I]) * (dim + 1) + dim);
+        element.residual.fill(0.);
+        if (with_matrix)
+          element.matrix.fill(0.);
+        step.kernel.add_pressure_projection(element,
+                                            points.overlapped_cells[k].second,
+                                            with_matrix);
+        system.add_element(first_element + k,
+                           element.residual.data(),
+                           with_matrix ? element.matrix.data() : nullptr,
+                           pending);
+      }
   }
 
 
@@ -128,32 +246,28 @@ namespace isochor
                                    NodalField             &scale) const
   {
     for (unsigned int k = 0; k < points.cell.size(); ++k)
-      {
-        const auto &gradients = grid.geometry().gradients(points.cell[k]);
-        const auto &vertices  = grid.geometry().vertex_indices(points.cell[k]);
-        for (unsigned int q = points.cell_start[k];
-             q < points.cell_start[k + 1];
-             ++q)
-          {
-            const double              V = points.weight[q];
-            const MaterialModel<dim> &material =
-              *step.kernel.materials[points.material[q]];
-            // in the u form the rounding of J is multiplied by K
-            double modulus = material.shear_modulus();
-            if (!step.mixed())
-              modulus += 0.1 / material.inverse_bulk_modulus();
-            for (unsigned int I = 0; I <= dim; ++I)
-              {
-                const unsigned int entry =
-                  step.nodes.node(vertices[I]) * step.n_components;
-                for (unsigned int a = 0; a < dim; ++a)
-                  scale.local_element(entry + a) +=
-                    V * modulus * gradients[I].norm();
-                if (step.mixed())
-                  scale.local_element(entry + dim) += V * points.shape[q][I];
-              }
-          }
-      }
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto   stencil = points.stencil(grid.geometry(), k, q);
+          const double V       = points.weight[q];
+          const MaterialModel<dim> &material =
+            *step.kernel.materials[points.material[q]];
+          // in the u form the rounding of J is multiplied by K
+          double modulus = material.shear_modulus();
+          if (!step.mixed())
+            modulus += 0.1 / material.inverse_bulk_modulus();
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            {
+              const unsigned int entry =
+                step.nodes.node(stencil.vertex[I]) * step.n_components;
+              for (unsigned int a = 0; a < dim; ++a)
+                scale.local_element(entry + a) +=
+                  V * modulus * stencil.gradient[I].norm();
+              if (step.mixed())
+                scale.local_element(entry + dim) += V * stencil.shape[I];
+            }
+        }
   }
 
 

@@ -59,17 +59,15 @@ namespace isochor
     const PointArrays<dim> &points = step.points;
     step.nodes.initialize(mapped, n_mapped);
     for (unsigned int k = 0; k < points.cell.size(); ++k)
-      {
-        const auto &vertices =
-          step.grid.geometry().vertex_indices(points.cell[k]);
-        for (unsigned int q = points.cell_start[k];
-             q < points.cell_start[k + 1];
-             ++q)
-          for (unsigned int I = 0; I <= dim; ++I)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
-              const double       Nm = points.shape[q][I] * points.mass[q];
+              const double       Nm = stencil.shape[I] * points.mass[q];
               const unsigned int entry =
-                step.nodes.node(vertices[I]) * n_mapped;
+                step.nodes.node(stencil.vertex[I]) * n_mapped;
               mapped.local_element(entry) += Nm;
               for (unsigned int a = 0; a < dim; ++a)
                 {
@@ -79,12 +77,13 @@ namespace isochor
                     Nm * points.acceleration[q][a];
                 }
             }
-      }
+        }
     mapped.compress(VectorOperation::add);
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
-      for (unsigned int i = 1; i < n_mapped; ++i)
-        mapped.local_element(node * n_mapped + i) /=
-          mapped.local_element(node * n_mapped);
+      if (mapped.local_element(node * n_mapped) > 0)
+        for (unsigned int i = 1; i < n_mapped; ++i)
+          mapped.local_element(node * n_mapped + i) /=
+            mapped.local_element(node * n_mapped);
     mapped.update_ghost_values();
   }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <numeric>
 
 namespace isochor
 {
@@ -38,6 +39,9 @@ namespace isochor
     , nodes(grid)
     , system(nodes)
     , body(grid, arrays)
+    , quadrature(grid)
+    , occupancy(grid)
+    , ghost_penalty(grid, occupancy)
   {}
 
 
@@ -53,6 +57,8 @@ namespace isochor
     LoadStepping::declare_parameters(prm);
     Checkpoint<dim>::declare_parameters(prm);
     InertiaTerm<dim>::declare_parameters(prm);
+    BodyQuadrature<dim>::declare_parameters(prm);
+    GhostPenalty<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
     prm.declare_entry("Type",
@@ -126,6 +132,8 @@ namespace isochor
     time.parse_parameters(prm);
     checkpoint.parse_parameters(prm);
     dynamic = inertia.parse_parameters(prm);
+    quadrature.parse_parameters(prm);
+    ghost_penalty.parse_parameters(prm);
 
     prm.enter_subsection("Formulation");
     const bool mixed       = prm.get("Type") == "u-p";
@@ -229,13 +237,21 @@ namespace isochor
     TimerOutput::Scope scope(timer, "setup");
     grid.create(n_components == dim + 1);
     locator = std::make_unique<PointLocator<dim>>(grid.geometry());
-    points.seed(kernel.materials, dynamic, inertia.initial_velocity);
+    points.seed(kernel.materials,
+                dynamic,
+                inertia.initial_velocity,
+                quadrature.needs_domains());
     for (auto &condition : boundary_conditions)
       condition->initialize(grid);
     for (auto &postprocessor : postprocessors)
       postprocessor->initialize(grid);
 
     terms = {&body};
+    if (ghost_penalty.is_active(quadrature.is_plain()))
+      terms.push_back(&ghost_penalty);
+    needs_occupancy = quadrature.needs_occupancy() || terms.size() > 1;
+    if (needs_occupancy)
+      find_walls();
     if (dynamic)
       terms.push_back(&inertia);
     for (auto &condition : boundary_conditions)
@@ -267,6 +283,35 @@ namespace isochor
 
 
   template <int dim>
+  void
+  MaterialPointMethod<dim>::find_walls()
+  {
+    // what the boundary conditions hold, asked with all nodes of the grid
+    ActiveNodes<dim>          all_nodes(grid);
+    std::vector<unsigned int> vertices(grid.triangulation().n_vertices());
+    std::iota(vertices.begin(), vertices.end(), 0);
+    all_nodes.update(vertices);
+    const StepContext<dim> step{grid,
+                                all_nodes,
+                                arrays,
+                                kernel,
+                                n_components,
+                                time.time,
+                                time.next_time()};
+    NodalConstraints       held;
+    held.reinit(all_nodes.n_local() * n_components);
+    for (const auto &condition : boundary_conditions)
+      condition->constrain(step, held);
+    occupancy.initialize(
+      [&](const unsigned int vertex, const unsigned int component) {
+        return held.constrained[all_nodes.node(vertex) * n_components +
+                                component] != 0;
+      });
+  }
+
+
+
+  template <int dim>
   StepContext<dim>
   MaterialPointMethod<dim>::context() const
   {
@@ -286,6 +331,7 @@ namespace isochor
     // here and not after the last step, which may end outside of the grid
     points.relocate(*locator);
     points.gather(arrays);
+    quadrature.start_step(arrays, *locator, kernel, needs_occupancy, occupancy);
     std::vector<unsigned int> touched;
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched);
@@ -325,21 +371,20 @@ namespace isochor
                   kernel.materials.end(),
                   [](const auto &m) { return m->density() == 0; });
     for (unsigned int k = 0; k < arrays.cell.size(); ++k)
-      {
-        const auto &vertices = grid.geometry().vertex_indices(arrays.cell[k]);
-        for (unsigned int q = arrays.cell_start[k];
-             q < arrays.cell_start[k + 1];
-             ++q)
-          for (unsigned int I = 0; I <= dim; ++I)
+      for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
+           ++q)
+        {
+          const auto stencil = arrays.stencil(grid.geometry(), k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
-              const unsigned int node = nodes.node(vertices[I]);
-              const double       Nm   = arrays.shape[q][I] *
+              const unsigned int node = nodes.node(stencil.vertex[I]);
+              const double       Nm   = stencil.shape[I] *
                                 (massless ? arrays.volume[q] : arrays.mass[q]);
               mass.local_element(node) += Nm;
               unknowns.local_element(node * n_components + dim) +=
                 Nm * arrays.pressure[q];
             }
-      }
+        }
     mass.compress(VectorOperation::add);
     unknowns.compress(VectorOperation::add);
     for (unsigned int node = 0; node < nodes.n_owned(); ++node)
@@ -415,34 +460,42 @@ namespace isochor
     nodes.initialize(force, n_components);
     nodes.initialize(mass, 1);
     for (const auto &condition : boundary_conditions)
-      condition->add_external_force(start, force);
+      {
+        condition->add_external_force(start, force);
+        condition->add_boundary_force(start, unknowns, force);
+      }
     for (unsigned int k = 0; k < arrays.cell.size(); ++k)
       for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
            ++q)
-        for (unsigned int I = 0; I <= dim; ++I)
-          mass.local_element(
-            nodes.node(grid.geometry().vertex_indices(arrays.cell[k])[I])) +=
-            arrays.shape[q][I] * arrays.mass[q];
+        {
+          const auto stencil = arrays.stencil(grid.geometry(), k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            mass.local_element(nodes.node(stencil.vertex[I])) +=
+              stencil.shape[I] * arrays.mass[q];
+        }
     force.compress(VectorOperation::add);
     mass.compress(VectorOperation::add);
     for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
-      if (constraints.constrained[i])
-        force.local_element(i) = 0.;
-      else
-        force.local_element(i) /= mass.local_element(i / n_components);
+      {
+        const double m         = mass.local_element(i / n_components);
+        force.local_element(i) = constraints.constrained[i] || m == 0. ?
+                                   0. :
+                                   force.local_element(i) / m;
+      }
     force.update_ghost_values();
 
     for (unsigned int k = 0; k < arrays.cell.size(); ++k)
       for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
            ++q)
-        for (unsigned int I = 0; I <= dim; ++I)
-          for (unsigned int a = 0; a < dim; ++a)
-            arrays.acceleration[q][a] +=
-              arrays.shape[q][I] *
-              force.local_element(
-                nodes.node(grid.geometry().vertex_indices(arrays.cell[k])[I]) *
-                  n_components +
-                a);
+        {
+          const auto stencil = arrays.stencil(grid.geometry(), k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            for (unsigned int a = 0; a < dim; ++a)
+              arrays.acceleration[q][a] +=
+                stencil.shape[I] *
+                force.local_element(
+                  nodes.node(stencil.vertex[I]) * n_components + a);
+        }
   }
 
 
@@ -666,38 +719,38 @@ namespace isochor
   void
   MaterialPointMethod<dim>::update_points()
   {
-    const StepContext<dim>            step = context();
-    const PointLayout                &l    = points.layout();
-    std::array<double, max_history>   history;
-    Tensor<2, dim>                    F_increment;
-    std::array<unsigned int, dim + 1> node;
-    unsigned int                      last_cell = numbers::invalid_unsigned_int;
+    const StepContext<dim>          step = context();
+    const PointLayout              &l    = points.layout();
+    std::array<double, max_history> history;
+    Tensor<2, dim>                  F_increment;
+    std::vector<unsigned int>       node;
+    unsigned int                    last_cell = numbers::invalid_unsigned_int;
 
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
                         Point<dim>        &location,
                         ArrayView<double>  properties) {
-      if (k != last_cell)
+      const auto stencil = arrays.stencil(grid.geometry(), k, q);
+      if (k != last_cell || arrays.has_stencils())
         {
-          const auto &gradients = grid.geometry().gradients(arrays.cell[k]);
-          const auto &vertices = grid.geometry().vertex_indices(arrays.cell[k]);
-          F_increment          = unit_symmetric_tensor<dim>();
-          for (unsigned int I = 0; I <= dim; ++I)
+          F_increment = unit_symmetric_tensor<dim>();
+          node.resize(stencil.n_nodes);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
-              node[I] = nodes.node(vertices[I]);
+              node[I] = nodes.node(stencil.vertex[I]);
               for (unsigned int a = 0; a < dim; ++a)
                 F_increment[a] +=
                   unknowns.local_element(node[I] * n_components + a) *
-                  gradients[I];
+                  stencil.gradient[I];
             }
           last_cell = k;
         }
 
       Tensor<1, dim> displacement, acceleration;
       double         pressure = 0;
-      for (unsigned int I = 0; I <= dim; ++I)
+      for (unsigned int I = 0; I < stencil.n_nodes; ++I)
         {
-          const double N = arrays.shape[q][I];
+          const double N = stencil.shape[I];
           for (unsigned int a = 0; a < dim; ++a)
             displacement[a] +=
               N * unknowns.local_element(node[I] * n_components + a);

@@ -7,6 +7,7 @@
 
 #include <isochor/expression.h>
 #include <isochor/material_points.h>
+#include <isochor/plain_message.h>
 #include <isochor/relocation.h>
 #include <isochor/seeding.h>
 
@@ -19,9 +20,11 @@ namespace isochor
 {
   PointLayout::PointLayout(const unsigned int dim,
                            const unsigned int n_history,
-                           const bool         dynamic)
+                           const bool         dynamic,
+                           const bool         with_domains)
     : n_history(n_history)
     , dynamic(dynamic)
+    , with_domains(with_domains)
   {
     const auto place = [this](unsigned int &field, const unsigned int size) {
       field = n_properties;
@@ -40,6 +43,8 @@ namespace isochor
         place(acceleration, dim);
       }
     place(history, n_history);
+    if (with_domains)
+      place(domain, dim * dim);
   }
 
 
@@ -57,10 +62,10 @@ namespace isochor
   {
     prm.enter_subsection("Material points");
     prm.declare_entry("Points per cell",
-                      "3",
+                      dim == 2 ? "3" : "4",
                       Patterns::Integer(1),
                       "Material points seeded per cell: 1, 3, 4, 6, 7, 9, 12, "
-                      "15, 16, ... in 2D, 1, 4, 8, 10, 27, ... in 3D.");
+                      "15, 16, ... in 2D, 1, 4, 8, 14, 27, 35, ... in 3D.");
     prm.declare_entry("Points per cell in zones",
                       "",
                       Patterns::Anything(),
@@ -86,7 +91,9 @@ namespace isochor
                       "0",
                       Patterns::Double(0),
                       "If positive, points are seeded on a square lattice of "
-                      "this spacing (m) instead of per cell.");
+                      "this spacing (m) instead of per cell: one per box, or "
+                      "one per simplex of each box (2 in 2D, 6 in 3D) if "
+                      "'Quadrature/Type' gives the points simplex domains.");
     prm.declare_entry("Materials in zones",
                       "",
                       Patterns::Anything(),
@@ -125,13 +132,14 @@ namespace isochor
   MaterialPoints<dim>::seed(
     const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
     const bool                                              dynamic,
-    const std::string                                      &initial_velocity)
+    const std::string                                      &initial_velocity,
+    const bool                                              with_domains)
   {
     unsigned int n_history = 0;
     for (const auto &material : materials)
       n_history =
         std::max<unsigned int>(n_history, material->history_names().size());
-    point_layout = PointLayout(dim, n_history, dynamic);
+    point_layout = PointLayout(dim, n_history, dynamic, with_domains);
     particles.initialize(grid.triangulation(),
                          grid.mapping(),
                          point_layout.n_properties);
@@ -165,16 +173,26 @@ namespace isochor
   MaterialPoints<dim>::seeds_in_cells(const SimplexGeometry<dim> &geometry,
                                       const bool                  of_grid) const
   {
-    std::vector<std::pair<Quadrature<dim>, Expression<dim>>> zones;
-    zones.emplace_back(material_point_rule<dim>(parameters.points_per_cell),
-                       Expression<dim>("1", ""));
+    struct Zone
+    {
+      Quadrature<dim>                 rule;
+      std::vector<CornerVectors<dim>> domains;
+      Expression<dim>                 condition;
+    };
+    std::vector<Zone> zones;
+    const auto        add_zone = [&zones](const unsigned int     n_points,
+                                   const Expression<dim> &condition) {
+      zones.push_back({material_point_rule<dim>(n_points),
+                       material_point_domains<dim>(n_points),
+                       condition});
+    };
+    add_zone(parameters.points_per_cell, Expression<dim>("1", ""));
     for (const auto &zone :
          split_named_list(parameters.zones,
                           "Material points/Points per cell in zones"))
-      zones.emplace_back(
-        material_point_rule<dim>(Utilities::string_to_int(zone.first)),
-        Expression<dim>(zone.second,
-                        "Material points/Points per cell in zones"));
+      add_zone(Utilities::string_to_int(zone.first),
+               Expression<dim>(zone.second,
+                               "Material points/Points per cell in zones"));
 
     std::vector<Seed> seeds;
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
@@ -189,16 +207,23 @@ namespace isochor
             centre += corners[v] / (dim + 1.);
           }
         unsigned int zone = zones.size() - 1;
-        while (zone > 0 && !(zones[zone].second(centre, 0.) > 0))
+        while (zone > 0 && !(zones[zone].condition(centre, 0.) > 0))
           --zone;
-        const Quadrature<dim> &rule = zones[zone].first;
+        const Quadrature<dim> &rule = zones[zone].rule;
         for (unsigned int q = 0; q < rule.size(); ++q)
           {
-            Point<dim> location = corners[0];
+            Seed seed{corners[0],
+                      cell,
+                      rule.weight(q) * geometry.measure(cell),
+                      {}};
             for (unsigned int d = 0; d < dim; ++d)
-              location += rule.point(q)[d] * (corners[d + 1] - corners[0]);
-            seeds.push_back(
-              {location, cell, rule.weight(q) * geometry.measure(cell)});
+              {
+                const Tensor<1, dim> edge = corners[d + 1] - corners[0];
+                seed.location += rule.point(q)[d] * edge;
+                for (unsigned int c = 0; c <= dim; ++c)
+                  seed.domain[c] += zones[zone].domains[q][c][d] * edge;
+              }
+            seeds.push_back(seed);
           }
       }
     return seeds;
@@ -227,7 +252,7 @@ namespace isochor
                     ExcMessage("The mesh file <" + parameters.body_mesh +
                                "> of the parameter <Material points/Body mesh> "
                                "can't be read: " +
-                               exc.what()));
+                               plain_message(exc)));
       }
     const SimplexGeometry<dim> geometry(body);
     std::vector<Seed>          seeds = seeds_in_cells(geometry, false);
@@ -261,15 +286,37 @@ namespace isochor
         n[d] = std::ceil((upper[d] - lower[d]) / h - 1e-10);
         n_points *= n[d];
       }
+    // one point in the middle of each box; where points carry simplex domains,
+    // one in each simplex of the box, so that the domains tile the body
+    std::vector<CornerVectors<dim>> domains(1);
+    std::vector<Point<dim>>         places(1);
+    for (unsigned int d = 0; d < dim; ++d)
+      places[0][d] = 0.5;
+    if (point_layout.with_domains)
+      {
+        domains.clear();
+        places.clear();
+        for (const auto &corners : box_simplices<dim>())
+          {
+            Point<dim> centroid;
+            for (const Point<dim> &corner : corners)
+              centroid += corner / (dim + 1.);
+            places.push_back(centroid);
+            domains.emplace_back();
+            for (unsigned int c = 0; c <= dim; ++c)
+              domains.back()[c] = h * (corners[c] - centroid);
+          }
+      }
     std::vector<Seed> seeds;
     for (unsigned int i = 0; i < n_points; ++i)
-      {
-        Seed         seed{lower, 0, std::pow(h, dim)};
-        unsigned int rest = i;
-        for (unsigned int d = 0; d < dim; ++d, rest /= n[d - 1])
-          seed.location[d] += (rest % n[d] + 0.5) * h;
-        seeds.push_back(seed);
-      }
+      for (unsigned int s = 0; s < places.size(); ++s)
+        {
+          Seed seed{lower, 0, std::pow(h, dim) / places.size(), domains[s]};
+          unsigned int rest = i;
+          for (unsigned int d = 0; d < dim; ++d, rest /= n[d - 1])
+            seed.location[d] += (rest % n[d] + places[s][d]) * h;
+          seeds.push_back(seed);
+        }
     const Expression<dim> in_body(parameters.region, "Material points/Region");
     seeds.erase(std::remove_if(seeds.begin(),
                                seeds.end(),
@@ -355,6 +402,11 @@ namespace isochor
         if (point_layout.n_history > 0)
           materials[material]->initialize_history(properties.data() +
                                                   point_layout.history);
+        if (point_layout.with_domains)
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int d = 0; d < dim; ++d)
+              properties[point_layout.domain + c * dim + d] =
+                seed.domain[c + 1][d];
 
         const Point<dim> reference = SimplexGeometry<dim>::reference_location(
           geometry.barycentric(seed.cell, seed.location));
@@ -416,6 +468,9 @@ namespace isochor
         arrays.cell.push_back(group.cell);
         arrays.cell_start.push_back(arrays.cell_start.back() + group.n_points);
       }
+    arrays.n_occupied_cells = arrays.cell.size();
+    arrays.stencil_start.clear();
+    arrays.corner_cells.clear();
     arrays.shape.resize(n);
     arrays.volume.resize(n);
     arrays.mass.resize(n);
@@ -426,6 +481,7 @@ namespace isochor
     arrays.history.resize(n * std::size_t(point_layout.n_history));
     arrays.velocity.resize(point_layout.dynamic ? n : 0);
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
+    arrays.domain.resize(point_layout.with_domains ? n : 0);
 
     const SimplexGeometry<dim> &geometry = grid.geometry();
     const PointLayout          &l        = point_layout;
@@ -454,6 +510,17 @@ namespace isochor
                   arrays.velocity[q][d]     = properties[l.velocity + d];
                   arrays.acceleration[q][d] = properties[l.acceleration + d];
                 }
+            if (l.with_domains)
+              {
+                arrays.domain[q][0] = Tensor<1, dim>();
+                for (unsigned int c = 0; c < dim; ++c)
+                  {
+                    for (unsigned int d = 0; d < dim; ++d)
+                      arrays.domain[q][c + 1][d] =
+                        properties[l.domain + c * dim + d];
+                    arrays.domain[q][0] -= arrays.domain[q][c + 1];
+                  }
+              }
           }
       }
   }

@@ -4,13 +4,13 @@
  * --------------------------------------------------------------------- */
 #include <isochor/linear_solver.h>
 #include <isochor/newton_solver.h>
+#include <isochor/plain_message.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <ostream>
-#include <sstream>
 
 namespace isochor
 {
@@ -214,9 +214,7 @@ namespace isochor
           }
         catch (const ExcLinearSolverFailed &exc)
           {
-            std::ostringstream message;
-            exc.print_info(message);
-            report.failure = Utilities::trim(message.str());
+            report.failure = plain_message(exc);
             return report;
           }
 

@@ -15,38 +15,73 @@ namespace isochor
 {
   namespace
   {
-    /** Centroids of the subdivision of the simplex 1 >= x_1 >= ... >= x_dim
-     * >= 0 into k^dim Kuhn simplices, mapped to the unit simplex. */
+    /** The k for which n_points = k^dim, 0 if there is none. */
     template <int dim>
-    Quadrature<dim>
-    subdivision_rule(const unsigned int k)
+    unsigned int
+    subdivisions(const unsigned int n_points)
     {
-      std::vector<Point<dim>>       points;
-      std::array<unsigned int, dim> axes;
+      const unsigned int k = std::round(std::pow(n_points, 1. / dim));
+      return std::round(std::pow(k, dim)) == n_points ? k : 0;
+    }
+
+    /** Corners of the subdivision of the simplex 1 >= x_1 >= ... >= x_dim >= 0
+     * into k^dim Kuhn simplices, mapped to the unit simplex. */
+    template <int dim>
+    std::vector<std::array<Point<dim>, dim + 1>>
+    subdivide(const unsigned int k)
+    {
+      std::vector<std::array<Point<dim>, dim + 1>> simplices;
+      std::array<unsigned int, dim>                axes;
       std::iota(axes.begin(), axes.end(), 0);
       const unsigned int n_boxes = std::pow(k, dim) + 0.5;
       do
         for (unsigned int box = 0; box < n_boxes; ++box)
           {
-            // the centroid of the path 0, e_a0, e_a0 + e_a1, ...
-            Point<dim>   x;
-            unsigned int rest = box;
+            // the path x, x + e_a0, x + e_a0 + e_a1, ... and its centroid
+            std::array<Point<dim>, dim + 1> path;
+            Point<dim>                      centroid;
+            unsigned int                    rest = box;
             for (unsigned int d = 0; d < dim; ++d, rest /= k)
-              x[d] = rest % k;
+              path[0][d] = rest % k;
             for (unsigned int d = 0; d < dim; ++d)
-              x[axes[d]] += (dim - d) / (dim + 1.);
+              {
+                path[d + 1] = path[d];
+                path[d + 1][axes[d]] += 1;
+              }
+            for (const Point<dim> &corner : path)
+              centroid += corner / (dim + 1.);
             bool inside = true;
             for (unsigned int d = 0; d + 1 < dim; ++d)
-              inside = inside && x[d] > x[d + 1];
+              inside = inside && centroid[d] > centroid[d + 1];
             if (!inside)
               continue;
             // the vertices e_1, e_1 + e_2, ... go to e_1, e_2, ...
-            Point<dim> unit;
-            for (unsigned int d = 0; d < dim; ++d)
-              unit[d] = (x[d] - (d + 1 < dim ? x[d + 1] : 0.)) / k;
-            points.push_back(unit);
+            for (Point<dim> &x : path)
+              for (unsigned int d = 0; d < dim; ++d)
+                x[d] = (x[d] - (d + 1 < dim ? x[d + 1] : 0.)) / k;
+            simplices.push_back(path);
           }
       while (std::next_permutation(axes.begin(), axes.end()));
+      return simplices;
+    }
+
+    template <int dim>
+    Point<dim>
+    centroid(const std::array<Point<dim>, dim + 1> &corners)
+    {
+      Point<dim> sum;
+      for (const Point<dim> &corner : corners)
+        sum += corner;
+      return sum / (dim + 1.);
+    }
+
+    template <int dim>
+    Quadrature<dim>
+    subdivision_rule(const unsigned int k)
+    {
+      std::vector<Point<dim>> points;
+      for (const auto &corners : subdivide<dim>(k))
+        points.push_back(centroid<dim>(corners));
       return Quadrature<dim>(points,
                              std::vector<double>(points.size(),
                                                  1. / points.size()));
@@ -85,6 +120,22 @@ namespace isochor
       return Quadrature<2>(points, weights);
     }
 
+    /** The symmetric rule of degree 2 with dim + 1 points: each lies on the
+     * line from the centroid to a vertex, with the barycentric coordinate a for
+     * the other vertices, from Σ_q w_q λ_i² = 2 / ((dim+1) (dim+2)). */
+    template <int dim>
+    Quadrature<dim>
+    degree_two_rule()
+    {
+      const double            a = (1 - 1 / std::sqrt(dim + 2.)) / (dim + 1);
+      std::vector<Point<dim>> points(dim + 1);
+      for (unsigned int q = 0; q <= dim; ++q)
+        for (unsigned int d = 0; d < dim; ++d)
+          points[q][d] = (q == d + 1 ? 1 - dim * a : a);
+      return Quadrature<dim>(points,
+                             std::vector<double>(dim + 1, 1. / (dim + 1)));
+    }
+
     /** deal.II's weights sum to the measure of the reference simplex. */
     template <int dim>
     Quadrature<dim>
@@ -104,8 +155,7 @@ namespace isochor
   Quadrature<dim>
   material_point_rule(const unsigned int n_points)
   {
-    const unsigned int k = std::round(std::pow(n_points, 1. / dim));
-    if (n_points > 0 && std::round(std::pow(k, dim)) == n_points)
+    if (const unsigned int k = subdivisions<dim>(n_points))
       return subdivision_rule<dim>(k);
 
     if constexpr (dim == 2)
@@ -122,6 +172,8 @@ namespace isochor
              {0.063089014491502, 0.063089014491502, 0.050844906370207},
              {0.053145049844817, 0.310352451033784, 0.082851075618374}});
       }
+    if (dim == 3 && n_points == 4)
+      return degree_two_rule<dim>();
     for (unsigned int n = 1; n <= 4; ++n)
       {
         const QGaussSimplex<dim> gauss(n);
@@ -136,8 +188,65 @@ namespace isochor
                            " material points per cell. Choose " +
                            (dim == 2 ?
                               "1, 3, 4, 6, 7, 9, 12, 15, 16, 25, ... k^2." :
-                              "1, 4, 8, 10, 27, 64, ... k^3.")));
+                              "1, 4, 8, 14, 27, 35, 64, ... k^3.")));
     return Quadrature<dim>();
+  }
+
+
+
+  template <int dim>
+  std::vector<std::array<Point<dim>, dim + 1>>
+  box_simplices()
+  {
+    std::vector<std::array<Point<dim>, dim + 1>> simplices;
+    std::array<unsigned int, dim>                axes;
+    std::iota(axes.begin(), axes.end(), 0);
+    do
+      {
+        std::array<Point<dim>, dim + 1> path;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            path[d + 1] = path[d];
+            path[d + 1][axes[d]] += 1;
+          }
+        simplices.push_back(path);
+      }
+    while (std::next_permutation(axes.begin(), axes.end()));
+    return simplices;
+  }
+
+
+
+  template <int dim>
+  std::vector<CornerVectors<dim>>
+  material_point_domains(const unsigned int n_points)
+  {
+    std::vector<std::array<Point<dim>, dim + 1>> simplices;
+    std::vector<double>                          scales;
+    if (const unsigned int k = subdivisions<dim>(n_points))
+      {
+        simplices = subdivide<dim>(k);
+        scales.assign(simplices.size(), 1.);
+      }
+    else
+      {
+        const Quadrature<dim> rule = material_point_rule<dim>(n_points);
+        std::array<Point<dim>, dim + 1> unit;
+        for (unsigned int d = 0; d < dim; ++d)
+          unit[d + 1][d] = 1;
+        for (const double weight : rule.get_weights())
+          {
+            simplices.push_back(unit);
+            scales.push_back(std::pow(weight, 1. / dim));
+          }
+      }
+
+    std::vector<CornerVectors<dim>> domains(simplices.size());
+    for (unsigned int q = 0; q < simplices.size(); ++q)
+      for (unsigned int c = 0; c <= dim; ++c)
+        domains[q][c] =
+          scales[q] * (simplices[q][c] - centroid<dim>(simplices[q]));
+    return domains;
   }
 
 
@@ -146,4 +255,12 @@ namespace isochor
   material_point_rule<2>(const unsigned int);
   template Quadrature<3>
   material_point_rule<3>(const unsigned int);
+  template std::vector<std::array<Point<2>, 3>>
+  box_simplices<2>();
+  template std::vector<std::array<Point<3>, 4>>
+  box_simplices<3>();
+  template std::vector<CornerVectors<2>>
+  material_point_domains<2>(const unsigned int);
+  template std::vector<CornerVectors<3>>
+  material_point_domains<3>(const unsigned int);
 } // namespace isochor

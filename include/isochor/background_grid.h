@@ -70,9 +70,10 @@ namespace isochor
     bool
     is_moving() const;
 
-    /** The id of the boundary called @p name; throws and lists the names. */
+    /** The id of the boundary called @p name; throws and lists the names if
+     * there is none, naming @p parameter. */
     types::boundary_id
-    boundary_id(const std::string &name) const;
+    boundary_id(const std::string &name, const std::string &parameter) const;
 
     /** Names and ids of all boundaries. */
     const std::map<std::string, types::boundary_id> &

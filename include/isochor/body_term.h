@@ -11,7 +11,8 @@ namespace isochor
 {
   /**
    * The internal forces of the body and, in the u-p form, its pressure
-   * equation: one element per occupied cell.
+   * equation: one element per occupied cell or, where points have stencils of
+   * their own, per point (and then one per cell for the stabilisation).
    */
   template <int dim>
   class BodyTerm : public EquationTerm<dim>
@@ -41,6 +42,22 @@ namespace isochor
     add_unit_residual(const StepContext<dim> &step, NodalField &scale) const;
 
   private:
+    template <int n_components>
+    EvaluationStatus
+    assemble_domains(const StepContext<dim> &step,
+                     const NodalField       &unknowns,
+                     const NodalField       &pending,
+                     const unsigned int      first_element,
+                     const bool              with_matrix,
+                     MixedSystem<dim>       &system) const;
+    void
+    assemble_overlapped_cells(const StepContext<dim> &step,
+                              const NodalField       &unknowns,
+                              const NodalField       &pending,
+                              const unsigned int      first_element,
+                              const bool              with_matrix,
+                              MixedSystem<dim>       &system) const;
+
     template <int n_components>
     EvaluationStatus
     assemble_cells(const StepContext<dim> &step,

@@ -8,9 +8,11 @@
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>
 
+#include <isochor/body_quadrature.h>
 #include <isochor/body_term.h>
 #include <isochor/boundary_condition.h>
 #include <isochor/checkpoint.h>
+#include <isochor/ghost_penalty.h>
 #include <isochor/inertia_term.h>
 #include <isochor/linear_solver.h>
 #include <isochor/load_stepping.h>
@@ -62,6 +64,8 @@ namespace isochor
   private:
     void
     setup();
+    void
+    find_walls();
 
     void
     initialisation_phase();
@@ -132,10 +136,14 @@ namespace isochor
     std::vector<EquationTerm<dim> *> terms;
     std::vector<unsigned int>        first_element;
 
-    MixedKernel<dim>                                     kernel;
-    BodyTerm<dim>                                        body;
-    InertiaTerm<dim>                                     inertia;
-    bool                                                 dynamic = false;
+    MixedKernel<dim>    kernel;
+    BodyTerm<dim>       body;
+    BodyQuadrature<dim> quadrature;
+    CellOccupancy<dim>  occupancy;
+    GhostPenalty<dim>   ghost_penalty;
+    bool                needs_occupancy = false;
+    InertiaTerm<dim>    inertia;
+    bool                dynamic = false;
     std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
     std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;
     std::unique_ptr<LinearSolver>                        linear_solver;

@@ -12,7 +12,9 @@
 #include <isochor/background_grid.h>
 #include <isochor/material_model.h>
 #include <isochor/point_locator.h>
+#include <isochor/seeding.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -41,12 +43,17 @@ namespace isochor
     unsigned int history      = 0; ///< of the material, n_history components
     unsigned int n_history    = 0;
     bool         dynamic      = false;
+    /** Corners 1 ... dim of the point's simplex domain at t = 0, relative to
+     * the point (m), the first being minus their sum; only if with_domains. */
+    unsigned int domain       = 0;
+    bool         with_domains = false;
     unsigned int n_properties = 0;
 
     PointLayout() = default;
     PointLayout(const unsigned int dim,
                 const unsigned int n_history,
-                const bool         dynamic);
+                const bool         dynamic,
+                const bool         with_domains = false);
   };
 
   /** F of a point from its @p properties. */
@@ -80,12 +87,16 @@ namespace isochor
    * The material points of this rank in typed arrays, ordered by cell: what
    * the hot loops of one step work on. Cell k of the list `cell` holds the
    * points cell_start[k] <= q < cell_start[k+1].
+   *
+   * Behind the cells with material points may stand cells with massless points
+   * of integration that live for one step (see BodyQuadrature); also ascending.
    */
   template <int dim>
   struct PointArrays
   {
     std::vector<unsigned int> cell;       ///< occupied cells, ascending
     std::vector<unsigned int> cell_start; ///< size cell.size() + 1
+    unsigned int n_occupied_cells = 0;    ///< cells with material points
 
     std::vector<std::array<double, dim + 1>> shape;  ///< N_I at the point
     std::vector<double>                      volume; ///< V_0
@@ -96,8 +107,67 @@ namespace isochor
     std::vector<unsigned char>               material;
     std::vector<double>         history; ///< n_history values a point
     std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
+    /** Domains at t = 0, if the layout has them. */
+    std::vector<CornerVectors<dim>> domain;
+
+    /**
+     * If points reach beyond their cell: their nodes in compressed-row form,
+     * by vertex, with N_I and its gradient. Empty otherwise.
+     */
+    std::vector<std::size_t>    stencil_start;
+    std::vector<unsigned int>   stencil_vertex;
+    std::vector<double>         stencil_shape;
+    std::vector<Tensor<1, dim>> stencil_gradient;
+    /** Pairs (point, cell) for the corners of domains, dim + 1 a point. */
+    std::vector<std::pair<unsigned int, unsigned int>> corner_cells;
+    /** Cells that domains overlap and all of whose nodes are active, with the
+     * part of the points' Σ V_0/G in them. */
+    std::vector<std::pair<unsigned int, double>> overlapped_cells;
 
     unsigned int n_history = 0;
+
+    /** Whether points have stencils of their own. */
+    bool
+    has_stencils() const
+    {
+      return !stencil_start.empty();
+    }
+
+    /** The nodes of a point. */
+    struct Stencil
+    {
+      unsigned int          n_nodes;
+      const unsigned int   *vertex;
+      const double         *shape;
+      const Tensor<1, dim> *gradient;
+    };
+
+    /** The nodes of point @p q in cell k of the list. */
+    Stencil
+    stencil(const SimplexGeometry<dim> &geometry,
+            const unsigned int          k,
+            const unsigned int          q) const
+    {
+      if (!has_stencils())
+        return {dim + 1,
+                geometry.vertex_indices(cell[k]).data(),
+                shape[q].data(),
+                geometry.gradients(cell[k]).data()};
+      const std::size_t begin = stencil_start[q];
+      return {static_cast<unsigned int>(stencil_start[q + 1] - begin),
+              &stencil_vertex[begin],
+              &stencil_shape[begin],
+              &stencil_gradient[begin]};
+    }
+
+    /** Whether @p c is in the list of cells. */
+    bool
+    contains_cell(const unsigned int c) const
+    {
+      const auto middle = cell.begin() + n_occupied_cells;
+      return std::binary_search(cell.begin(), middle, c) ||
+             std::binary_search(middle, cell.end(), c);
+    }
 
     unsigned int
     n_points() const
@@ -122,7 +192,8 @@ namespace isochor
     void
     seed(const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
          const bool                                              dynamic,
-         const std::string &initial_velocity);
+         const std::string &initial_velocity,
+         const bool         with_domains = false);
 
     /** Copy the points into @p arrays, ordered by cell. */
     void
@@ -192,6 +263,8 @@ namespace isochor
       Point<dim>   location;
       unsigned int cell;
       double       volume;
+
+      CornerVectors<dim> domain;
     };
 
     std::vector<Seed>

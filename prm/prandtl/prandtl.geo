@@ -11,6 +11,7 @@ DefineConstant[ depth = {2.5, Min 1, Max 50, Name "depth"} ];
 // the node's share, with 0 the footing is in effect one cell wider than B.
 DefineConstant[ inset = {0.5, Min 0, Max 1, Name "inset of the last node"} ];
 edge = 0.5 - inset / n;
+room = 0.1; // empty grid above the ground, for the heave
 
 Point(1) = {0, -depth, 0};
 Point(2) = {width, -depth, 0};
@@ -35,8 +36,16 @@ Mesh.Algorithm = 6;
 Mesh.MshFileVersion = 2.2;
 
 Physical Curve("bottom") = {1};
-Physical Curve("right") = {2};
-Physical Curve("surface") = {3};
+Physical Curve("right") = {2, 6};
 Physical Curve("footing") = {4};
 Physical Curve("left") = {5};
 Physical Surface("ground") = {1};
+
+Point(6) = {width, room, 0};
+Point(7) = {edge, room, 0};
+Line(6) = {3, 6};
+Line(7) = {6, 7};
+Line(8) = {7, 4};
+Curve Loop(2) = {-3, 6, 7, 8};
+Plane Surface(2) = {2};
+Physical Surface("room") = {2};

@@ -66,7 +66,9 @@ namespace isochor
         {
           const bool everywhere = condition.boundary == "everywhere";
           const types::boundary_id id =
-            everywhere ? 0 : grid.boundary_id(condition.boundary);
+            everywhere ? 0 :
+                         grid.boundary_id(condition.boundary,
+                                          "Boundary conditions/Displacement");
           std::set<unsigned int> vertices;
           for (const BoundaryFace &face : grid.boundary_faces())
             if (everywhere || face.id == id)

@@ -46,21 +46,17 @@ namespace isochor
         g[a] = gravity[a](Point<dim>(), step.time);
       const auto &points = step.points;
       for (unsigned int k = 0; k < points.cell.size(); ++k)
-        {
-          const auto &vertices =
-            step.grid.geometry().vertex_indices(points.cell[k]);
-          std::array<double, dim + 1> mass{};
-          for (unsigned int q = points.cell_start[k];
-               q < points.cell_start[k + 1];
-               ++q)
-            for (unsigned int I = 0; I <= dim; ++I)
-              mass[I] += points.shape[q][I] * points.mass[q];
-          for (unsigned int I = 0; I <= dim; ++I)
-            for (unsigned int a = 0; a < dim; ++a)
-              force.local_element(
-                step.nodes.node(vertices[I]) * step.n_components + a) +=
-                mass[I] * g[a];
-        }
+        for (unsigned int q = points.cell_start[k];
+             q < points.cell_start[k + 1];
+             ++q)
+          {
+            const auto stencil = points.stencil(step.grid.geometry(), k, q);
+            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+              for (unsigned int a = 0; a < dim; ++a)
+                force.local_element(
+                  step.nodes.node(stencil.vertex[I]) * step.n_components + a) +=
+                  stencil.shape[I] * points.mass[q] * g[a];
+          }
     }
 
   private:

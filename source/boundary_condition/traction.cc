@@ -48,7 +48,8 @@ namespace isochor
     initialize(const BackgroundGrid<dim> &grid) override
     {
       for (Load &load : loads)
-        load.id = grid.boundary_id(load.boundary);
+        load.id =
+          grid.boundary_id(load.boundary, "Boundary conditions/Traction");
     }
 
     void
@@ -60,9 +61,8 @@ namespace isochor
       const SimplexGeometry<dim> &geometry = step.grid.geometry();
       for (const BoundaryFace &face : step.grid.boundary_faces())
         for (const Load &load : loads)
-          if (face.id == load.id && std::binary_search(step.points.cell.begin(),
-                                                       step.points.cell.end(),
-                                                       face.cell))
+          if (face.id == load.id && step.points.contains_cell(face.cell) &&
+              has_active_nodes(step, face))
             add_face(step, geometry, face, load, force);
     }
 
@@ -73,6 +73,18 @@ namespace isochor
       types::boundary_id           id;
       std::vector<Expression<dim>> traction;
     };
+
+    /** A domain of CPDI may miss nodes of the cell that holds its point. */
+    static bool
+    has_active_nodes(const StepContext<dim> &step, const BoundaryFace &face)
+    {
+      const auto &vertices = step.grid.geometry().vertex_indices(face.cell);
+      for (unsigned int v = 0; v <= dim; ++v)
+        if (v != face.opposite_vertex &&
+            step.nodes.node(vertices[v]) == numbers::invalid_unsigned_int)
+          return false;
+      return true;
+    }
 
     static void
     add_face(const StepContext<dim>     &step,

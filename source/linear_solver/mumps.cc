@@ -242,6 +242,7 @@ namespace isochor
           scatter(x);
         }
       id.rhs = nullptr;
+      check_consistency();
       AssertThrow(std::isfinite(x.l2_norm()),
                   ExcLinearSolverFailed(
                     "the solution has entries that are not finite numbers."));
@@ -257,10 +258,11 @@ namespace isochor
                                     std::numeric_limits<int>::max()),
                   ExcMessage("MUMPS numbers equations by 32-bit integers."));
       mumps.reset();
-      comm      = A.comm;
-      symmetric = A.symmetric;
-      n_ranks   = Utilities::MPI::n_mpi_processes(comm);
-      mumps     = std::make_unique<MumpsInstance>(comm, symmetric);
+      largest_scale = 0;
+      comm          = A.comm;
+      symmetric     = A.symmetric;
+      n_ranks       = Utilities::MPI::n_mpi_processes(comm);
+      mumps         = std::make_unique<MumpsInstance>(comm, symmetric);
 
       set_pattern(A);
       set_values(A);
@@ -389,13 +391,35 @@ namespace isochor
         }
       check(status, "factorisation");
 
-      const int n_null_pivots = entry(mumps->id.infog, 28);
-      AssertThrow(n_null_pivots == 0,
+      n_null_pivots = entry(mumps->id.infog, 28);
+      // for check_consistency(); costs a few products with the matrix
+      entry(mumps->id.icntl, 11) = (n_null_pivots > 0 ? 2 : 0);
+    }
+
+    /**
+     * A singular matrix is fine if the right-hand side has no part outside of
+     * its range, as that of u-p without stabilisation and its pressures that
+     * no point feels: the solution is then one of many. It is not if loads act
+     * on a body that nothing holds. What is left over is measured by the
+     * largest system of the same pattern: corrections get small and leave
+     * nothing but rounding. Only the first solve with a factorisation is
+     * checked: later the matrix may have been assembled anew.
+     */
+    void
+    check_consistency()
+    {
+      if (entry(mumps->id.icntl, 11) == 0)
+        return;
+      entry(mumps->id.icntl, 11) = 0;
+      const auto  &rinfog        = mumps->id.rinfog;
+      const double scale = entry(rinfog, 4) * entry(rinfog, 5); // |A| |x|
+      largest_scale      = std::max(largest_scale, scale);
+      AssertThrow(entry(rinfog, 6) * scale < 1e-10 * largest_scale,
                   ExcLinearSolverFailed(
                     "MUMPS: the matrix is singular, " +
                     std::to_string(n_null_pivots) +
-                    " pivot(s) vanish. Are the boundary conditions enough to "
-                    "hold every body?"));
+                    " pivot(s) vanish, and there is no solution. Are the "
+                    "boundary conditions enough to hold every body?"));
     }
 
     void
@@ -467,11 +491,13 @@ namespace isochor
     int         n_refinement_steps = 0;
 
     std::unique_ptr<MumpsInstance> mumps;
-    bool                           factorised = false;
-    unsigned long                  pattern_id = 0;
-    MPI_Comm                       comm       = MPI_COMM_NULL;
-    unsigned int                   n_ranks    = 1;
-    bool                           symmetric  = true;
+    bool                           factorised    = false;
+    int                            n_null_pivots = 0;
+    double                         largest_scale = 0;
+    unsigned long                  pattern_id    = 0;
+    MPI_Comm                       comm          = MPI_COMM_NULL;
+    unsigned int                   n_ranks       = 1;
+    bool                           symmetric     = true;
     std::string                    requested_ordering;
 
     /** Coordinates of the entries, 1-based. */

@@ -120,6 +120,14 @@ namespace isochor
       double                      best_fit = -1e-2;
       for (const unsigned int cell : step.points.cell)
         {
+          const auto &vertices = geometry.vertex_indices(cell);
+          if (std::any_of(vertices.begin(),
+                          vertices.end(),
+                          [&step](const unsigned int v) {
+                            return step.nodes.node(v) ==
+                                   numbers::invalid_unsigned_int;
+                          }))
+            continue;
           const auto   lambda = geometry.barycentric(cell, probe.location);
           const double fit    = *std::min_element(lambda.begin(), lambda.end());
           if (fit > best_fit)

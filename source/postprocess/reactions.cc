@@ -38,7 +38,8 @@ namespace isochor
     {
       for (const std::string &name : names)
         {
-          const types::boundary_id id = grid.boundary_id(name);
+          const types::boundary_id id =
+            grid.boundary_id(name, "Postprocess/Reactions");
           vertices.emplace_back();
           for (const BoundaryFace &face : grid.boundary_faces())
             if (face.id == id)

@@ -1,0 +1,32 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_plain_message_h
+#define isochor_plain_message_h
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/utilities.h>
+
+#include <sstream>
+#include <string>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /** What an exception has to say to users: of those of deal.II the message
+   * alone, without the place in the sources. */
+  inline std::string
+  plain_message(const std::exception &exception)
+  {
+    const auto *of_deal_ii = dynamic_cast<const ExceptionBase *>(&exception);
+    if (of_deal_ii == nullptr)
+      return exception.what();
+    std::ostringstream text;
+    of_deal_ii->print_info(text);
+    return Utilities::trim(text.str());
+  }
+} // namespace isochor
+
+#endif

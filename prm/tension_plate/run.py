@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+# Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Mesh the tension plate, run all cases and draw the figures.
+
+    run.py [--h 0.001] [--directory output] [--boundary-points]
+
+Needs gmsh. The four cases are u and u-p + PPP, nu = 0.33 and 0.4999. With
+--boundary-points the last is also pulled by boundary points on a grid at rest.
+"""
+
+import argparse
+import subprocess
+import sys
+from pathlib import Path
+
+SCENE = Path(__file__).resolve().parent
+sys.path.insert(0, str(SCENE.parent / "tools"))
+
+import isochor_output as output  # noqa: E402
+
+FORMULATIONS = {"u": ("u", "none"), "u-p": ("u-p", "PPP")}
+
+
+def make_mesh(path, h, room=0.0):
+    """Let gmsh mesh the plate, and so many metres above it."""
+    command = ["gmsh", "-2", str(SCENE / "plate.geo"), "-o", str(path)]
+    command += ["-setnumber", "h", str(h), "-setnumber", "room", str(room)]
+    try:
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise output.OutputError(f"gmsh failed: {error}") from error
+
+
+def run_cases(directory, arguments):
+    """Labels and output directories of the four cases."""
+    mesh = directory / "plate.msh"
+    make_mesh(mesh, arguments.h)
+    cases = []
+    for poisson_ratio in ("0.33", "0.4999"):
+        for name, (form, stabilisation) in FORMULATIONS.items():
+            case = directory / f"{name}-{poisson_ratio}"
+            overrides = {
+                "Grid/File": mesh,
+                "Formulation/Type": form,
+                "Formulation/Stabilisation": stabilisation,
+                "Material/Poisson ratio": poisson_ratio,
+            }
+            print(f"{name}, nu = {poisson_ratio}", flush=True)
+            output.run(None, SCENE / "tension_plate.prm", overrides, case)
+            cases.append((f"{name}, $\\nu$ = {poisson_ratio}", case))
+    return cases
+
+
+def run_boundary_points(directory, arguments):
+    """The plate that leaves the grid's nodes; prints both reactions."""
+    mesh = directory / "plate_room.msh"
+    make_mesh(mesh, arguments.h, max(0.004, 2 * arguments.h))
+    case = directory / "boundary-points"
+    output.run(None, SCENE / "boundary_points.prm", {"Grid/File": mesh}, case)
+    statistics = output.read_statistics(case)
+    top = statistics["Reaction y on top by boundary points (N)"][-1]
+    bottom = statistics["Reaction y on bottom (N)"][-1]
+    print(f"boundary points: top {top:.6e} N, bottom by nodes {bottom:.6e} N")
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__.split("\n", maxsplit=1)[0]
+    )
+    parser.add_argument("--h", type=float, default=0.001, help="edge length (m)")
+    parser.add_argument("--directory", type=Path, default=Path("output"))
+    parser.add_argument("--boundary-points", action="store_true")
+    arguments = parser.parse_args()
+    directory = arguments.directory.resolve()
+    directory.mkdir(parents=True, exist_ok=True)
+
+    cases = run_cases(directory, arguments)
+    if arguments.boundary_points:
+        run_boundary_points(directory, arguments)
+    command = [sys.executable, str(SCENE / "plot.py")]
+    command += [f"{label}={case}" for label, case in cases]
+    command += ["--figures", str(directory)]
+    return subprocess.run(command).returncode
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except output.OutputError as problem:
+        sys.exit(f"Error: {problem}")

@@ -1,0 +1,188 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/body_quadrature.h>
+
+#include <algorithm>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Shape functions below this are zero: a corner on a face. */
+    constexpr double no_support = 1e-9;
+
+    /** The cell and barycentric coordinates of a corner at x + r; if that is
+     * outside of the grid, r is shortened until it is inside. */
+    template <int dim>
+    LocateResult<dim>
+    locate_corner(const PointLocator<dim> &locator,
+                  const Point<dim>        &x,
+                  const unsigned int       cell,
+                  Tensor<1, dim>          &r)
+    {
+      auto place = locator.locate(x + r, cell);
+      if (place.found)
+        return place;
+      double inside = 0, outside = 1;
+      place = locator.locate(x, cell);
+      for (unsigned int i = 0; i < 40; ++i)
+        {
+          const double middle = (inside + outside) / 2;
+          const auto   result = locator.locate(x + middle * r, cell);
+          if (result.found)
+            place = result;
+          (result.found ? inside : outside) = middle;
+        }
+      r *= inside;
+      return place;
+    }
+
+    /** The nodes of one domain, and sums over its corners. */
+    template <int dim>
+    class DomainStencil
+    {
+    public:
+      void
+      clear()
+      {
+        n_nodes = 0;
+      }
+
+      /** Add N at @p vertex and the gradient N ∇λ of a corner. */
+      void
+      add(const unsigned int    vertex,
+          const double          N,
+          const Tensor<1, dim> &gradient_of_corner)
+      {
+        unsigned int I = 0;
+        while (I < n_nodes && vertices[I] != vertex)
+          ++I;
+        if (I == n_nodes)
+          {
+            ++n_nodes;
+            vertices[I]  = vertex;
+            shape[I]     = 0;
+            gradients[I] = Tensor<1, dim>();
+          }
+        shape[I] += N / (dim + 1);
+        gradients[I] += N * gradient_of_corner;
+      }
+
+      void
+      append_to(PointArrays<dim> &points) const
+      {
+        for (unsigned int I = 0; I < n_nodes; ++I)
+          {
+            points.stencil_vertex.push_back(vertices[I]);
+            points.stencil_shape.push_back(shape[I]);
+            points.stencil_gradient.push_back(gradients[I]);
+          }
+        points.stencil_start.push_back(points.stencil_vertex.size());
+      }
+
+    private:
+      static constexpr unsigned int     n_max   = (dim + 1) * (dim + 1);
+      unsigned int                      n_nodes = 0;
+      std::array<unsigned int, n_max>   vertices;
+      std::array<double, n_max>         shape;
+      std::array<Tensor<1, dim>, n_max> gradients;
+    };
+
+    /** ∇λ_c of the simplex with the given corners. */
+    template <int dim>
+    CornerVectors<dim>
+    barycentric_gradients(const CornerVectors<dim> &corners)
+    {
+      Tensor<2, dim> edges;
+      for (unsigned int d = 0; d < dim; ++d)
+        edges[d] = corners[d + 1] - corners[0];
+      const double J = determinant(edges);
+      AssertThrow(std::abs(J) > 1e-14 * std::pow(edges.norm(), dim),
+                  ExcMessage("The domain of a material point is flat: the "
+                             "deformation is too large for <Quadrature/Type = "
+                             "CPDI>."));
+      const Tensor<2, dim> inverse = invert(edges);
+      CornerVectors<dim>   gradients;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            gradients[c + 1][d] = inverse[d][c];
+            gradients[0][d] -= inverse[d][c];
+          }
+      return gradients;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  BodyQuadrature<dim>::build_stencils(PointArrays<dim>        &points,
+                                      const PointLocator<dim> &locator) const
+  {
+    points.stencil_start.assign(1, 0);
+    points.stencil_vertex.clear();
+    points.stencil_shape.clear();
+    points.stencil_gradient.clear();
+    points.corner_cells.clear();
+    DomainStencil<dim> stencil;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const Point<dim>                       x = location(points, k, q);
+          CornerVectors<dim>                     corners;
+          std::array<LocateResult<dim>, dim + 1> places;
+          for (unsigned int c = 0; c <= dim; ++c)
+            {
+              corners[c] = points.F[q] * points.domain[q][c];
+              places[c] = locate_corner(locator, x, points.cell[k], corners[c]);
+              points.corner_cells.emplace_back(q, places[c].cell);
+            }
+          const auto gradients = barycentric_gradients<dim>(corners);
+          stencil.clear();
+          for (unsigned int c = 0; c <= dim; ++c)
+            {
+              double sum = 0;
+              for (double &N : places[c].barycentric)
+                {
+                  if (N < no_support)
+                    N = 0;
+                  sum += N;
+                }
+              for (unsigned int I = 0; I <= dim; ++I)
+                if (places[c].barycentric[I] > 0)
+                  stencil.add(grid.geometry().vertex_indices(places[c].cell)[I],
+                              places[c].barycentric[I] / sum,
+                              gradients[c]);
+            }
+          stencil.append_to(points);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  BodyQuadrature<dim>::collect_overlapped_cells(
+    PointArrays<dim>         &points,
+    const CellOccupancy<dim> &occupancy,
+    const MixedKernel<dim>   &kernel) const
+  {
+    // a corner stands for its part of the domain
+    std::map<unsigned int, double> volume_over_G;
+    for (const auto &corner : points.corner_cells)
+      if (occupancy.is_closed(corner.second))
+        volume_over_G[corner.second] +=
+          points.weight[corner.first] / (dim + 1) /
+          kernel.materials[points.material[corner.first]]->shear_modulus();
+    points.overlapped_cells.assign(volume_over_G.begin(), volume_over_G.end());
+  }
+
+
+
+  template class BodyQuadrature<2>;
+  template class BodyQuadrature<3>;
+} // namespace isochor

@@ -1,0 +1,396 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/cell_occupancy.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace isochor
+{
+  template <int dim>
+  CellOccupancy<dim>::CellOccupancy(const BackgroundGrid<dim> &grid)
+    : grid(grid)
+  {}
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::find_cells_at_vertices()
+  {
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    n_cells_at.assign(grid.triangulation().n_vertices(), 0);
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      for (const unsigned int v : geometry.vertex_indices(cell))
+        ++n_cells_at[v];
+    cells_at_start.assign(n_cells_at.size() + 1, 0);
+    std::partial_sum(n_cells_at.begin(),
+                     n_cells_at.end(),
+                     cells_at_start.begin() + 1);
+    cells_at_vertices.resize(cells_at_start.back());
+    std::vector<unsigned int> next(cells_at_start.begin(),
+                                   cells_at_start.end() - 1);
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      for (const unsigned int v : geometry.vertex_indices(cell))
+        cells_at_vertices[next[v]++] = cell;
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::find_near_ranks()
+  {
+    near_ranks.clear();
+    const MPI_Comm comm = grid.communicator();
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return;
+    const SimplexGeometry<dim>         &geometry = grid.geometry();
+    std::vector<std::set<unsigned int>> ranks(n_cells_at.size());
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      for (const unsigned int v : geometry.vertex_indices(cell))
+        ranks[v].insert(geometry.owner(cell));
+    for (unsigned int layer = 0; layer < 3; ++layer)
+      {
+        auto wider = ranks;
+        for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+          for (const unsigned int v : geometry.vertex_indices(cell))
+            for (const unsigned int w : geometry.vertex_indices(cell))
+              wider[v].insert(ranks[w].begin(), ranks[w].end());
+        ranks.swap(wider);
+      }
+    const unsigned int me = Utilities::MPI::this_mpi_process(comm);
+    for (unsigned int v = 0; v < ranks.size(); ++v)
+      {
+        ranks[v].erase(me);
+        if (!ranks[v].empty())
+          near_ranks[v].assign(ranks[v].begin(), ranks[v].end());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::mark_open(const BoundaryFace &face)
+  {
+    for (unsigned int v = 0; v <= dim; ++v)
+      if (v != face.opposite_vertex)
+        open_vertex[grid.geometry().vertex_indices(face.cell)[v]] = 1;
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::clear()
+  {
+    for (const Content &content : contents)
+      {
+        entry_of_cell[content.cell] = numbers::invalid_unsigned_int;
+        for (const unsigned int v :
+             grid.geometry().vertex_indices(content.cell))
+          n_occupied_at[v] = 0;
+      }
+    for (const unsigned int v : active_list)
+      vertex_active[v] = 0;
+    contents.clear();
+    histories.clear();
+    active_list.clear();
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::activate(const unsigned int vertex)
+  {
+    if (vertex_active[vertex])
+      return;
+    vertex_active[vertex] = 1;
+    active_list.push_back(vertex);
+  }
+
+
+
+  template <int dim>
+  typename CellOccupancy<dim>::Content &
+  CellOccupancy<dim>::entry(const unsigned int cell,
+                            const double      *first_history)
+  {
+    unsigned int &index = entry_of_cell[cell];
+    if (index == numbers::invalid_unsigned_int)
+      {
+        index = contents.size();
+        contents.emplace_back();
+        contents.back().cell    = cell;
+        contents.back().history = histories.size();
+        histories.insert(histories.end(),
+                         first_history,
+                         first_history + n_history);
+      }
+    return contents[index];
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::update(const PointArrays<dim> &points,
+                             const MixedKernel<dim> &kernel,
+                             const bool              find_holes)
+  {
+    n_history = points.n_history;
+    clear();
+    add_own(points, kernel);
+    exchange();
+
+    // a cell takes part with its corners only if all of its nodes do
+    for (const Content &content : contents)
+      if (is_closed(content.cell))
+        for (const unsigned int v :
+             grid.geometry().vertex_indices(content.cell))
+          ++n_occupied_at[v];
+    if (find_holes)
+      find_hole_cells();
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::add_own(const PointArrays<dim> &points,
+                              const MixedKernel<dim> &kernel)
+  {
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      {
+        const unsigned int begin = points.cell_start[k],
+                           end   = points.cell_start[k + 1];
+        Content &content =
+          entry(points.cell[k],
+                points.history.data() + begin * std::size_t(n_history));
+        content.material = points.material[begin];
+        for (unsigned int q = begin; q < end; ++q)
+          {
+            const double V0 = points.volume[q];
+            content.volume += determinant(points.F[q]) * V0;
+            content.reference_volume += V0;
+            content.volume_times_G +=
+              V0 * kernel.materials[points.material[q]]->shear_modulus();
+            content.volume_times_F += V0 * points.F[q];
+            const auto stencil = points.stencil(grid.geometry(), k, q);
+            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+              activate(stencil.vertex[I]);
+          }
+      }
+    for (const auto &corner : points.corner_cells)
+      {
+        const unsigned int q = corner.first;
+        entry(corner.second,
+              points.history.data() + q * std::size_t(n_history));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::exchange()
+  {
+    if (near_ranks.empty() &&
+        Utilities::MPI::n_mpi_processes(grid.communicator()) == 1)
+      return;
+
+    // per rank: the number of active vertices, these, and the cells
+    std::map<unsigned int, std::vector<double>> messages, cells;
+    for (const unsigned int v : active_list)
+      {
+        const auto near = near_ranks.find(v);
+        if (near != near_ranks.end())
+          for (const unsigned int rank : near->second)
+            messages[rank].push_back(v);
+      }
+    for (const Content &content : contents)
+      {
+        std::set<unsigned int> ranks;
+        for (const unsigned int v :
+             grid.geometry().vertex_indices(content.cell))
+          {
+            const auto near = near_ranks.find(v);
+            if (near != near_ranks.end())
+              ranks.insert(near->second.begin(), near->second.end());
+          }
+        for (const unsigned int rank : ranks)
+          {
+            std::vector<double> &out = cells[rank];
+            out.insert(out.end(),
+                       {double(content.cell),
+                        content.volume,
+                        content.reference_volume,
+                        content.volume_times_G,
+                        double(content.material)});
+            for (unsigned int a = 0; a < dim; ++a)
+              for (unsigned int b = 0; b < dim; ++b)
+                out.push_back(content.volume_times_F[a][b]);
+            out.insert(out.end(),
+                       history(content),
+                       history(content) + n_history);
+          }
+      }
+    for (auto &cell : cells)
+      messages[cell.first];
+    for (auto &message : messages)
+      {
+        message.second.insert(message.second.begin(), message.second.size());
+        const auto &of_cells = cells[message.first];
+        message.second.insert(message.second.end(),
+                              of_cells.begin(),
+                              of_cells.end());
+      }
+    for (const auto &received :
+         Utilities::MPI::some_to_some(grid.communicator(), messages))
+      add_received(received.second);
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::add_received(const std::vector<double> &message)
+  {
+    const std::size_t n_vertices = message[0];
+    for (std::size_t i = 1; i <= n_vertices; ++i)
+      activate(static_cast<unsigned int>(message[i]));
+    const std::size_t size = 5 + dim * dim + n_history;
+    for (std::size_t i = 1 + n_vertices; i < message.size(); i += size)
+      {
+        const double *in    = &message[i];
+        const auto    cell  = static_cast<unsigned int>(in[0]);
+        const bool    known = (content(cell) != nullptr);
+        Content      &to    = entry(cell, in + 5 + dim * dim);
+        if (!known || to.reference_volume == 0)
+          to.material = static_cast<unsigned int>(in[4]);
+        to.volume += in[1];
+        to.reference_volume += in[2];
+        to.volume_times_G += in[3];
+        for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int b = 0; b < dim; ++b)
+            to.volume_times_F[a][b] += in[5 + a * dim + b];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::find_hole_cells()
+  {
+    constexpr unsigned int      none     = SimplexGeometry<dim>::no_cell;
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    std::set<unsigned int>      candidates;
+    for (const Content &content : contents)
+      for (const unsigned int cell : geometry.neighbours(content.cell))
+        if (cell != none && this->content(cell) == nullptr)
+          candidates.insert(cell);
+
+    std::vector<Content> holes;
+    for (const unsigned int cell : candidates)
+      {
+        unsigned int   n_neighbours = 0;
+        bool           enclosed     = true;
+        Content        hole;
+        const Content *neighbour = nullptr;
+        for (unsigned int i = 0; i <= dim; ++i)
+          {
+            const unsigned int other = geometry.neighbours(cell)[i];
+            if (other == none)
+              {
+                for (unsigned int v = 0; v <= dim; ++v)
+                  if (v != i)
+                    enclosed = enclosed && !is_at_open_boundary(
+                                             geometry.vertex_indices(cell)[v]);
+                continue;
+              }
+            neighbour = content(other);
+            if (neighbour == nullptr || !(neighbour->reference_volume > 0))
+              {
+                enclosed = false;
+                break;
+              }
+            ++n_neighbours;
+            hole.volume_times_F +=
+              neighbour->volume_times_F / neighbour->reference_volume;
+            hole.volume_times_G +=
+              neighbour->volume_times_G / neighbour->reference_volume;
+            hole.material = neighbour->material;
+            hole.history  = neighbour->history;
+          }
+        if (!enclosed || n_neighbours < dim)
+          continue;
+        hole.cell             = cell;
+        hole.is_hole          = true;
+        hole.reference_volume = n_neighbours;
+        holes.push_back(hole);
+      }
+    for (const Content &hole : holes)
+      {
+        entry_of_cell[hole.cell] = contents.size();
+        contents.push_back(hole);
+        for (const unsigned int v : geometry.vertex_indices(hole.cell))
+          ++n_occupied_at[v];
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  CellOccupancy<dim>::is_closed(const unsigned int cell) const
+  {
+    for (const unsigned int v : grid.geometry().vertex_indices(cell))
+      if (!is_active(v))
+        return false;
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  CellOccupancy<dim>::is_interior(const unsigned int cell) const
+  {
+    for (const unsigned int v : grid.geometry().vertex_indices(cell))
+      if (is_at_empty_cell(v) || is_at_open_boundary(v))
+        return false;
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  CellOccupancy<dim>::is_cut(const unsigned int cell) const
+  {
+    bool at_open_boundary = false;
+    for (const unsigned int v : grid.geometry().vertex_indices(cell))
+      {
+        if (is_at_empty_cell(v))
+          return true;
+        at_open_boundary = at_open_boundary || is_at_open_boundary(v);
+      }
+    const Content *const in_cell = content(cell);
+    return at_open_boundary &&
+           (in_cell == nullptr ||
+            in_cell->volume < 0.99 * grid.geometry().measure(cell));
+  }
+
+
+
+  template class CellOccupancy<2>;
+  template class CellOccupancy<3>;
+} // namespace isochor

@@ -1,0 +1,211 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// What users with a mistake are told: the program ends with a status other
+// than zero, names the parameter or file, and says what is allowed.
+
+#include <isochor/command_line.h>
+
+#include <fstream>
+
+#include "scene.h"
+
+using namespace isochor;
+
+/** As in main.cc, the problem is left in @p owner. */
+template <int dim>
+void
+execute(ParameterHandler      &prm,
+        const bool             validate_only,
+        std::shared_ptr<void> &owner)
+{
+  const auto problem =
+    std::make_shared<MaterialPointMethod<dim>>(MPI_COMM_WORLD);
+  owner = problem;
+  problem->parse_parameters(prm);
+  if (!validate_only)
+    problem->run();
+}
+
+/** A scene without a mistake, but for what @p lines change. */
+std::string
+scene(const std::string &lines)
+{
+  return "set Dimension = 2\n"
+         "subsection Grid\nset Subdivisions = 2, 2\nend\n"
+         "subsection Boundary conditions\nset Displacement = bottom: x = 0, "
+         "y = 0\nend\n"
+         "subsection Output\nset Directory = .\nset Terminal = quiet\nend\n" +
+         lines;
+}
+
+/** Run the program on @p text and check that it ends with @p status and that
+ * the message has all of @p words. */
+void
+test_scene(const std::string              &what,
+           const std::string              &text,
+           const int                       status,
+           const std::vector<std::string> &words)
+{
+  std::ofstream("scene.prm") << text;
+  std::shared_ptr<void> problem;
+  Program               program;
+  program.declare = [](auto &prm, const auto dim, const auto n_materials) {
+    if (dim == 2)
+      MaterialPointMethod<2>::declare_parameters(prm, n_materials);
+    else
+      MaterialPointMethod<3>::declare_parameters(prm, n_materials);
+  };
+  program.execute = [&](auto &prm, const auto dim, const bool validate_only) {
+    if (dim == 2)
+      execute<2>(prm, validate_only, problem);
+    else
+      execute<3>(prm, validate_only, problem);
+  };
+  const std::array<const char *, 2> argv = {{"isochor", "scene.prm"}};
+  std::ostringstream                messages;
+  std::streambuf *const original = std::cerr.rdbuf(messages.rdbuf());
+  const int result = run_command_line(argv.size(), argv.data(), program);
+  std::cerr.rdbuf(original);
+
+  const std::string message = test::one_line(messages.str());
+  std::string       missing;
+  for (const std::string &word : words)
+    if (message.find(word) == std::string::npos)
+      missing += " <" + word + ">";
+  const bool noisy = message.find("Stacktrace") != std::string::npos ||
+                     message.find("violated") != std::string::npos;
+  test::check(what,
+              result == status && missing.empty() && !noisy,
+              "status " + std::to_string(result) + ", missing" + missing +
+                (noisy ? ", for programmers" : "") + ": " + message);
+}
+
+void
+test_entry(const std::string              &what,
+           const std::string              &subsection,
+           const std::string              &entry,
+           const std::vector<std::string> &words)
+{
+  test_scene(what,
+             scene("subsection " + subsection + "\nset " + entry + "\nend\n"),
+             1,
+             words);
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const std::string loads = "Boundary conditions", points = "Material points";
+
+  test_scene("no mistake", scene(""), 0, {});
+
+  test_entry("unknown parameter",
+             "Material",
+             "Poissons ratio = 0.3",
+             {"Poissons ratio", "Poisson ratio"});
+  test_entry("unknown subsection", "Materiel", "Model = J2", {"Materiel"});
+  test_entry("not a number", "Material", "Young modulus = soft", {"soft"});
+  test_entry("too large Poisson ratio",
+             "Material",
+             "Poisson ratio = 0.51",
+             {"Poisson ratio", "at most 0.5", "0.51"});
+  test_entry("too small Poisson ratio",
+             "Material",
+             "Poisson ratio = -1",
+             {"Poisson ratio", "greater than -1"});
+  test_entry("no stiffness",
+             "Material",
+             "Young modulus = 0",
+             {"Young modulus", "positive"});
+  test_entry("negative density", "Material", "Density = -1", {"Density"});
+  test_entry("unknown material", "Material", "Model = Hooke", {"Hooke", "J2"});
+  test_scene("incompressible in the u form",
+             scene("subsection Material\nset Poisson ratio = 0.5\nend\n"
+                   "subsection Formulation\nset Type = u\nend\n"),
+             1,
+             {"Material/Poisson ratio", "0.5", "Formulation/Type = u-p"});
+
+  test_scene("missing mesh",
+             scene("subsection Grid\nset Type = gmsh\nset File = none.msh\n"
+                   "end\n"),
+             1,
+             {"none.msh", "Grid/File"});
+  std::ofstream("broken.msh") << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                                 "$Nodes\n3\n1 0 0 0\n";
+  test_scene("broken mesh",
+             scene("subsection Grid\nset Type = gmsh\nset File = broken.msh\n"
+                   "end\n"),
+             1,
+             {"broken.msh", "Grid/File", "gmsh"});
+  std::ofstream("text.msh") << "This is no mesh.\n";
+  test_scene("no mesh",
+             scene("subsection Grid\nset Type = gmsh\nset File = text.msh\n"
+                   "end\n"),
+             1,
+             {"text.msh", "Grid/File", "gmsh"});
+  test_entry("box turned inside out",
+             "Grid",
+             "Upper corner = 0, 1",
+             {"Grid/Upper corner", "Grid/Lower corner"});
+
+  test_entry("no points", points, "Region = x > 2", {points, "Grid"});
+  test_entry("no such rule",
+             points,
+             "Points per cell = 5",
+             {"5 material points", "Choose 1, 3, 4, 6"});
+  test_entry("missing body mesh",
+             points,
+             "Body mesh = none.msh",
+             {"none.msh", "Material points/Body mesh"});
+  test_entry("wrong formula",
+             points,
+             "Region = x > ",
+             {"Material points/Region", "x >"});
+
+  test_entry("unknown boundary",
+             loads,
+             "Displacement = botom: x = 0",
+             {"botom", "bottom", "left", "Boundary conditions/Displacement"});
+  test_entry("unknown boundary of a load",
+             loads,
+             "Traction = roof: 0, 1",
+             {"roof", "top", "Boundary conditions/Traction"});
+  test_entry("unknown boundary of a reaction",
+             "Postprocess",
+             "Reactions = roof",
+             {"roof", "top", "Postprocess/Reactions"});
+  test_entry("wrong component",
+             loads,
+             "Displacement = bottom: z = 0",
+             {"z = 0", "Boundary conditions/Displacement"});
+  test_entry("wrong number of components",
+             loads,
+             "Gravity = 1",
+             {"Boundary conditions/Gravity", "2 components"});
+
+  test_entry("absurd load",
+             loads,
+             "Gravity = 0, -1e9",
+             {"can't be cut back further", "Minimum step size"});
+  test_scene("inverted points",
+             scene("subsection Boundary conditions\nset Displacement = "
+                   "bottom: x = 0, y = 0; top: x = 0, y = -1.5*t\nend\n"
+                   "subsection Time\nset Minimum step size = 1\nend\n"),
+             1,
+             {"can't be cut back further", "inside out"});
+  test_scene("body that nothing holds",
+             scene("subsection Boundary conditions\nset Displacement = \n"
+                   "set Gravity = 0, -1\nend\n"),
+             1,
+             {"singular", "hold"});
+  test_scene("body that leaves the grid",
+             scene("subsection Boundary conditions\n"
+                   "set Displacement = everywhere: x = 0, y = 2*t\nend\n"
+                   "subsection Time\nset Step size = 0.5\nend\n"),
+             1,
+             {"left the background grid", "Enlarge"});
+}
