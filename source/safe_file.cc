@@ -70,6 +70,10 @@ namespace isochor
         success = file.good() && (durability == Durability::of_program ||
                                   synchronise(temporary));
       }
+    catch (const StandardExceptions::ExcIO &)
+      {
+        success = false; // said below in fewer words
+      }
     catch (...)
       {
         std::remove(temporary.c_str());

@@ -208,10 +208,11 @@ def draw_convergence(results, reference, directory):
 def draw_slopes(ax, n):
     """Grey lines of slope 1 and 2 that meet below the curves at the finest
     grid."""
-    lowest = min(line.get_ydata().min() for line in ax.get_lines())
+    series = [line.get_ydata() for line in ax.get_lines()]
+    lowest = min(errors.min() for errors in series if len(errors))
     ends = np.array([n[-1] / 4, n[-1]])
     for order in (1, 2):
-        errors = 0.35 * lowest * (ends / n[-1]) ** -order
+        errors = 0.15 * lowest * (ends / n[-1]) ** -order
         ax.loglog(ends, errors, color="0.6", lw=0.9, ls="--", zorder=1)
         ax.annotate(
             f"order {order}",
