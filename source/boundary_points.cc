@@ -238,7 +238,9 @@ namespace isochor
   {
     const SimplexGeometry<dim>     &geometry = grid.geometry();
     const std::vector<unsigned int> occupied =
-      all_occupied(step.points.cell, grid.communicator());
+      all_occupied({step.points.cell.begin(),
+                    step.points.cell.begin() + step.points.n_occupied_cells},
+                   grid.communicator());
     for (unsigned int b = 0; b < size(); ++b)
       {
         const Point<dim>  &x     = records.locations[b];

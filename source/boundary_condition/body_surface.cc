@@ -406,7 +406,9 @@ namespace isochor
   {
     const unsigned int cell = points->cell(b);
     const unsigned int k =
-      std::lower_bound(step.points.cell.begin(), step.points.cell.end(), cell) -
+      std::lower_bound(step.points.cell.begin(),
+                       step.points.cell.begin() + step.points.n_occupied_cells,
+                       cell) -
       step.points.cell.begin();
     const unsigned int q = step.points.cell_start[k];
     const double       G =

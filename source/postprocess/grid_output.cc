@@ -5,6 +5,8 @@
 #include <isochor/field_output.h>
 #include <isochor/postprocessor.h>
 
+#include <algorithm>
+
 namespace isochor
 {
   /**
@@ -52,6 +54,13 @@ namespace isochor
       for (const unsigned int cell : step.points.cell)
         {
           const auto &vertices = geometry.vertex_indices(cell);
+          if (std::any_of(vertices.begin(),
+                          vertices.end(),
+                          [&step](const unsigned int v) {
+                            return step.nodes.node(v) ==
+                                   numbers::invalid_unsigned_int;
+                          }))
+            continue; // the points' domains miss a node of the cell
           for (unsigned int v = 0; v <= dim; ++v)
             corners[v] = geometry.vertices()[vertices[v]];
           auto &patch = patches.add_patch(
