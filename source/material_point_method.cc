@@ -33,7 +33,7 @@ namespace isochor
   MaterialPointMethod<dim>::MaterialPointMethod(const MPI_Comm comm)
     : comm(comm)
     , pcout(std::cout, false)
-    , timer(comm, std::cout, TimerOutput::never, TimerOutput::wall_times)
+    , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , grid(comm)
     , points(grid)
     , nodes(grid)
@@ -224,7 +224,7 @@ namespace isochor
         else
           time.reject(newton.failure);
       }
-    if (verbose)
+    if (pcout.is_active())
       timer.print_summary();
   }
 

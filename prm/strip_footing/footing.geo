@@ -12,7 +12,7 @@
 DefineConstant[
   h       = {0.05, Min 1e-3, Max 1, Name "h"},
   h_far   = {0.5, Min 1e-3, Max 5, Name "h_far"},
-  h_edge  = {0.0125, Min 1e-4, Max 1, Name "h_edge"},
+  h_edge  = {0.05, Min 1e-4, Max 1, Name "h_edge"},
   uniform = {0, Choices {0, 1}, Name "uniform"}
 ];
 width      = 12;   // of the soil

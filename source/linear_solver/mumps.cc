@@ -330,7 +330,12 @@ namespace isochor
       // Ask for null pivots to be detected; otherwise a singular matrix whose
       // last pivot is rounding noise passes for a regular one. Costs nothing.
       entry(id.icntl, 24) = 1;
-      entry(id.cntl, 1)   = pivot_threshold;
+      // ... on several ranks only if the last front stays out of ScaLAPACK
+      entry(id.icntl, 13) = 1;
+      // ... which are pivots below this, in the scaled matrix: by default just
+      // rounding, which a faster BLAS may exceed
+      entry(id.cntl, 3) = 1e-13;
+      entry(id.cntl, 1) = pivot_threshold;
     }
 
     /** @p permutation has to live until the analysis is done. */
@@ -414,7 +419,10 @@ namespace isochor
       const auto  &rinfog        = mumps->id.rinfog;
       const double scale = entry(rinfog, 4) * entry(rinfog, 5); // |A| |x|
       largest_scale      = std::max(largest_scale, scale);
-      AssertThrow(entry(rinfog, 6) * scale < 1e-10 * largest_scale,
+      // the error analysis is known to the host only
+      const bool consistent = Utilities::MPI::broadcast(
+        comm, entry(rinfog, 6) * scale < 1e-10 * largest_scale);
+      AssertThrow(consistent,
                   ExcLinearSolverFailed(
                     "MUMPS: the matrix is singular, " +
                     std::to_string(n_null_pivots) +
