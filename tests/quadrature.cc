@@ -1,0 +1,244 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Quadratures of the body: convergence of the stress in a settling column whose
+// exact stress follows from equilibrium alone, exactness for homogeneous
+// states, and the ghost penalty against small cuts.
+
+#include <deal.II/base/mpi.h>
+
+#include <isochor/condition_number.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  /** The matrix of the last iteration: its condition number. */
+  template <int dim>
+  class ConditionProbe : public Postprocessor<dim>
+  {
+  public:
+    static double last;
+    static bool   enabled;
+
+    static void
+    declare_parameters(ParameterHandler &)
+    {}
+    void
+    parse_parameters(ParameterHandler &) override
+    {}
+    void
+    evaluate_nodes(const StepResult<dim> &result, Statistics &) override
+    {
+      if (enabled)
+        last = scaled_condition_number(result.system.matrix());
+    }
+  };
+  template <int dim>
+  double ConditionProbe<dim>::last = 0;
+  template <int dim>
+  bool ConditionProbe<dim>::enabled = false;
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, ConditionProbe, "Condition")
+
+  std::string
+  common(const std::string &quadrature, const std::string &formulation)
+  {
+    return "Quadrature/Type = " + quadrature +
+           "\nFormulation/Type = " + formulation +
+           "\nFormulation/PPP coefficient = 0.1\n"
+           "Postprocess/Write grid = false\n"
+           "Postprocess/Write material points = false\n";
+  }
+
+  /** Relative L2 error of the vertical stress of a column of height 50. */
+  template <int dim>
+  double
+  column_error(const std::string &quadrature,
+               const std::string &formulation,
+               const unsigned int n,
+               const unsigned int points_per_cell)
+  {
+    std::ostringstream scene;
+    scene << common(quadrature, formulation) << "Grid/Upper corner = 6.25, "
+          << (dim == 2 ? "" : "6.25, ") << "50\n"
+          << "Grid/Subdivisions = " << n / 8 << ", "
+          << (dim == 2 ? "" : std::to_string(n / 8) + ", ") << n << '\n'
+          << "Material points/Points per cell = " << points_per_cell << '\n'
+          << "Material/Young modulus = 1e4\nMaterial/Density = 80\n"
+          << "Material/Poisson ratio = " << (formulation == "u" ? 0. : 0.33)
+          << "\nTime/Step size = 0.025\n"
+          << "Boundary conditions/Displacement = left: x=0; right: x=0; "
+          << (dim == 2 ? "bottom: y=0\n" :
+                         "bottom: y=0; top: y=0; front: z=0\n")
+          << "Boundary conditions/Gravity = 0, " << (dim == 2 ? "" : "0, ")
+          << "-10*t\n"
+          << (dim == 2 ? "Postprocess/Exact stress = yy: -800*t*(50-y)\n" :
+                         "Postprocess/Exact stress = zz: -800*t*(50-z)\n");
+    const auto problem = test::run_scene<dim>(scene.str());
+    return problem->last_statistics().get(dim == 2 ? "L2 error of stress yy" :
+                                                     "L2 error of stress zz");
+  }
+
+  void
+  test_column(const std::string &quadrature,
+              const std::string &formulation,
+              const unsigned int points_per_cell,
+              const double       largest_error)
+  {
+    const double coarse =
+      column_error<2>(quadrature, formulation, 8, points_per_cell);
+    const double fine =
+      column_error<2>(quadrature, formulation, 32, points_per_cell);
+    const double       order = std::log(coarse / fine) / std::log(4.);
+    std::ostringstream details;
+    details << "errors " << coarse << ' ' << fine << ", order " << order;
+    test::check("stress in the column, " + quadrature + ", " + formulation,
+                quadrature == "points" ? order < 0.3 && fine > largest_error :
+                                         order > 1. && fine < largest_error,
+                details.str());
+  }
+
+  /** Write a mesh of the body 0 < x < 0.8, 0 < y < 0.75 with a needle on top,
+   * ten times as high as wide. */
+  void
+  write_body(const std::string &file_name, const double height)
+  {
+    constexpr unsigned int nx = 16, ny = 12;
+    const double           x = 0.3750001, y = 0.75, width = 0.1 * height;
+    std::ofstream          file(file_name);
+    file.precision(16);
+    file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
+         << (nx + 1) * (ny + 1) + 3 << '\n';
+    for (unsigned int j = 0; j <= ny; ++j)
+      for (unsigned int i = 0; i <= nx; ++i)
+        file << j * (nx + 1) + i + 1 << ' ' << 0.05 * i << ' ' << 0.0625 * j
+             << " 0\n";
+    const unsigned int tip = (nx + 1) * (ny + 1) + 1;
+    file << tip << ' ' << x << ' ' << y << " 0\n"
+         << tip + 1 << ' ' << x + width << ' ' << y + height << " 0\n"
+         << tip + 2 << ' ' << x << ' ' << y + height << " 0\n";
+    file << "$EndNodes\n$Elements\n" << 2 * nx * ny + 1 << '\n';
+    unsigned int element = 0;
+    for (unsigned int j = 0; j < ny; ++j)
+      for (unsigned int i = 0; i < nx; ++i)
+        {
+          const unsigned int v = j * (nx + 1) + i + 1, w = v + nx + 1;
+          file << ++element << " 2 2 0 1 " << v << ' ' << v + 1 << ' ' << w + 1
+               << '\n'
+               << ++element << " 2 2 0 1 " << v << ' ' << w + 1 << ' ' << w
+               << '\n';
+        }
+    file << ++element << " 2 2 0 1 " << tip << ' ' << tip + 1 << ' ' << tip + 2
+         << "\n$EndElements\n";
+  }
+
+  /** A body that fills one cell more, both of whose upper nodes it alone
+   * holds, by a part of its height from 0.8 to 1e-6: a volume down to 1e-13.
+   */
+  void
+  test_cut(const std::string &quadrature, const std::string &formulation)
+  {
+    double             smallest = 1e300, largest = 0;
+    unsigned int       fewest = 1000, most = 0;
+    std::ostringstream details;
+    for (const double fraction : {0.8, 1e-2, 1e-4, 1e-6})
+      {
+        write_body("body.msh", 0.125 * fraction);
+        std::ostringstream scene;
+        scene << common(quadrature, formulation) << "Grid/Subdivisions = 8, 8\n"
+              << "Material points/Body mesh = body.msh\n"
+              << "Material points/Points per cell = 4\n"
+              << "Material/Young modulus = 1e4\n"
+              << "Material/Poisson ratio = 0.3\nMaterial/Density = 1\n"
+              << "Boundary conditions/Displacement = left: x=0; bottom: "
+                 "x=0, y=0\n"
+              << "Boundary conditions/Gravity = 0, -100\n";
+        ConditionProbe<2>::enabled = true;
+        ConditionProbe<2>::last    = std::numeric_limits<double>::infinity();
+        // deal.II's timer reports an exception on its way
+        std::streambuf *const cerr = std::cerr.rdbuf(nullptr);
+        try
+          {
+            test::run_scene<2>(scene.str());
+          }
+        catch (const std::exception &)
+          {
+            std::cerr.rdbuf(cerr);
+            details << fraction << ": failed ";
+            largest = std::numeric_limits<double>::infinity();
+            continue;
+          }
+        std::cerr.rdbuf(cerr);
+        ConditionProbe<2>::enabled = false;
+        const double       c       = ConditionProbe<2>::last;
+        const unsigned int n       = test::recorded().newton[0].n_iterations();
+        smallest                   = std::min(smallest, c);
+        largest                    = std::max(largest, c);
+        fewest                     = std::min(fewest, n);
+        most                       = std::max(most, n);
+        details << fraction << ": " << c << " (" << n << ") ";
+      }
+    test::check("condition number and iterations with small cuts, " +
+                  quadrature + ", " + formulation,
+                quadrature == "points" ?
+                  largest > 1e3 * smallest :
+                  largest < 20 * smallest && most <= fewest + 1,
+                details.str());
+  }
+
+  /** Tension to the stretch 1.5 with a grid that follows and a body that ends
+   * inside of cells. */
+  void
+  test_tension(const std::string &quadrature,
+               const double       smallest_error,
+               const double       largest_error)
+  {
+    std::ostringstream scene;
+    scene << common(quadrature, "u-p") << "Grid/Subdivisions = 16, 16\n"
+          << "Grid/Stretch = y: 0 -> 0, 1 -> 0.5*t\n"
+          << "Material points/Lattice spacing = 0.025\n"
+          << "Material points/Region = if(x<0.7, 1, 0)\n"
+          << "Material/Young modulus = 70\nMaterial/Poisson ratio = 0.499\n"
+          << "Boundary conditions/Displacement = left: x=0; bottom: y=0; "
+             "top: y=0.5*t\n"
+          << "Time/Step size = 0.05\n"
+          << "Postprocess/Exact stress = yy: 42.0152\n";
+    const auto   problem = test::run_scene<2>(scene.str());
+    const double error =
+      problem->last_statistics().get("L2 error of stress yy");
+    test::check("homogeneous tension, " + quadrature,
+                error >= smallest_error && error <= largest_error,
+                "error " + std::to_string(error));
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  test_column("points", "u", 6, 0.1);
+  test_column("cell-filled", "u", 6, 0.01);
+  test_column("cell-filled + boundary", "u", 4, 0.01);
+  test_column("CPDI", "u", 4, 0.01);
+  test_column("cell-filled", "u-p", 6, 0.01);
+  test_column("CPDI", "u-p", 4, 0.01);
+  test_tension("points", 0.03, 1.);
+  test_tension("cell-filled", 0., 0.05);
+  test_tension("cell-filled + boundary", 0., 0.02);
+  test_tension("CPDI", 0., 1e-5);
+  for (const std::string formulation : {"u", "u-p"})
+    {
+      test_cut("points", formulation);
+      test_cut("cell-filled", formulation);
+      test_cut("CPDI", formulation);
+    }
+}
