@@ -348,8 +348,15 @@ namespace isochor
       {
         std::array<unsigned int, dim + 1> nodes;
         for (unsigned int v = 0; v <= dim; ++v)
-          nodes[v] = step.nodes.node(
-            step.grid.geometry().vertex_indices(points->cell(b))[v]);
+          {
+            nodes[v] = step.nodes.node(
+              step.grid.geometry().vertex_indices(points->cell(b))[v]);
+            AssertThrow(nodes[v] != numbers::invalid_unsigned_int,
+                        ExcMessage(
+                          "A point of <Boundary conditions/Surfaces of body> "
+                          "acts on a cell that the material touches only in "
+                          "part. Use another <Quadrature/Type> than CPDI."));
+          }
         elements.add(nodes.begin(), nodes.end());
       }
   }

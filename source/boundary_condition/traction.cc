@@ -61,9 +61,17 @@ namespace isochor
       const SimplexGeometry<dim> &geometry = step.grid.geometry();
       for (const BoundaryFace &face : step.grid.boundary_faces())
         for (const Load &load : loads)
-          if (face.id == load.id && step.points.contains_cell(face.cell) &&
-              has_active_nodes(step, face))
-            add_face(step, geometry, face, load, force);
+          if (face.id == load.id && step.points.contains_cell(face.cell))
+            {
+              AssertThrow(has_active_nodes(step, face),
+                          ExcMessage(
+                            "The load of <Boundary conditions/Traction> on <" +
+                            load.boundary +
+                            "> meets a cell that the material touches only in "
+                            "part. Use <Boundary conditions/Traction on body>, "
+                            "or another <Quadrature/Type> than CPDI."));
+              add_face(step, geometry, face, load, force);
+            }
     }
 
   private:
