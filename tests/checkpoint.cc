@@ -44,7 +44,7 @@ namespace
   ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Crash, "Z: after all others")
 
   // A block flies and turns through the grid under gravity and deforms: its
-  // points change cells and ranks in every step. One surface carries a load.
+  // points change cells and ranks in every step.
   const char *const scene = R"(
     subsection Grid
       set Type         = box
