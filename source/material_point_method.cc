@@ -59,6 +59,7 @@ namespace isochor
     InertiaTerm<dim>::declare_parameters(prm);
     BodyQuadrature<dim>::declare_parameters(prm);
     GhostPenalty<dim>::declare_parameters(prm);
+    VolumeProjection<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
     prm.declare_entry("Type",
@@ -134,6 +135,7 @@ namespace isochor
     dynamic = inertia.parse_parameters(prm);
     quadrature.parse_parameters(prm);
     ghost_penalty.parse_parameters(prm);
+    project_volume = volume_projection.parse_parameters(prm);
 
     prm.enter_subsection("Formulation");
     const bool mixed       = prm.get("Type") == "u-p";
@@ -505,22 +507,38 @@ namespace isochor
   MaterialPointMethod<dim>::prepare_system()
   {
     const StepContext<dim> step = context();
-    ElementNodes           elements;
+    elements.clear();
     first_element.clear();
     for (EquationTerm<dim> *term : terms)
       {
         first_element.push_back(elements.size());
         term->collect_elements(step, elements);
       }
-    constraints.reinit(nodes.n_local() * n_components);
     for (const auto &condition : boundary_conditions)
       {
-        condition->constrain(step, constraints);
+        condition->start_contact();
         condition->add_external_force(step, external_force);
       }
     external_force.compress(VectorOperation::add);
+    constrain_nodes();
     system.reinit(
       nodes_changed, n_components, elements, constraints, symmetric);
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialPointMethod<dim>::constrain_nodes()
+  {
+    const StepContext<dim> step     = context();
+    const auto             previous = constraints.constrained;
+    constraints.reinit(nodes.n_local() * n_components);
+    for (const auto &condition : boundary_conditions)
+      condition->constrain(step, constraints);
+    return Utilities::MPI::max(static_cast<int>(constraints.constrained !=
+                                                previous),
+                               comm) != 0;
   }
 
 
@@ -554,7 +572,32 @@ namespace isochor
           << " (dt = " << time.next_time() - time.time << "), "
           << system.matrix().n_equations << " equations" << std::endl;
 
-    at_start = true;
+    at_start            = true;
+    NewtonReport report = find_equilibrium();
+    while (report.converged)
+      {
+        // one-sided boundaries: hold and release nodes until none objects
+        const double tolerance = newton_solver.tolerance * report.force_scale;
+        for (const auto &condition : boundary_conditions)
+          condition->check_contact(context(),
+                                   unknowns,
+                                   system.residual,
+                                   tolerance);
+        if (!constrain_nodes())
+          break;
+        system.reinit(false, n_components, elements, constraints, symmetric);
+        pcout << "    contact changed" << std::endl;
+        report.continue_with(find_equilibrium());
+      }
+    return report;
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  MaterialPointMethod<dim>::find_equilibrium()
+  {
     NewtonSolver::Problem problem;
     problem.assemble = [this](const bool with_matrix) {
       return assemble(with_matrix);
@@ -698,6 +741,8 @@ namespace isochor
     {
       TimerOutput::Scope scope(timer, "convective phase");
       update_points();
+      if (project_volume)
+        project_volume_change();
       remember_motion();
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);
@@ -723,6 +768,8 @@ namespace isochor
     Tensor<2, dim>                  F_increment;
     std::vector<unsigned int>       node;
     unsigned int                    last_cell = numbers::invalid_unsigned_int;
+    if (project_volume)
+      volume_projection.start(step);
 
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
@@ -771,6 +818,12 @@ namespace isochor
         }
       store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
       std::copy_n(history.begin(), l.n_history, &properties[l.history]);
+      if (project_volume)
+        volume_projection.set_excess(
+          q,
+          state.volumetric_strain -
+            state.pressure *
+              kernel.materials[arrays.material[q]]->inverse_bulk_modulus());
       if (dynamic)
         {
           const auto velocity = inertia.velocity(arrays.velocity[q],
@@ -783,6 +836,37 @@ namespace isochor
               properties[l.acceleration + a] = acceleration[a];
             }
         }
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::project_volume_change()
+  {
+    const StepContext<dim> step = context();
+    const PointLayout     &l    = points.layout();
+    volume_projection.project(step);
+    points.for_each([&](const unsigned int k,
+                        const unsigned int q,
+                        Point<dim> & /*location*/,
+                        ArrayView<double> properties) {
+      Tensor<2, dim> F;
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = 0; b < dim; ++b)
+          F[a][b] = properties[l.F + a * dim + b];
+      auto stress = load_symmetric<dim>(&properties[l.stress]);
+      kernel.change_volume(arrays,
+                           q,
+                           volume_projection.correction(step, k, q),
+                           F,
+                           stress,
+                           l.n_history > 0 ? &properties[l.history] : nullptr);
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = 0; b < dim; ++b)
+          properties[l.F + a * dim + b] = F[a][b];
+      store_symmetric<dim>(stress, &properties[l.stress]);
     });
   }
 

@@ -18,6 +18,7 @@
 #include <isochor/load_stepping.h>
 #include <isochor/newton_solver.h>
 #include <isochor/postprocessor.h>
+#include <isochor/volume_projection.h>
 
 #include <memory>
 #include <string>
@@ -71,6 +72,8 @@ namespace isochor
     initialisation_phase();
     NewtonReport
     updated_lagrangian_phase();
+    NewtonReport
+    find_equilibrium();
     void
     convective_phase(const NewtonReport &newton);
 
@@ -97,12 +100,17 @@ namespace isochor
     set_initial_acceleration();
     void
     prepare_system();
+    /** Constrain the nodes anew; whether that made a difference on any rank. */
+    bool
+    constrain_nodes();
     ResidualNorms
     assemble(const bool with_matrix);
     unsigned int
     solve_linear_system(const bool factorise);
     void
     update_points();
+    void
+    project_volume_change();
 
     const MPI_Comm     comm;
     ConditionalOStream pcout;
@@ -135,15 +143,18 @@ namespace isochor
     /** The terms of the equations, in the order of their elements. */
     std::vector<EquationTerm<dim> *> terms;
     std::vector<unsigned int>        first_element;
+    ElementNodes                     elements;
 
-    MixedKernel<dim>    kernel;
-    BodyTerm<dim>       body;
-    BodyQuadrature<dim> quadrature;
-    CellOccupancy<dim>  occupancy;
-    GhostPenalty<dim>   ghost_penalty;
-    bool                needs_occupancy = false;
-    InertiaTerm<dim>    inertia;
-    bool                dynamic = false;
+    MixedKernel<dim>      kernel;
+    BodyTerm<dim>         body;
+    BodyQuadrature<dim>   quadrature;
+    CellOccupancy<dim>    occupancy;
+    GhostPenalty<dim>     ghost_penalty;
+    bool                  needs_occupancy = false;
+    VolumeProjection<dim> volume_projection;
+    bool                  project_volume = false;
+    InertiaTerm<dim>      inertia;
+    bool                  dynamic = false;
     std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
     std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;
     std::unique_ptr<LinearSolver>                        linear_solver;
