@@ -59,6 +59,7 @@ namespace isochor
     InertiaTerm<dim>::declare_parameters(prm);
     BodyQuadrature<dim>::declare_parameters(prm);
     GhostPenalty<dim>::declare_parameters(prm);
+    PointRefinement<dim>::declare_parameters(prm);
     VolumeProjection<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -135,6 +136,7 @@ namespace isochor
     dynamic = inertia.parse_parameters(prm);
     quadrature.parse_parameters(prm);
     ghost_penalty.parse_parameters(prm);
+    refinement.parse_parameters(prm);
     project_volume = volume_projection.parse_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -332,8 +334,7 @@ namespace isochor
       grid.set_vertices(grid.vertices_at_time(time.time));
     // here and not after the last step, which may end outside of the grid
     points.relocate(*locator);
-    points.gather(arrays);
-    quadrature.start_step(arrays, *locator, kernel, needs_occupancy, occupancy);
+    prepare_quadrature();
     std::vector<unsigned int> touched;
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched);
@@ -356,6 +357,29 @@ namespace isochor
         inertia.start_step(context());
       }
     compute_residual_floor();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::prepare_quadrature()
+  {
+    // halves of a point may be still too large for the cells around
+    for (unsigned int round = 0; round < 5; ++round)
+      {
+        points.gather(arrays);
+        quadrature.start_step(
+          arrays, *locator, kernel, needs_occupancy, occupancy);
+        if (!refinement.is_active())
+          return;
+        const auto splits = refinement.find(arrays, occupancy);
+        if (Utilities::MPI::sum(splits.size(), comm) == 0)
+          return;
+        points.split(splits);
+      }
+    points.gather(arrays);
+    quadrature.start_step(arrays, *locator, kernel, needs_occupancy, occupancy);
   }
 
 

@@ -17,6 +17,7 @@
 #include <isochor/linear_solver.h>
 #include <isochor/load_stepping.h>
 #include <isochor/newton_solver.h>
+#include <isochor/point_refinement.h>
 #include <isochor/postprocessor.h>
 #include <isochor/volume_projection.h>
 
@@ -70,6 +71,8 @@ namespace isochor
 
     void
     initialisation_phase();
+    void
+    prepare_quadrature();
     NewtonReport
     updated_lagrangian_phase();
     NewtonReport
@@ -149,6 +152,7 @@ namespace isochor
     BodyTerm<dim>         body;
     BodyQuadrature<dim>   quadrature;
     CellOccupancy<dim>    occupancy;
+    PointRefinement<dim>  refinement;
     GhostPenalty<dim>     ghost_penalty;
     bool                  needs_occupancy = false;
     VolumeProjection<dim> volume_projection;
