@@ -91,6 +91,72 @@ namespace isochor
 
   template <int dim>
   void
+  InertiaTerm<dim>::continue_step(const StepContext<dim> &step)
+  {
+    if (loaded.empty())
+      return;
+    step.nodes.initialize(mapped, n_mapped);
+    AssertDimension(loaded.size(), step.nodes.n_local() * n_mapped);
+    for (unsigned int i = 0; i < loaded.size(); ++i)
+      mapped.local_element(i) = loaded[i];
+    loaded.clear();
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::advance(const StepContext<dim> &step,
+                            const NodalField       &unknowns)
+  {
+    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
+      {
+        const Tensor<1, dim> a     = acceleration(step, unknowns, node);
+        const unsigned int   entry = node * n_mapped + 1;
+        Tensor<1, dim>       v_n, a_n;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            v_n[d] = mapped.local_element(entry + d);
+            a_n[d] = mapped.local_element(entry + dim + d);
+          }
+        const Tensor<1, dim> v = velocity(v_n, a_n, a, step.step_size());
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            mapped.local_element(entry + d)       = v[d];
+            mapped.local_element(entry + dim + d) = a[d];
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  InertiaTerm<dim>::save_state() const
+  {
+    const unsigned int  n = mapped.size() == 0 ?
+                              0 :
+                              mapped.locally_owned_size() +
+                               mapped.get_partitioner()->n_ghost_indices();
+    std::vector<double> state(n);
+    for (unsigned int i = 0; i < n; ++i)
+      state[i] = mapped.local_element(i);
+    return state;
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::load_state(const std::vector<double> &state)
+  {
+    loaded = state;
+  }
+
+
+
+  template <int dim>
+  void
   InertiaTerm<dim>::collect_elements(const StepContext<dim> &step,
                                      ElementNodes           &elements)
   {

@@ -118,9 +118,9 @@ namespace isochor
       const SimplexGeometry<dim> &geometry = step.grid.geometry();
       unsigned int                best     = numbers::invalid_unsigned_int;
       double                      best_fit = -1e-2;
-      for (const unsigned int cell : step.points.cell)
+      for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         {
-          const auto &vertices = geometry.vertex_indices(cell);
+          const auto &vertices = geometry.vertex_indices(step.points.cell[k]);
           if (std::any_of(vertices.begin(),
                           vertices.end(),
                           [&step](const unsigned int v) {
@@ -128,11 +128,12 @@ namespace isochor
                                    numbers::invalid_unsigned_int;
                           }))
             continue;
-          const auto   lambda = geometry.barycentric(cell, probe.location);
-          const double fit    = *std::min_element(lambda.begin(), lambda.end());
+          const auto lambda =
+            step.points.barycentric(geometry, k, probe.location);
+          const double fit = *std::min_element(lambda.begin(), lambda.end());
           if (fit > best_fit)
             {
-              best     = cell;
+              best     = k;
               best_fit = fit;
             }
         }
@@ -151,11 +152,12 @@ namespace isochor
       std::array<double, dim + 2> values{};
       if (rank == winner)
         {
-          const auto lambda = geometry.barycentric(best, probe.location);
+          const auto lambda =
+            step.points.barycentric(geometry, best, probe.location);
           for (unsigned int I = 0; I <= dim; ++I)
             {
-              const unsigned int node =
-                step.nodes.node(geometry.vertex_indices(best)[I]);
+              const unsigned int node = step.nodes.node(
+                geometry.vertex_indices(step.points.cell[best])[I]);
               for (unsigned int a = 0; a < step.n_components; ++a)
                 values[a] += lambda[I] * result.unknowns.local_element(
                                            node * step.n_components + a);
