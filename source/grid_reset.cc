@@ -59,11 +59,9 @@ namespace isochor
 
   template <int dim>
   GridReset<dim>::GridReset(PointArrays<dim>  &points,
-                            GhostPenalty<dim> &ghost_penalty,
-                            InertiaTerm<dim>  &inertia)
+                            GhostPenalty<dim> &ghost_penalty)
     : points(points)
     , ghost_penalty(ghost_penalty)
-    , inertia(inertia)
   {}
 
 
@@ -247,11 +245,8 @@ namespace isochor
     boost::archive::binary_oarchive archive(stream);
     archive << is_due << n_steps_since << reset_time;
     if (!is_due)
-      {
-        const std::vector<double> nodal_motion = inertia.save_state();
-        archive << touched_vertices << elements << first_element << points
-                << ghost_penalty << nodal_motion;
-      }
+      archive << touched_vertices << elements << first_element << points
+              << ghost_penalty;
     return stream.str();
   }
 
@@ -265,12 +260,8 @@ namespace isochor
     boost::archive::binary_iarchive archive(stream);
     archive >> is_due >> n_steps_since >> reset_time;
     if (!is_due)
-      {
-        std::vector<double> nodal_motion;
-        archive >> touched_vertices >> elements >> first_element >> points >>
-          ghost_penalty >> nodal_motion;
-        inertia.load_state(nodal_motion);
-      }
+      archive >> touched_vertices >> elements >> first_element >> points >>
+        ghost_penalty;
   }
 
 

@@ -42,7 +42,7 @@ namespace isochor
     , quadrature(grid)
     , occupancy(grid)
     , ghost_penalty(grid, occupancy)
-    , grid_reset(arrays, ghost_penalty, inertia)
+    , grid_reset(arrays, ghost_penalty)
   {}
 
 
@@ -351,14 +351,12 @@ namespace isochor
     nodes.initialize(boundary_force, n_components);
     set_initial_pressure();
     prepare_system();
-    if (dynamic && grid_reset.due())
+    if (dynamic)
       {
         if (time.step == 0)
           set_initial_acceleration();
         inertia.start_step(context());
       }
-    else if (dynamic)
-      inertia.continue_step(context());
     compute_residual_floor();
   }
 
@@ -757,8 +755,6 @@ namespace isochor
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);
       grid_reset.advance(step, unknowns);
-      if (dynamic && !grid_reset.due())
-        inertia.advance(step, unknowns);
       time.accept(newton.n_factorisations);
     }
     {

@@ -29,27 +29,6 @@ namespace isochor
     void
     start_step(const StepContext<dim> &step);
 
-    /**
-     * For a step on the grid of the last one (see GridReset): the nodes go on
-     * with the velocities and accelerations they have.
-     */
-    void
-    continue_step(const StepContext<dim> &step);
-
-    /**
-     * Give the nodes their velocities and accelerations at the end of a step.
-     * What the points get from it, interpolated, has the same momentum, as
-     * m_I = Σ_p N_I m_p; but mapped back it would be smoothed and lose energy.
-     */
-    void
-    advance(const StepContext<dim> &step, const NodalField &unknowns);
-
-    /** The nodal values after advance(). */
-    std::vector<double>
-    save_state() const;
-    void
-    load_state(const std::vector<double> &state);
-
     void
     collect_elements(const StepContext<dim> &step,
                      ElementNodes           &elements) override;
@@ -87,8 +66,6 @@ namespace isochor
     /** Per node: mass, then dim components of velocity and acceleration. */
     NodalField                    mapped;
     static constexpr unsigned int n_mapped = 1 + 2 * dim;
-    /** From load_state(), until the nodes are known. */
-    std::vector<double> loaded;
   };
 } // namespace isochor
 

@@ -108,8 +108,9 @@ namespace isochor
     /**
      * Displacement increment, pressure and the number of ranks that found the
      * probe in an occupied cell, summed over them. Among the cells around the
-     * probe the occupied one that fits best is taken: a probe may lie on the
-     * surface of the body, or by rounding just outside.
+     * probe the occupied one that fits best is taken, with its shape functions
+     * extrapolated if it must be: a probe may lie on the surface of the body, a
+     * corner even beyond the cells that hold material points.
      */
     std::array<double, dim + 2>
     interpolate(const StepResult<dim> &result, const Probe &probe) const
@@ -117,7 +118,9 @@ namespace isochor
       const StepContext<dim>     &step     = result.step;
       const SimplexGeometry<dim> &geometry = step.grid.geometry();
       unsigned int                best     = numbers::invalid_unsigned_int;
-      double                      best_fit = -1e-2;
+      // at the start exactly in the body; later a point of the surface may have
+      // left the last cell that holds a material point, as boundary points do
+      double best_fit = result.time.step == 0 ? -1e-2 : -1;
       for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         {
           const auto &vertices = geometry.vertex_indices(step.points.cell[k]);
