@@ -55,7 +55,7 @@ namespace isochor
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       for (const unsigned int v : geometry.vertex_indices(cell))
         ranks[v].insert(geometry.owner(cell));
-    for (unsigned int layer = 0; layer < 3; ++layer)
+    for (unsigned int layer = 0; layer < n_near_layers; ++layer)
       {
         auto wider = ranks;
         for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
@@ -290,60 +290,97 @@ namespace isochor
   void
   CellOccupancy<dim>::find_hole_cells()
   {
-    constexpr unsigned int      none     = SimplexGeometry<dim>::no_cell;
-    const SimplexGeometry<dim> &geometry = grid.geometry();
-    std::set<unsigned int>      candidates;
+    constexpr unsigned int none = SimplexGeometry<dim>::no_cell;
+    std::set<unsigned int> candidates;
     for (const Content &content : contents)
-      for (const unsigned int cell : geometry.neighbours(content.cell))
+      for (const unsigned int cell : grid.geometry().neighbours(content.cell))
         if (cell != none && this->content(cell) == nullptr)
           candidates.insert(cell);
 
     std::vector<Content> holes;
-    for (const unsigned int cell : candidates)
+    while (!candidates.empty())
       {
-        unsigned int   n_neighbours = 0;
-        bool           enclosed     = true;
-        Content        hole;
-        const Content *neighbour = nullptr;
-        for (unsigned int i = 0; i <= dim; ++i)
+        const std::set<unsigned int> gap =
+          empty_cells_around(*candidates.begin());
+        const Content hole = fill_of_gap(gap);
+        for (const unsigned int cell : gap)
           {
-            const unsigned int other = geometry.neighbours(cell)[i];
-            if (other == none)
+            candidates.erase(cell);
+            if (hole.is_hole)
               {
-                for (unsigned int v = 0; v <= dim; ++v)
-                  if (v != i)
-                    enclosed = enclosed && !is_at_open_boundary(
-                                             geometry.vertex_indices(cell)[v]);
-                continue;
+                holes.push_back(hole);
+                holes.back().cell = cell;
               }
-            neighbour = content(other);
-            if (neighbour == nullptr || !(neighbour->reference_volume > 0))
-              {
-                enclosed = false;
-                break;
-              }
-            ++n_neighbours;
-            hole.volume_times_F +=
-              neighbour->volume_times_F / neighbour->reference_volume;
-            hole.volume_times_G +=
-              neighbour->volume_times_G / neighbour->reference_volume;
-            hole.material = neighbour->material;
-            hole.history  = neighbour->history;
           }
-        if (!enclosed || n_neighbours < dim)
-          continue;
-        hole.cell             = cell;
-        hole.is_hole          = true;
-        hole.reference_volume = n_neighbours;
-        holes.push_back(hole);
       }
     for (const Content &hole : holes)
       {
         entry_of_cell[hole.cell] = contents.size();
         contents.push_back(hole);
-        for (const unsigned int v : geometry.vertex_indices(hole.cell))
+        for (const unsigned int v : grid.geometry().vertex_indices(hole.cell))
           ++n_occupied_at[v];
       }
+  }
+
+
+
+  template <int dim>
+  std::set<unsigned int>
+  CellOccupancy<dim>::empty_cells_around(const unsigned int cell) const
+  {
+    std::set<unsigned int>    gap       = {cell};
+    std::vector<unsigned int> to_follow = {cell};
+    while (!to_follow.empty() && gap.size() <= largest_hole)
+      {
+        const unsigned int next = to_follow.back();
+        to_follow.pop_back();
+        for (const unsigned int other : grid.geometry().neighbours(next))
+          if (other != SimplexGeometry<dim>::no_cell &&
+              content(other) == nullptr && gap.insert(other).second)
+            to_follow.push_back(other);
+      }
+    return gap;
+  }
+
+
+
+  template <int dim>
+  typename CellOccupancy<dim>::Content
+  CellOccupancy<dim>::fill_of_gap(const std::set<unsigned int> &gap) const
+  {
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    Content                     hole;
+    if (gap.size() > largest_hole)
+      return hole;
+    unsigned int n_neighbours = 0;
+    for (const unsigned int cell : gap)
+      for (unsigned int i = 0; i <= dim; ++i)
+        {
+          const unsigned int other = geometry.neighbours(cell)[i];
+          if (other == SimplexGeometry<dim>::no_cell)
+            {
+              for (unsigned int v = 0; v <= dim; ++v)
+                if (v != i &&
+                    is_at_open_boundary(geometry.vertex_indices(cell)[v]))
+                  return hole;
+              continue;
+            }
+          if (gap.count(other) != 0)
+            continue;
+          const Content &neighbour = *content(other);
+          if (!(neighbour.reference_volume > 0))
+            return hole;
+          ++n_neighbours;
+          const double weight = 1 / neighbour.reference_volume;
+          hole.volume += weight * neighbour.volume;
+          hole.volume_times_F += weight * neighbour.volume_times_F;
+          hole.volume_times_G += weight * neighbour.volume_times_G;
+          hole.material = neighbour.material;
+          hole.history  = neighbour.history;
+        }
+    hole.reference_volume = n_neighbours;
+    hole.is_hole          = n_neighbours >= dim;
+    return hole;
   }
 
 

@@ -61,6 +61,7 @@ namespace isochor
     BodyQuadrature<dim>::declare_parameters(prm);
     GhostPenalty<dim>::declare_parameters(prm);
     GridReset<dim>::declare_parameters(prm);
+    VolumeProjection<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
     prm.declare_entry("Type",
@@ -137,6 +138,7 @@ namespace isochor
     quadrature.parse_parameters(prm);
     ghost_penalty.parse_parameters(prm);
     grid_reset.parse_parameters(prm);
+    project_volume = volume_projection.parse_parameters(prm);
 
     prm.enter_subsection("Formulation");
     const bool mixed       = prm.get("Type") == "u-p";
@@ -325,8 +327,14 @@ namespace isochor
   StepContext<dim>
   MaterialPointMethod<dim>::context() const
   {
-    return {
-      grid, nodes, arrays, kernel, n_components, time.time, time.next_time()};
+    return {grid,
+            nodes,
+            arrays,
+            kernel,
+            n_components,
+            time.time,
+            time.next_time(),
+            !grid_reset.due()};
   }
 
 
@@ -559,15 +567,31 @@ namespace isochor
             term->collect_elements(step, grid_reset.elements);
           }
       }
-    constraints.reinit(nodes.n_local() * n_components);
     for (const auto &condition : boundary_conditions)
       {
-        condition->constrain(step, constraints);
+        condition->start_contact();
         condition->add_external_force(step, external_force);
       }
     external_force.compress(VectorOperation::add);
+    constrain_nodes();
     system.reinit(
       nodes_changed, n_components, grid_reset.elements, constraints, symmetric);
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialPointMethod<dim>::constrain_nodes()
+  {
+    const StepContext<dim> step     = context();
+    const auto             previous = constraints.constrained;
+    constraints.reinit(nodes.n_local() * n_components);
+    for (const auto &condition : boundary_conditions)
+      condition->constrain(step, constraints);
+    return Utilities::MPI::max(static_cast<int>(constraints.constrained !=
+                                                previous),
+                               comm) != 0;
   }
 
 
@@ -601,7 +625,33 @@ namespace isochor
           << " (dt = " << time.next_time() - time.time << "), "
           << system.matrix().n_equations << " equations" << std::endl;
 
-    at_start = true;
+    at_start            = true;
+    NewtonReport report = find_equilibrium();
+    while (report.converged)
+      {
+        // one-sided boundaries: hold and release nodes until none objects
+        const double tolerance = newton_solver.tolerance * report.force_scale;
+        for (const auto &condition : boundary_conditions)
+          condition->check_contact(context(),
+                                   unknowns,
+                                   system.residual,
+                                   tolerance);
+        if (!constrain_nodes())
+          break;
+        system.reinit(
+          false, n_components, grid_reset.elements, constraints, symmetric);
+        pcout << "    contact changed" << std::endl;
+        report.continue_with(find_equilibrium());
+      }
+    return report;
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  MaterialPointMethod<dim>::find_equilibrium()
+  {
     NewtonSolver::Problem problem;
     problem.assemble = [this](const bool with_matrix) {
       return assemble(with_matrix);
@@ -755,6 +805,9 @@ namespace isochor
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);
       grid_reset.advance(step, unknowns);
+      // on a grid that is kept nothing drifts
+      if (project_volume && grid_reset.due())
+        project_volume_change();
       time.accept(newton.n_factorisations);
     }
     {
@@ -777,6 +830,8 @@ namespace isochor
     Tensor<2, dim>                  F_increment;
     std::vector<unsigned int>       node;
     unsigned int                    last_cell = numbers::invalid_unsigned_int;
+    if (project_volume)
+      volume_projection.start(step);
 
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
@@ -825,6 +880,12 @@ namespace isochor
         }
       store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
       std::copy_n(history.begin(), l.n_history, &properties[l.history]);
+      if (project_volume)
+        volume_projection.set_excess(
+          q,
+          state.volumetric_strain -
+            state.pressure *
+              kernel.materials[arrays.material[q]]->inverse_bulk_modulus());
       if (dynamic)
         {
           const auto velocity = inertia.velocity(arrays.velocity[q],
@@ -837,6 +898,37 @@ namespace isochor
               properties[l.acceleration + a] = acceleration[a];
             }
         }
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::project_volume_change()
+  {
+    const StepContext<dim> step = context();
+    const PointLayout     &l    = points.layout();
+    volume_projection.project(step);
+    points.for_each([&](const unsigned int k,
+                        const unsigned int q,
+                        Point<dim> & /*location*/,
+                        ArrayView<double> properties) {
+      Tensor<2, dim> F;
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = 0; b < dim; ++b)
+          F[a][b] = properties[l.F + a * dim + b];
+      auto stress = load_symmetric<dim>(&properties[l.stress]);
+      kernel.change_volume(arrays,
+                           q,
+                           volume_projection.correction(step, k, q),
+                           F,
+                           stress,
+                           l.n_history > 0 ? &properties[l.history] : nullptr);
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = 0; b < dim; ++b)
+          properties[l.F + a * dim + b] = F[a][b];
+      store_symmetric<dim>(stress, &properties[l.stress]);
     });
   }
 

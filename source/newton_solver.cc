@@ -84,6 +84,12 @@ namespace isochor
       }
 
       double
+      force_scale() const
+      {
+        return force;
+      }
+
+      double
       displacement_ratio(const ResidualNorms &norms) const
       {
         return force > 0 ? norms.displacement / force : 0.;
@@ -191,7 +197,8 @@ namespace isochor
           }
         if (gauge.converged(norms, tolerance))
           {
-            report.converged = true;
+            report.converged   = true;
+            report.force_scale = gauge.force_scale();
             return report;
           }
         if (report.n_factorisations >= max_iterations ||

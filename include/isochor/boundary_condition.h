@@ -37,6 +37,22 @@ namespace isochor
               NodalConstraints & /*constraints*/) const
     {}
 
+    /** The search for the contact nodes of a step begins. */
+    virtual void
+    start_contact()
+    {}
+
+    /** Newton's method has converged: change what constrain() will prescribe
+     * where a one-sided condition is violated. @p reaction is the force of the
+     * boundary on the body at constrained unknowns (N); smaller ones than
+     * @p tolerance are zero. Collective. */
+    virtual void
+    check_contact(const StepContext<dim> & /*step*/,
+                  const NodalField & /*unknowns*/,
+                  const NodalField & /*reaction*/,
+                  const double /*tolerance*/)
+    {}
+
     /** Add the dead loads at the end of the step (N) from this rank's cells,
      * entry n_components * node + component. */
     virtual void

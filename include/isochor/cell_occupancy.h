@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace isochor
@@ -16,7 +17,7 @@ namespace isochor
   /**
    * Which cells the body occupies in a step, and where it ends: full and cut
    * cells, holes, and what the cells hold. Known to each rank for its own cells
-   * and three layers of cells around them. What a step does here is
+   * and some layers of cells around them. What a step does here is
    * proportional to the number of occupied cells.
    *
    * The body ends at vertices with an empty cell around them, and at *open*
@@ -37,9 +38,9 @@ namespace isochor
     initialize(const Held &held);
 
     /**
-     * Take stock of @p points. An empty cell all of whose face neighbours are
-     * occupied becomes a hole if @p find_holes; it then counts as occupied.
-     * Collective.
+     * Take stock of @p points. If @p find_holes, a few empty cells in a row
+     * that occupied ones enclose face by face become holes; these then count
+     * as occupied. Collective.
      */
     void
     update(const PointArrays<dim> &points,
@@ -158,11 +159,24 @@ namespace isochor
     add_received(const std::vector<double> &message);
     void
     find_hole_cells();
+    /** @p cell and the empty cells connected with it, as far as needed to see
+     * whether they are more than largest_hole. */
+    std::set<unsigned int>
+    empty_cells_around(const unsigned int cell) const;
+    /** What the cells around a gap hold in the mean; not a hole if the gap is
+     * too large or not enclosed. */
+    Content
+    fill_of_gap(const std::set<unsigned int> &gap) const;
+
+    /** Cells of a hole, at most, and how many layers of cells around its own a
+     * rank has to know to agree with the others on all of them. */
+    static constexpr unsigned int largest_hole  = (dim == 2 ? 6 : 2);
+    static constexpr unsigned int n_near_layers = largest_hole + 2;
 
     std::vector<unsigned int>  cells_at_start, cells_at_vertices;
     std::vector<unsigned int>  n_cells_at;
     std::vector<unsigned char> open_vertex;
-    /** Other ranks with cells within three layers around a vertex; only
+    /** Other ranks with cells within n_near_layers around a vertex; only
      * vertices where there are any. */
     std::map<unsigned int, std::vector<unsigned int>> near_ranks;
     unsigned int                                      n_history = 0;

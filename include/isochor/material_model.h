@@ -119,6 +119,12 @@ namespace isochor
     initialize_history(double * /*history*/) const
     {}
 
+    /** The elastic volume of a point is multiplied by @p factor, in all
+     * directions alike: change what @p history says of it. dev τ stays. */
+    virtual void
+    rescale_volume(const double /*factor*/, double * /*history*/) const
+    {}
+
     virtual VolumetricMeasure
     volumetric_measure() const
     {

@@ -19,6 +19,7 @@
 #include <isochor/load_stepping.h>
 #include <isochor/newton_solver.h>
 #include <isochor/postprocessor.h>
+#include <isochor/volume_projection.h>
 
 #include <memory>
 #include <string>
@@ -72,6 +73,8 @@ namespace isochor
     initialisation_phase();
     NewtonReport
     updated_lagrangian_phase();
+    NewtonReport
+    find_equilibrium();
     void
     convective_phase(const NewtonReport &newton);
 
@@ -106,12 +109,17 @@ namespace isochor
     set_initial_acceleration();
     void
     prepare_system();
+    /** Constrain the nodes anew; whether that made a difference on any rank. */
+    bool
+    constrain_nodes();
     ResidualNorms
     assemble(const bool with_matrix);
     unsigned int
     solve_linear_system(const bool factorise);
     void
     update_points();
+    void
+    project_volume_change();
 
     const MPI_Comm     comm;
     ConditionalOStream pcout;
@@ -144,15 +152,17 @@ namespace isochor
     /** The terms of the equations, in the order of their elements. */
     std::vector<EquationTerm<dim> *> terms;
 
-    MixedKernel<dim>    kernel;
-    BodyTerm<dim>       body;
-    BodyQuadrature<dim> quadrature;
-    CellOccupancy<dim>  occupancy;
-    GhostPenalty<dim>   ghost_penalty;
-    bool                needs_occupancy = false;
-    InertiaTerm<dim>    inertia;
-    bool                dynamic = false;
-    GridReset<dim>      grid_reset;
+    MixedKernel<dim>      kernel;
+    BodyTerm<dim>         body;
+    BodyQuadrature<dim>   quadrature;
+    CellOccupancy<dim>    occupancy;
+    GhostPenalty<dim>     ghost_penalty;
+    bool                  needs_occupancy = false;
+    VolumeProjection<dim> volume_projection;
+    bool                  project_volume = false;
+    InertiaTerm<dim>      inertia;
+    bool                  dynamic = false;
+    GridReset<dim>        grid_reset;
     std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
     std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;
     std::unique_ptr<LinearSolver>                        linear_solver;

@@ -83,6 +83,23 @@ namespace isochor
       }
   }
 
+  /** The inverse of store_symmetric(). */
+  template <int dim>
+  SymmetricTensor<2, 3>
+  load_symmetric(const double *values)
+  {
+    SymmetricTensor<2, 3> tensor;
+    for (unsigned int i = 0; i < 3; ++i)
+      tensor[i][i] = values[i];
+    tensor[0][1] = values[3];
+    if (dim == 3)
+      {
+        tensor[0][2] = values[4];
+        tensor[1][2] = values[5];
+      }
+    return tensor;
+  }
+
   /**
    * The material points of this rank in typed arrays, ordered by cell: what
    * the hot loops of one step work on. Cell k of the list `cell` holds the

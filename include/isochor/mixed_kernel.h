@@ -115,7 +115,8 @@ namespace isochor
     {
       Tensor<2, dim>        F;
       SymmetricTensor<2, 3> cauchy_stress;
-      double                pressure; ///< p, from the nodes or K θ^e
+      double                pressure;          ///< p, from the nodes or K θ^e
+      double                volumetric_strain; ///< θ^e
     };
 
     /** @p nodal_pressure is Σ N_I p_I, ignored in the u form. @p history gets
@@ -127,6 +128,16 @@ namespace isochor
                 const bool              mixed,
                 const double            nodal_pressure,
                 double                 *history) const;
+
+    /** Add @p correction to θ^e of point @p q: rescale its F, its @p history
+     * and the Cauchy stress, at unchanged p and dev τ. */
+    void
+    change_volume(const PointArrays<dim> &points,
+                  const unsigned int      q,
+                  const double            correction,
+                  Tensor<2, dim>         &F,
+                  SymmetricTensor<2, 3>  &cauchy_stress,
+                  double                 *history) const;
   };
 } // namespace isochor
 

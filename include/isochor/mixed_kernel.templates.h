@@ -259,7 +259,8 @@ namespace isochor
                       history,
                       response);
     PointState state;
-    state.F = kinematics.F;
+    state.F                 = kinematics.F;
+    state.volumetric_strain = response.volumetric_strain;
     state.pressure =
       mixed ? nodal_pressure :
               response.volumetric_strain / material.inverse_bulk_modulus();
@@ -270,6 +271,31 @@ namespace isochor
        state.pressure * factor.s * unit_symmetric_tensor<3>()) /
       kinematics.J;
     return state;
+  }
+
+
+
+  template <int dim>
+  void
+  MixedKernel<dim>::change_volume(const PointArrays<dim> &points,
+                                  const unsigned int      q,
+                                  const double            correction,
+                                  Tensor<2, dim>         &F,
+                                  SymmetricTensor<2, 3>  &cauchy_stress,
+                                  double                 *history) const
+  {
+    const MaterialModel<dim> &material = *materials[points.material[q]];
+    const double              J        = determinant(F);
+    const bool                logarithmic =
+      material.volumetric_measure() == VolumetricMeasure::logarithmic;
+    const double factor =
+      logarithmic ? std::exp(correction) : 1 + correction / J;
+    F *= std::pow(factor, 1. / dim);
+    material.rescale_volume(factor, history);
+    const SymmetricTensor<2, 3> one  = unit_symmetric_tensor<3>();
+    const double                mean = trace(cauchy_stress) / 3;
+    cauchy_stress                    = (cauchy_stress - mean * one) / factor +
+                    (logarithmic ? mean / factor : mean) * one;
   }
 } // namespace isochor
 

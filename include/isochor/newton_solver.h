@@ -49,12 +49,28 @@ namespace isochor
     std::string                  failure; ///< why not
     std::vector<NewtonIteration> iterations;
     unsigned int                 n_factorisations = 0;
+    /** What forces were measured against (N). */
+    double force_scale = 0;
 
     /** Solves made. */
     unsigned int
     n_iterations() const
     {
       return iterations.empty() ? 0 : iterations.size() - 1;
+    }
+
+    /** Add the report of a solution that started where this one ended. */
+    void
+    continue_with(const NewtonReport &next)
+    {
+      converged   = next.converged;
+      failure     = next.failure;
+      force_scale = next.force_scale;
+      n_factorisations += next.n_factorisations;
+      if (!next.iterations.empty())
+        iterations.insert(iterations.end(),
+                          next.iterations.begin() + 1,
+                          next.iterations.end());
     }
   };
 

@@ -7,6 +7,7 @@
 #include <isochor/body_quadrature.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace isochor
@@ -130,6 +131,29 @@ namespace isochor
 
 
 
+  namespace
+  {
+    /** A deformation gradient for a hole, with the mean volume change of the
+     * cells around. The mean of F alone would not have it: that of rotated or
+     * sheared neighbours may even have a negative determinant. */
+    template <int dim>
+    Tensor<2, dim>
+    mean_deformation(const typename CellOccupancy<dim>::Content &hole)
+    {
+      const double   J      = hole.volume / hole.reference_volume;
+      Tensor<2, dim> F      = hole.volume_times_F / hole.reference_volume;
+      double         mean_J = determinant(F);
+      if (mean_J < 0.1 * J)
+        {
+          F      = unit_symmetric_tensor<dim>();
+          mean_J = 1;
+        }
+      return std::pow(J / mean_J, 1. / dim) * F;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   BodyQuadrature<dim>::add_hole_points(
@@ -145,8 +169,7 @@ namespace isochor
 
     for (const auto &hole : holes)
       {
-        const Tensor<2, dim> F =
-          hole.second->volume_times_F / hole.second->reference_volume;
+        const Tensor<2, dim> F = mean_deformation<dim>(*hole.second);
         points.cell.push_back(hole.first);
         points.cell_start.push_back(points.cell_start.back() + 1);
         points.shape.emplace_back();

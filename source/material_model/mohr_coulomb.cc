@@ -55,6 +55,14 @@ namespace isochor
       history[n_symmetric_components<dim>] = 0;
     }
 
+    void
+    rescale_volume(const double factor, double *history) const override
+    {
+      const double stretch = std::cbrt(factor);
+      for (unsigned int i = 0; i < n_symmetric_components<dim>; ++i)
+        history[i] *= stretch * stretch;
+    }
+
     VolumetricMeasure
     volumetric_measure() const override
     {

@@ -1,0 +1,98 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/volume_projection.h>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  VolumeProjection<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Formulation");
+    prm.declare_entry("Project volume change",
+                      "false",
+                      Patterns::Bool(),
+                      "Of u-p: at the end of a step replace what the volume "
+                      "change of a point differs from p/K by its nodal means. "
+                      "Without, det F of points drifts in long flows.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  bool
+  VolumeProjection<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Formulation");
+    const bool active = prm.get_bool("Project volume change");
+    AssertThrow(!active || prm.get("Type") == "u-p",
+                ExcMessage("<Formulation/Project volume change> needs the "
+                           "pressure field of <Formulation/Type = u-p>."));
+    prm.leave_subsection();
+    return active;
+  }
+
+
+
+  template <int dim>
+  void
+  VolumeProjection<dim>::start(const StepContext<dim> &step)
+  {
+    excess.assign(step.points.weight.size(), 0.);
+    step.nodes.initialize(mean, 1);
+    step.nodes.initialize(weight, 1);
+  }
+
+
+
+  template <int dim>
+  void
+  VolumeProjection<dim>::project(const StepContext<dim> &step)
+  {
+    const PointArrays<dim> &points = step.points;
+    // the occupied cells: a hole has no point that could carry anything
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            {
+              const unsigned int node = step.nodes.node(stencil.vertex[I]);
+              const double       wN   = stencil.shape[I] * points.weight[q];
+              weight.local_element(node) += wN;
+              mean.local_element(node) += wN * excess[q];
+            }
+        }
+    weight.compress(VectorOperation::add);
+    mean.compress(VectorOperation::add);
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      if (weight.local_element(node) > 0)
+        mean.local_element(node) /= weight.local_element(node);
+    mean.update_ghost_values();
+  }
+
+
+
+  template <int dim>
+  double
+  VolumeProjection<dim>::correction(const StepContext<dim> &step,
+                                    const unsigned int      k,
+                                    const unsigned int      q) const
+  {
+    const auto stencil = step.points.stencil(step.grid.geometry(), k, q);
+    double     e       = -excess[q];
+    for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+      e += stencil.shape[I] *
+           mean.local_element(step.nodes.node(stencil.vertex[I]));
+    return e;
+  }
+
+
+
+  template class VolumeProjection<2>;
+  template class VolumeProjection<3>;
+} // namespace isochor
