@@ -231,6 +231,9 @@ test_column()
     for (const std::string type :
          {"points", "cell-filled", "cell-filled + boundary", "CPDI"})
       {
+        // the others tear where a cell loses its points
+        if (hanging && type.compare(0, 11, "cell-filled") != 0)
+          continue;
         const std::string scene =
           "Material/Young modulus = 1e4\n"
           "Boundary conditions/Displacement = left: x = 0; right: x = 0; "
@@ -335,6 +338,26 @@ test_plastic_tension()
                         std::abs(kept[1] - kept[0] - 2 / std::sqrt(3.)),
                         0.01);
     }
+}
+
+/** A block is lifted by 0.1 from a base that only pushes, in ten steps, and
+ * pressed down to -0.05 in fifteen: without stress until it is back, then
+ * F_yy = 0.95. */
+void
+test_contact()
+{
+  const auto problem = test::run_scene<2>(
+    "Grid/Subdivisions = 4, 4\nMaterial/Poisson ratio = 0.3\n"
+    "Time/Step size = 0.04\nBoundary conditions/Displacement = left: x = 0; "
+    "bottom: y >= 0; top: y = 0.1 - abs(t-0.4)/4\n" +
+    never);
+  const PointLayout &l     = problem->material_points().layout();
+  double             error = 0;
+  for (const auto &point : problem->material_points().handler())
+    test::add_error(error, std::abs(point.get_properties()[l.F + 3] - 0.95));
+  test::check_error("lifted and pressed",
+                    Utilities::MPI::max(error, MPI_COMM_WORLD),
+                    1e-9);
 }
 
 /** The bar of the test of dynamics: ω_1 = π/2 √(E/ρ), of the lumped mass and
@@ -482,6 +505,7 @@ main(int argc, char **argv)
   test_column();
   test_cook_reference();
   test_plastic_tension();
+  test_contact();
   for (const unsigned int steps : {0, 2, 10})
     test_vibration(steps);
   test_momentum();
