@@ -200,7 +200,7 @@ namespace isochor
     for (unsigned int k = 0; k < points.cell.size(); ++k)
       {
         const unsigned int cell = points.cell[k];
-        element.gradient        = geometry.gradients(cell);
+        element.gradient        = points.gradients(geometry, k);
         for (unsigned int v = 0; v <= dim; ++v)
           {
             const double *const nodal =

@@ -326,8 +326,10 @@ namespace isochor
     for (unsigned int b = 0; b < size(); ++b)
       {
         const unsigned int cell = records.cells[b];
-        Tensor<1, dim>     increment;
-        Tensor<2, dim>     F_increment = unit_symmetric_tensor<dim>();
+        const auto        &gradients =
+          step.points.gradients(geometry, step.points.position(cell));
+        Tensor<1, dim> increment;
+        Tensor<2, dim> F_increment = unit_symmetric_tensor<dim>();
         for (unsigned int I = 0; I <= dim; ++I)
           {
             const unsigned int entry =
@@ -337,7 +339,7 @@ namespace isochor
             for (unsigned int a = 0; a < dim; ++a)
               nodal[a] = unknowns.local_element(entry + a);
             increment += shapes[b][I] * nodal;
-            F_increment += outer_product(nodal, geometry.gradients(cell)[I]);
+            F_increment += outer_product(nodal, gradients[I]);
           }
         const Tensor<2, dim> new_F = F_increment * F(b);
         records.locations[b] += increment;
@@ -403,6 +405,8 @@ namespace isochor
              << records.locations[b];
         for (const double value : records.payload(b))
           line << ' ' << value;
+        for (const double value : shapes[b])
+          line << ' ' << value;
         lines[records.ids[b]] = line.str();
       }
     std::map<types::particle_index, std::string> all_lines;
@@ -422,25 +426,32 @@ namespace isochor
   BoundaryPoints<dim>::load_state(const std::string &state)
   {
     records = PointRecords<dim>(n_entries);
-    if (Utilities::MPI::this_mpi_process(grid.communicator()) != 0)
-      return;
+    shapes.clear();
+    const unsigned int rank =
+      Utilities::MPI::this_mpi_process(grid.communicator());
     std::istringstream text(state);
     std::size_t        n = 0;
     text >> n;
     for (std::size_t b = 0; b < n; ++b)
       {
-        types::particle_index         id;
-        unsigned int                  cell;
-        Point<dim>                    location;
-        std::array<double, n_entries> payload;
+        types::particle_index                      id;
+        unsigned int                               cell;
+        Point<dim>                                 location;
+        std::array<double, n_entries>              payload;
+        typename SimplexGeometry<dim>::Barycentric shape;
         text >> id >> cell;
         for (unsigned int d = 0; d < dim; ++d)
           text >> location[d];
         for (double &value : payload)
           text >> value;
+        for (double &value : shape)
+          text >> value;
         AssertThrow(text,
                     ExcMessage("The saved state of the boundary points is "
                                "damaged."));
+        if (grid.geometry().owner(cell) != rank)
+          continue;
+        shapes.push_back(shape);
         records.push_back(cell,
                           id,
                           location,

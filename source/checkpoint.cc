@@ -29,6 +29,7 @@ namespace isochor
 
     LoadStepping             time;
     LastMotion               last_motion;
+    std::string              grid_reset;
     std::vector<std::string> boundary_conditions, postprocessors;
 
     /** The points in the order of the handler: per point the cell, the id, the
@@ -42,7 +43,7 @@ namespace isochor
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &n_ranks &grid_fingerprint &problem &time &last_motion
+      archive &n_ranks &grid_fingerprint &problem &time &last_motion &grid_reset
         &boundary_conditions &postprocessors &n_properties &cells &ids
           &coordinates &properties;
     }
@@ -59,7 +60,7 @@ namespace isochor
     struct Header
     {
       char          magic[8]   = {'I', 's', 'o', 'c', 'h', 'o', 'r', '\n'};
-      std::uint64_t version    = 1;
+      std::uint64_t version    = 2;
       std::uint64_t byte_order = 0x0102030405060708;
       std::uint64_t dimension  = 0;
       std::uint64_t size       = 0; ///< of the rest, in bytes
@@ -319,6 +320,7 @@ namespace isochor
     c.problem          = problem;
     c.time             = state.time;
     c.last_motion      = state.last_motion;
+    c.grid_reset       = state.grid_reset.save_state();
     for (const auto &condition : state.boundary_conditions)
       c.boundary_conditions.push_back(condition->save_state());
     for (const auto &postprocessor : state.postprocessors)
@@ -478,6 +480,7 @@ namespace isochor
     });
     state.time.resume(c.time);
     state.last_motion = c.last_motion;
+    state.grid_reset.load_state(c.grid_reset);
     for (unsigned int i = 0; i < c.boundary_conditions.size(); ++i)
       state.boundary_conditions[i]->load_state(c.boundary_conditions[i]);
     for (unsigned int i = 0; i < c.postprocessors.size(); ++i)

@@ -42,6 +42,7 @@ namespace isochor
     , quadrature(grid)
     , occupancy(grid)
     , ghost_penalty(grid, occupancy)
+    , grid_reset(arrays, ghost_penalty)
   {}
 
 
@@ -60,6 +61,7 @@ namespace isochor
     BodyQuadrature<dim>::declare_parameters(prm);
     GhostPenalty<dim>::declare_parameters(prm);
     PointRefinement<dim>::declare_parameters(prm);
+    GridReset<dim>::declare_parameters(prm);
     VolumeProjection<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -137,6 +139,7 @@ namespace isochor
     quadrature.parse_parameters(prm);
     ghost_penalty.parse_parameters(prm);
     refinement.parse_parameters(prm);
+    grid_reset.parse_parameters(prm);
     project_volume = volume_projection.parse_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -263,6 +266,8 @@ namespace isochor
 
     const std::string notice =
       checkpoint.start(grid, output_directory, state());
+    if (grid.is_moving() && !grid_reset.due())
+      grid.set_vertices(grid.vertices_at_time(grid_reset.start_time()));
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       statistics.open(output_directory + "/statistics.txt", time.step);
     pcout << "Isochor: " << grid.triangulation().n_active_cells() << " cells, "
@@ -281,7 +286,12 @@ namespace isochor
   typename Checkpoint<dim>::State
   MaterialPointMethod<dim>::state()
   {
-    return {points, time, last_motion, boundary_conditions, postprocessors};
+    return {points,
+            time,
+            last_motion,
+            grid_reset,
+            boundary_conditions,
+            postprocessors};
   }
 
 
@@ -319,8 +329,14 @@ namespace isochor
   StepContext<dim>
   MaterialPointMethod<dim>::context() const
   {
-    return {
-      grid, nodes, arrays, kernel, n_components, time.time, time.next_time()};
+    return {grid,
+            nodes,
+            arrays,
+            kernel,
+            n_components,
+            time.time,
+            time.next_time(),
+            !grid_reset.due()};
   }
 
 
@@ -330,15 +346,11 @@ namespace isochor
   MaterialPointMethod<dim>::initialisation_phase()
   {
     TimerOutput::Scope scope(timer, "initialisation phase");
-    if (grid.is_moving())
-      grid.set_vertices(grid.vertices_at_time(time.time));
-    // here and not after the last step, which may end outside of the grid
-    points.relocate(*locator);
-    prepare_quadrature();
-    std::vector<unsigned int> touched;
-    for (EquationTerm<dim> *term : terms)
-      term->touch_vertices(touched);
-    nodes_changed = nodes.update(std::move(touched)) || start_afresh;
+    if (grid_reset.due())
+      reset_grid();
+    else
+      points.update(arrays);
+    nodes_changed = nodes.update(grid_reset.touched_vertices) || start_afresh;
     start_afresh  = false;
 
     nodes.initialize(unknowns, n_components);
@@ -347,8 +359,7 @@ namespace isochor
     nodes.initialize(pending, n_components);
     nodes.initialize(external_force, n_components);
     nodes.initialize(boundary_force, n_components);
-    if (n_components == dim + 1)
-      map_pressure();
+    set_initial_pressure();
     prepare_system();
     if (dynamic)
       {
@@ -380,6 +391,24 @@ namespace isochor
       }
     points.gather(arrays);
     quadrature.start_step(arrays, *locator, kernel, needs_occupancy, occupancy);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::reset_grid()
+  {
+    TimerOutput::Scope scope(timer, "grid reset");
+    if (grid.is_moving())
+      grid.set_vertices(grid.vertices_at_time(time.time));
+    grid_reset.start(time.time);
+    // here and not after the last step, which may end outside of the grid
+    points.relocate(*locator);
+    prepare_quadrature();
+    grid_reset.touched_vertices.clear();
+    for (EquationTerm<dim> *term : terms)
+      term->touch_vertices(grid_reset.touched_vertices);
   }
 
 
@@ -423,6 +452,27 @@ namespace isochor
 
 
   template <int dim>
+  void
+  MaterialPointMethod<dim>::set_initial_pressure()
+  {
+    if (n_components == dim)
+      return;
+    if (grid_reset.due())
+      {
+        map_pressure();
+        return;
+      }
+    // the nodes are those of the last step
+    for (unsigned int i = 0; i < last_motion.vertices.size(); ++i)
+      unknowns.local_element(
+        nodes.node(last_motion.vertices[i]) * n_components + dim) =
+        last_motion.unknowns[i * n_components + dim];
+    unknowns.update_ghost_values();
+  }
+
+
+
+  template <int dim>
   bool
   MaterialPointMethod<dim>::predict()
   {
@@ -452,8 +502,7 @@ namespace isochor
   {
     unknowns.zero_out_ghost_values();
     unknowns = 0.;
-    if (n_components == dim + 1)
-      map_pressure();
+    set_initial_pressure();
   }
 
 
@@ -531,12 +580,16 @@ namespace isochor
   MaterialPointMethod<dim>::prepare_system()
   {
     const StepContext<dim> step = context();
-    elements.clear();
-    first_element.clear();
-    for (EquationTerm<dim> *term : terms)
+    if (grid_reset.due())
       {
-        first_element.push_back(elements.size());
-        term->collect_elements(step, elements);
+        TimerOutput::Scope scope(timer, "grid reset");
+        grid_reset.elements.clear();
+        grid_reset.first_element.clear();
+        for (EquationTerm<dim> *term : terms)
+          {
+            grid_reset.first_element.push_back(grid_reset.elements.size());
+            term->collect_elements(step, grid_reset.elements);
+          }
       }
     for (const auto &condition : boundary_conditions)
       {
@@ -546,7 +599,7 @@ namespace isochor
     external_force.compress(VectorOperation::add);
     constrain_nodes();
     system.reinit(
-      nodes_changed, n_components, elements, constraints, symmetric);
+      nodes_changed, n_components, grid_reset.elements, constraints, symmetric);
   }
 
 
@@ -609,7 +662,8 @@ namespace isochor
                                    tolerance);
         if (!constrain_nodes())
           break;
-        system.reinit(false, n_components, elements, constraints, symmetric);
+        system.reinit(
+          false, n_components, grid_reset.elements, constraints, symmetric);
         pcout << "    contact changed" << std::endl;
         report.continue_with(find_equilibrium());
       }
@@ -675,10 +729,14 @@ namespace isochor
     system.start_assembly(with_matrix);
     unsigned int status = 0;
     for (unsigned int t = 0; t < terms.size(); ++t)
-      status = std::max(
-        status,
-        static_cast<unsigned int>(terms[t]->assemble(
-          step, unknowns, pending, first_element[t], with_matrix, system)));
+      status = std::max(status,
+                        static_cast<unsigned int>(
+                          terms[t]->assemble(step,
+                                             unknowns,
+                                             pending,
+                                             grid_reset.first_element[t],
+                                             with_matrix,
+                                             system)));
     system.finish_assembly();
     system.residual.add(-1., external_force);
 
@@ -757,6 +815,8 @@ namespace isochor
       statistics.set("Relative residual of forces",
                      newton.iterations.back().displacement);
       statistics.set("Equations", system.matrix().n_equations);
+      if (!grid_reset.always())
+        statistics.set("Step of grid", grid_reset.n_steps() + 1);
       for (auto &postprocessor : postprocessors)
         postprocessor->evaluate_nodes(result, statistics);
       for (const auto &condition : boundary_conditions)
@@ -765,11 +825,13 @@ namespace isochor
     {
       TimerOutput::Scope scope(timer, "convective phase");
       update_points();
-      if (project_volume)
-        project_volume_change();
       remember_motion();
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);
+      grid_reset.advance(step, unknowns);
+      // on a grid that is kept nothing drifts
+      if (project_volume && grid_reset.due())
+        project_volume_change();
       time.accept(newton.n_factorisations);
     }
     {

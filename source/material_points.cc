@@ -442,7 +442,7 @@ namespace isochor
 
   template <int dim>
   void
-  MaterialPoints<dim>::gather(PointArrays<dim> &arrays)
+  MaterialPoints<dim>::group_by_cell()
   {
     // the handler keeps the points of a cell together, cells in any order
     groups.clear();
@@ -458,7 +458,34 @@ namespace isochor
     std::sort(groups.begin(), groups.end(), [](const auto &a, const auto &b) {
       return a.cell < b.cell;
     });
+  }
 
+
+
+  template <int dim>
+  template <typename Function>
+  void
+  MaterialPoints<dim>::for_each_in_arrays(const Function &copy) const
+  {
+    unsigned int q = 0;
+    for (const Group &group : groups)
+      {
+        auto particle = group.first;
+        for (unsigned int i = 0; i < group.n_points; ++i, ++particle, ++q)
+          copy(q,
+               group.cell,
+               particle->get_location(),
+               particle->get_properties().data());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::gather(PointArrays<dim> &arrays)
+  {
+    group_by_cell();
     const unsigned int n = particles.n_locally_owned_particles();
     arrays.n_history     = point_layout.n_history;
     arrays.cell.clear();
@@ -469,6 +496,7 @@ namespace isochor
         arrays.cell_start.push_back(arrays.cell_start.back() + group.n_points);
       }
     arrays.n_occupied_cells = arrays.cell.size();
+    arrays.deformed_cell.clear();
     arrays.stencil_start.clear();
     arrays.corner_cells.clear();
     arrays.shape.resize(n);
@@ -483,46 +511,54 @@ namespace isochor
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
 
-    const SimplexGeometry<dim> &geometry = grid.geometry();
-    const PointLayout          &l        = point_layout;
-    unsigned int                q        = 0;
-    for (const Group &group : groups)
-      {
-        auto particle = group.first;
-        for (unsigned int i = 0; i < group.n_points; ++i, ++particle, ++q)
+    const PointLayout &l = point_layout;
+    for_each_in_arrays([&](const unsigned int q,
+                           const unsigned int cell,
+                           const Point<dim>  &location,
+                           const double      *properties) {
+      arrays.shape[q]    = grid.geometry().barycentric(cell, location);
+      arrays.volume[q]   = properties[l.volume];
+      arrays.mass[q]     = properties[l.mass];
+      arrays.weight[q]   = properties[l.volume];
+      arrays.material[q] = static_cast<unsigned char>(properties[l.material]);
+      if (!l.with_domains)
+        return;
+      arrays.domain[q][0] = Tensor<1, dim>();
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          for (unsigned int d = 0; d < dim; ++d)
+            arrays.domain[q][c + 1][d] = properties[l.domain + c * dim + d];
+          arrays.domain[q][0] -= arrays.domain[q][c + 1];
+        }
+    });
+    update(arrays);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::update(PointArrays<dim> &arrays)
+  {
+    if (groups.empty()) // a resumed run
+      group_by_cell();
+    const PointLayout &l = point_layout;
+    for_each_in_arrays([&](const unsigned int q,
+                           const unsigned int /*cell*/,
+                           const Point<dim> & /*location*/,
+                           const double *properties) {
+      arrays.pressure[q] = properties[l.pressure];
+      arrays.F[q]        = deformation_gradient<dim>(properties, l);
+      std::copy_n(properties + l.history,
+                  l.n_history,
+                  arrays.history.data() + q * std::size_t(l.n_history));
+      if (l.dynamic)
+        for (unsigned int d = 0; d < dim; ++d)
           {
-            const double *properties = particle->get_properties().data();
-            arrays.shape[q] =
-              geometry.barycentric(group.cell, particle->get_location());
-            arrays.volume[q]   = properties[l.volume];
-            arrays.mass[q]     = properties[l.mass];
-            arrays.weight[q]   = properties[l.volume];
-            arrays.pressure[q] = properties[l.pressure];
-            arrays.material[q] =
-              static_cast<unsigned char>(properties[l.material]);
-            arrays.F[q] = deformation_gradient<dim>(properties, l);
-            std::copy_n(properties + l.history,
-                        l.n_history,
-                        arrays.history.data() + q * std::size_t(l.n_history));
-            if (l.dynamic)
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  arrays.velocity[q][d]     = properties[l.velocity + d];
-                  arrays.acceleration[q][d] = properties[l.acceleration + d];
-                }
-            if (l.with_domains)
-              {
-                arrays.domain[q][0] = Tensor<1, dim>();
-                for (unsigned int c = 0; c < dim; ++c)
-                  {
-                    for (unsigned int d = 0; d < dim; ++d)
-                      arrays.domain[q][c + 1][d] =
-                        properties[l.domain + c * dim + d];
-                    arrays.domain[q][0] -= arrays.domain[q][c + 1];
-                  }
-              }
+            arrays.velocity[q][d]     = properties[l.velocity + d];
+            arrays.acceleration[q][d] = properties[l.acceleration + d];
           }
-      }
+    });
   }
 
 

@@ -221,6 +221,42 @@ namespace
 
 
 
+/** Interrupted and resumed in the middle of an interval in which the grid is
+ * kept: it is put back before the steps 1, 4 and 7, the checkpoint is that
+ * after step 4. */
+void
+test_kept_grid(const MPI_Comm comm)
+{
+  for (const std::string type : {"cell-filled", "CPDI"})
+    {
+      // loads on the surface of the body, which CPDI can't have at cut cells
+      const bool surface = type != "CPDI";
+      const std::vector<std::pair<std::string, std::string>> lazy = {
+        {"Grid reset/Steps between resets", "3"},
+        {"Grid reset/Smallest element quality", "0"},
+        {"Quadrature/Type", type},
+        {"Material points/Points per cell", "4"},
+        {"Boundary conditions/Surfaces of body", surface ? "all: 1" : ""},
+        {"Boundary conditions/Traction on body", surface ? "all: 500, 0" : ""},
+        {"Boundary conditions/Pressure on body", surface ? "all: 200*t" : ""}};
+      const std::string a = "checkpoint-kept-a", b = "checkpoint-kept-b";
+      const Result      whole = run(comm, a, lazy);
+      report("kept grid, uninterrupted, " + type,
+             whole.error.empty(),
+             whole.error);
+      crash_after_step = 5;
+      expect_error("kept grid, interrupted, " + type,
+                   run(comm, b, lazy),
+                   "crash");
+      crash_after_step = numbers::invalid_unsigned_int;
+      auto again       = lazy;
+      again.emplace_back("Checkpoint/Resume", "true");
+      compare("kept grid, resumed, " + type, run(comm, b, again), b, whole, a);
+    }
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -287,6 +323,8 @@ main(int argc, char **argv)
   expect_error("nothing to resume",
                run(comm, "checkpoint-c", {resume}),
                "There is no checkpoint to resume from");
+
+  test_kept_grid(comm);
 
   if (Utilities::MPI::n_mpi_processes(comm) > 1)
     {

@@ -61,12 +61,13 @@ namespace isochor
          const std::string                   &body_mesh);
 
     /** Find the points' cells and bring them to the ranks of these. At the
-     * start of a step. Collective. */
+     * start of a step on a grid that was reset; while the grid is kept (see
+     * GridReset) cells and shape functions stay. Collective. */
     void
     locate(const StepContext<dim> &step);
 
     /** Move with the displacement increments in @p unknowns. At the end of a
-     * step, before the next locate(). */
+     * step. */
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns);
 
@@ -118,7 +119,7 @@ namespace isochor
     /** All points of all ranks as text. Collective. */
     std::string
     save_state() const;
-    /** To be called with the same text on all ranks. */
+    /** To be called with the same text on all ranks; leaves each its own. */
     void
     load_state(const std::string &state);
 

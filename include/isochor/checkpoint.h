@@ -6,6 +6,7 @@
 #define isochor_checkpoint_h
 
 #include <isochor/boundary_condition.h>
+#include <isochor/grid_reset.h>
 #include <isochor/last_motion.h>
 #include <isochor/postprocessor.h>
 
@@ -22,8 +23,8 @@ namespace isochor
    * Saves a run between two steps and restores it, so that the resumed run
    * gives bit by bit what the uninterrupted one does on the same number of
    * ranks. What a step leaves to the next is all there is to save: the points
-   * in their order, the load stepping, the last motion, and what boundary
-   * conditions and post-processors remember.
+   * in their order, the load stepping, the last motion, the grid if it is kept,
+   * and what boundary conditions and post-processors remember.
    *
    * Each rank writes the files `checkpoint-0.<rank>.bin` and
    * `checkpoint-1.<rank>.bin` in turn, each complete or not at all. So a run
@@ -41,6 +42,7 @@ namespace isochor
       MaterialPoints<dim>                                  &points;
       LoadStepping                                         &time;
       LastMotion                                           &last_motion;
+      GridReset<dim>                                       &grid_reset;
       std::vector<std::unique_ptr<BoundaryCondition<dim>>> &boundary_conditions;
       std::vector<std::unique_ptr<Postprocessor<dim>>>     &postprocessors;
     };

@@ -24,6 +24,9 @@ namespace isochor
     unsigned int n_components;
     double       old_time;
     double       time;
+    /** Whether the grid is still the one that the last step has deformed; see
+     * GridReset. */
+    bool grid_is_kept = false;
 
     bool
     mixed() const

@@ -23,7 +23,8 @@ namespace isochor
    * h_F = |F|^{1/(d-1)}. It penalises the increments of the step, not the
    * deformation. Faces are those between cells all of whose nodes are active,
    * with or without points, of which at least one is cut; see
-   * CellOccupancy::is_cut(). One element per face, with d + 2 nodes.
+   * CellOccupancy::is_cut(). One element per face, with d + 2 nodes. On a grid
+   * that is kept (see GridReset) faces and gradients stay those of the reset.
    */
   template <int dim>
   class GhostPenalty : public EquationTerm<dim>
@@ -57,6 +58,14 @@ namespace isochor
              const bool              with_matrix,
              MixedSystem<dim>       &system) override;
 
+    /** The faces found last. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &faces;
+    }
+
   private:
     static constexpr unsigned int n_nodes = dim + 2;
 
@@ -67,6 +76,13 @@ namespace isochor
       std::array<double, n_nodes> jump;
       double                      h, area;
       double shear_modulus; ///< of the cells; 0 if both are empty
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &vertices &jump &h &area &shear_modulus;
+      }
     };
 
     Face

@@ -13,6 +13,7 @@
 #include <isochor/boundary_condition.h>
 #include <isochor/checkpoint.h>
 #include <isochor/ghost_penalty.h>
+#include <isochor/grid_reset.h>
 #include <isochor/inertia_term.h>
 #include <isochor/linear_solver.h>
 #include <isochor/load_stepping.h>
@@ -86,8 +87,16 @@ namespace isochor
 
     StepContext<dim>
     context() const;
+    /** Put the grid back, find where the points are in it, and set up all that
+     * follows from it. */
+    void
+    reset_grid();
     void
     map_pressure();
+    /** Put where Newton's method starts without a predictor into the unknowns.
+     */
+    void
+    set_initial_pressure();
     bool
     predict();
     void
@@ -145,8 +154,6 @@ namespace isochor
 
     /** The terms of the equations, in the order of their elements. */
     std::vector<EquationTerm<dim> *> terms;
-    std::vector<unsigned int>        first_element;
-    ElementNodes                     elements;
 
     MixedKernel<dim>      kernel;
     BodyTerm<dim>         body;
@@ -159,6 +166,7 @@ namespace isochor
     bool                  project_volume = false;
     InertiaTerm<dim>      inertia;
     bool                  dynamic = false;
+    GridReset<dim>        grid_reset;
     std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
     std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;
     std::unique_ptr<LinearSolver>                        linear_solver;

@@ -151,7 +151,91 @@ namespace isochor
      * part of the points' Σ V_0/G in them. */
     std::vector<std::pair<unsigned int, double>> overlapped_cells;
 
+    /** A cell as the motion of the body since the last reset of the grid has
+     * deformed it: its vertices and the gradients of its N_I. */
+    struct DeformedCell
+    {
+      std::array<Point<dim>, dim + 1>     corners;
+      std::array<Tensor<1, dim>, dim + 1> gradients;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &corners &gradients;
+      }
+    };
+    /** By cell of the list; empty as long as they are undeformed. See
+     * GridReset. */
+    std::vector<DeformedCell> deformed_cell;
+
     unsigned int n_history = 0;
+
+    /** Vertex @p v of cell k of the list at the start of the step. */
+    const Point<dim> &
+    corner(const SimplexGeometry<dim> &geometry,
+           const unsigned int          k,
+           const unsigned int          v) const
+    {
+      return deformed_cell.empty() ?
+               geometry.vertices()[geometry.vertex_indices(cell[k])[v]] :
+               deformed_cell[k].corners[v];
+    }
+
+    /** ∇_n N_I in cell k of the list: with respect to the grid at the start of
+     * the step. */
+    const std::array<Tensor<1, dim>, dim + 1> &
+    gradients(const SimplexGeometry<dim> &geometry, const unsigned int k) const
+    {
+      return deformed_cell.empty() ? geometry.gradients(cell[k]) :
+                                     deformed_cell[k].gradients;
+    }
+
+    /** Barycentric coordinates of @p x with respect to cell k of the list at
+     * the start of the step. */
+    typename SimplexGeometry<dim>::Barycentric
+    barycentric(const SimplexGeometry<dim> &geometry,
+                const unsigned int          k,
+                const Point<dim>           &x) const
+    {
+      if (deformed_cell.empty())
+        return geometry.barycentric(cell[k], x);
+      typename SimplexGeometry<dim>::Barycentric lambda;
+      const Tensor<1, dim> distance = x - deformed_cell[k].corners[0];
+      lambda[0]                     = 1.;
+      for (unsigned int i = 1; i <= dim; ++i)
+        {
+          lambda[i] = deformed_cell[k].gradients[i] * distance;
+          lambda[0] -= lambda[i];
+        }
+      return lambda;
+    }
+
+    /** Give deformed_cell its entries, if it has none: undeformed cells. */
+    void
+    deform_cells(const SimplexGeometry<dim> &geometry)
+    {
+      if (!deformed_cell.empty())
+        return;
+      std::vector<DeformedCell> cells(cell.size());
+      for (unsigned int k = 0; k < cell.size(); ++k)
+        {
+          for (unsigned int v = 0; v <= dim; ++v)
+            cells[k].corners[v] = corner(geometry, k, v);
+          cells[k].gradients = gradients(geometry, k);
+        }
+      deformed_cell.swap(cells);
+    }
+
+    /** Where the occupied cell @p c stands in the list. */
+    unsigned int
+    position(const unsigned int c) const
+    {
+      return std::lower_bound(cell.begin(),
+                              cell.begin() + n_occupied_cells,
+                              c) -
+             cell.begin();
+    }
 
     /** Whether points have stencils of their own. */
     bool
@@ -179,7 +263,7 @@ namespace isochor
         return {dim + 1,
                 geometry.vertex_indices(cell[k]).data(),
                 shape[q].data(),
-                geometry.gradients(cell[k]).data()};
+                gradients(geometry, k).data()};
       const std::size_t begin = stencil_start[q];
       return {static_cast<unsigned int>(stencil_start[q + 1] - begin),
               &stencil_vertex[begin],
@@ -200,6 +284,16 @@ namespace isochor
     n_points() const
     {
       return volume.size();
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
+        &pressure &F &material &history &velocity &acceleration &domain
+          &stencil_start &stencil_vertex &stencil_shape &stencil_gradient
+            &corner_cells &overlapped_cells &deformed_cell &n_history;
     }
   };
 
@@ -225,6 +319,12 @@ namespace isochor
     /** Copy the points into @p arrays, ordered by cell. */
     void
     gather(PointArrays<dim> &arrays);
+
+    /** Copy what a step changes (F, pressure, history, velocity, acceleration)
+     * into @p arrays, which gather() has filled since the points were last
+     * located. */
+    void
+    update(PointArrays<dim> &arrays);
 
     /**
      * Call @p update(k, q, location, properties) for each point q of each
@@ -300,6 +400,15 @@ namespace isochor
 
       CornerVectors<dim> domain;
     };
+
+    /** Find the groups. */
+    void
+    group_by_cell();
+    /** Call @p copy(q, cell, location, properties) for all points in the order
+     * of the arrays. */
+    template <typename Function>
+    void
+    for_each_in_arrays(const Function &copy) const;
 
     std::vector<Seed>
     seeds_in_cells(const SimplexGeometry<dim> &geometry,

@@ -47,6 +47,13 @@ namespace isochor
     {
       return start == other.start && node == other.node;
     }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &start &node;
+    }
   };
 
   /**

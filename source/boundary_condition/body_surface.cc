@@ -412,12 +412,7 @@ namespace isochor
                                         const unsigned int      b) const
   {
     const unsigned int cell = points->cell(b);
-    const unsigned int k =
-      std::lower_bound(step.points.cell.begin(),
-                       step.points.cell.begin() + step.points.n_occupied_cells,
-                       cell) -
-      step.points.cell.begin();
-    const unsigned int q = step.points.cell_start[k];
+    const unsigned int q = step.points.cell_start[step.points.position(cell)];
     const double       G =
       step.kernel.materials[step.points.material[q]]->shear_modulus();
     constexpr double factorial = (dim == 2) ? 2. : 6.;
@@ -503,8 +498,10 @@ namespace isochor
   {
     const double p = surfaces[points->surface(b)].pressure.front()(
       points->reference_location(b), step.time);
-    const auto &N         = points->shape(b);
-    const auto &gradients = step.grid.geometry().gradients(points->cell(b));
+    const auto &N = points->shape(b);
+    const auto &gradients =
+      step.points.gradients(step.grid.geometry(),
+                            step.points.position(points->cell(b)));
     const auto &vertices = step.grid.geometry().vertex_indices(points->cell(b));
     Tensor<2, dim> F_increment = unit_symmetric_tensor<dim>();
     for (unsigned int I = 0; I <= dim; ++I)

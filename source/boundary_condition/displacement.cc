@@ -6,7 +6,9 @@
 #include <isochor/expression.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
+#include <sstream>
 
 namespace isochor
 {
@@ -20,7 +22,9 @@ namespace isochor
    * with a frictionless wall: a set of nodes is held, Newton's method converges
    * with it, and check_contact() changes it until no held node pulls and no
    * free one penetrates (the active set method, Hintermüller, Ito & Kunisch
-   * 2003). The set is kept from step to step.
+   * 2003). The set is kept from step to step. Nodes start a step at the wall;
+   * on a grid that is kept (see GridReset), those that left it start where they
+   * are.
    */
   template <int dim>
   class PrescribedDisplacement : public BoundaryCondition<dim>
@@ -74,6 +78,7 @@ namespace isochor
                Expression<dim>(item.substr(equals + 1), name),
                {},
                {},
+               {},
                {}});
           }
     }
@@ -100,6 +105,7 @@ namespace isochor
             {
               condition.released.assign(vertices.size(), 0);
               condition.n_changes.assign(vertices.size(), 0);
+              condition.gap.assign(vertices.size(), 0.);
             }
         }
     }
@@ -118,8 +124,16 @@ namespace isochor
             if (node != numbers::invalid_unsigned_int)
               constraints.constrain(node * step.n_components +
                                       condition.component,
-                                    increment(condition, vertex, step));
+                                    increment(condition, i, step));
           }
+    }
+
+    void
+    advance(const StepContext<dim> &step, const NodalField &unknowns) override
+    {
+      for (auto &condition : conditions)
+        if (condition.side != 0)
+          update_gaps(condition, step, unknowns);
     }
 
     void
@@ -143,20 +157,25 @@ namespace isochor
     std::string
     save_state() const override
     {
-      std::string released;
+      std::ostringstream state;
+      state.precision(std::numeric_limits<double>::max_digits10);
       for (const auto &condition : conditions)
-        for (const unsigned char r : condition.released)
-          released += (r ? '1' : '0');
-      return released;
+        for (unsigned int i = 0; i < condition.released.size(); ++i)
+          state << int(condition.released[i]) << ' ' << condition.gap[i] << ' ';
+      return state.str();
     }
 
     void
-    load_state(const std::string &state) override
+    load_state(const std::string &text) override
     {
-      std::size_t i = 0;
+      std::istringstream state(text);
       for (auto &condition : conditions)
-        for (unsigned char &r : condition.released)
-          r = (i < state.size() && state[i++] == '1');
+        for (unsigned int i = 0; i < condition.released.size(); ++i)
+          {
+            int released = 0;
+            state >> released >> condition.gap[i];
+            condition.released[i] = (released != 0);
+          }
     }
 
   private:
@@ -171,15 +190,47 @@ namespace isochor
       /** Of a one-sided condition, by vertex, the same on all ranks: whether
        * the node has left it, and how often that changed in this step. */
       std::vector<unsigned char> released, n_changes;
+      /** And how far it is from the wall on a grid that is kept. */
+      std::vector<double> gap;
     };
 
+    /** The prescribed increment of vertex i of the condition. */
     double
     increment(const Condition        &condition,
-              const unsigned int      vertex,
+              const unsigned int      i,
               const StepContext<dim> &step) const
     {
-      return condition.displacement(reference[vertex], step.time) -
-             condition.displacement(reference[vertex], step.old_time);
+      const Point<dim> &x         = reference[condition.vertices[i]];
+      const double      increment = condition.displacement(x, step.time) -
+                               condition.displacement(x, step.old_time);
+      return condition.side != 0 && step.grid_is_kept ?
+               increment - condition.gap[i] :
+               increment;
+    }
+
+    void
+    update_gaps(Condition              &condition,
+                const StepContext<dim> &step,
+                const NodalField       &unknowns) const
+    {
+      // the owner of a node knows; side * gap > 0
+      constexpr double    unknown = std::numeric_limits<double>::lowest();
+      std::vector<double> gap(condition.vertices.size(), unknown);
+      for (unsigned int i = 0; i < gap.size(); ++i)
+        {
+          const unsigned int node = step.nodes.node(condition.vertices[i]);
+          if (node >= step.nodes.n_owned())
+            continue;
+          gap[i] = condition.released[i] ?
+                     condition.side *
+                       (unknowns.local_element(node * step.n_components +
+                                               condition.component) -
+                        increment(condition, i, step)) :
+                     0.;
+        }
+      Utilities::MPI::max(gap, step.grid.communicator(), gap);
+      for (unsigned int i = 0; i < gap.size(); ++i)
+        condition.gap[i] = gap[i] == unknown ? 0. : condition.side * gap[i];
     }
 
     void
@@ -203,7 +254,7 @@ namespace isochor
             node * step.n_components + condition.component;
           if (condition.released[i])
             changes[i] = condition.side * (unknowns.local_element(entry) -
-                                           increment(condition, vertex, step)) <
+                                           increment(condition, i, step)) <
                          0;
           else
             changes[i] =

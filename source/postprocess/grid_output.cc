@@ -51,9 +51,9 @@ namespace isochor
         step.mixed() ? patches.add_scalar("pressure") : 0;
       patches.reserve(step.points.cell.size());
       std::array<Point<dim>, dim + 1> corners;
-      for (const unsigned int cell : step.points.cell)
+      for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         {
-          const auto &vertices = geometry.vertex_indices(cell);
+          const auto &vertices = geometry.vertex_indices(step.points.cell[k]);
           if (std::any_of(vertices.begin(),
                           vertices.end(),
                           [&step](const unsigned int v) {
@@ -62,7 +62,7 @@ namespace isochor
                           }))
             continue; // the points' domains miss a node of the cell
           for (unsigned int v = 0; v <= dim; ++v)
-            corners[v] = geometry.vertices()[vertices[v]];
+            corners[v] = step.points.corner(geometry, k, v);
           auto &patch = patches.add_patch(
             ArrayView<const Point<dim>>(corners.data(), dim + 1));
           for (unsigned int v = 0; v <= dim; ++v)

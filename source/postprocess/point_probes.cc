@@ -108,8 +108,9 @@ namespace isochor
     /**
      * Displacement increment, pressure and the number of ranks that found the
      * probe in an occupied cell, summed over them. Among the cells around the
-     * probe the occupied one that fits best is taken: a probe may lie on the
-     * surface of the body, or by rounding just outside.
+     * probe the occupied one that fits best is taken, with its shape functions
+     * extrapolated if it must be: a probe may lie on the surface of the body, a
+     * corner even beyond the cells that hold material points.
      */
     std::array<double, dim + 2>
     interpolate(const StepResult<dim> &result, const Probe &probe) const
@@ -117,10 +118,12 @@ namespace isochor
       const StepContext<dim>     &step     = result.step;
       const SimplexGeometry<dim> &geometry = step.grid.geometry();
       unsigned int                best     = numbers::invalid_unsigned_int;
-      double                      best_fit = -1e-2;
-      for (const unsigned int cell : step.points.cell)
+      // at the start exactly in the body; later a point of the surface may have
+      // left the last cell that holds a material point, as boundary points do
+      double best_fit = result.time.step == 0 ? -1e-2 : -1;
+      for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         {
-          const auto &vertices = geometry.vertex_indices(cell);
+          const auto &vertices = geometry.vertex_indices(step.points.cell[k]);
           if (std::any_of(vertices.begin(),
                           vertices.end(),
                           [&step](const unsigned int v) {
@@ -128,11 +131,12 @@ namespace isochor
                                    numbers::invalid_unsigned_int;
                           }))
             continue;
-          const auto   lambda = geometry.barycentric(cell, probe.location);
-          const double fit    = *std::min_element(lambda.begin(), lambda.end());
+          const auto lambda =
+            step.points.barycentric(geometry, k, probe.location);
+          const double fit = *std::min_element(lambda.begin(), lambda.end());
           if (fit > best_fit)
             {
-              best     = cell;
+              best     = k;
               best_fit = fit;
             }
         }
@@ -151,11 +155,12 @@ namespace isochor
       std::array<double, dim + 2> values{};
       if (rank == winner)
         {
-          const auto lambda = geometry.barycentric(best, probe.location);
+          const auto lambda =
+            step.points.barycentric(geometry, best, probe.location);
           for (unsigned int I = 0; I <= dim; ++I)
             {
-              const unsigned int node =
-                step.nodes.node(geometry.vertex_indices(best)[I]);
+              const unsigned int node = step.nodes.node(
+                geometry.vertex_indices(step.points.cell[best])[I]);
               for (unsigned int a = 0; a < step.n_components; ++a)
                 values[a] += lambda[I] * result.unknowns.local_element(
                                            node * step.n_components + a);

@@ -1,0 +1,271 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/grid_reset.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Displacement increment of the node at @p vertex; false if the node takes
+     * no part in the step. */
+    template <int dim>
+    bool
+    nodal_increment(const StepContext<dim> &step,
+                    const NodalField       &unknowns,
+                    const unsigned int      vertex,
+                    Tensor<1, dim>         &increment)
+    {
+      const unsigned int node = step.nodes.node(vertex);
+      if (node == numbers::invalid_unsigned_int)
+        return false;
+      for (unsigned int a = 0; a < dim; ++a)
+        increment[a] = unknowns.local_element(node * step.n_components + a);
+      return true;
+    }
+
+
+
+    /** ΔF of a list of nodes with their gradients. */
+    template <int dim>
+    Tensor<2, dim>
+    deformation_increment(const StepContext<dim>                   &step,
+                          const NodalField                         &unknowns,
+                          const typename PointArrays<dim>::Stencil &stencil)
+    {
+      Tensor<2, dim> F = unit_symmetric_tensor<dim>();
+      Tensor<1, dim> u;
+      for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+        if (nodal_increment(step, unknowns, stencil.vertex[I], u))
+          F += outer_product(u, stencil.gradient[I]);
+      return F;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  GridReset<dim>::GridReset(PointArrays<dim>  &points,
+                            GhostPenalty<dim> &ghost_penalty)
+    : points(points)
+    , ghost_penalty(ghost_penalty)
+  {}
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Grid reset");
+    prm.declare_entry("Steps between resets",
+                      "1",
+                      Patterns::Integer(0),
+                      "Steps after which the deformed grid is put back and the "
+                      "points are located anew. 1: after each, the Material "
+                      "Point Method as it is. Between resets the grid moves "
+                      "with the body, as in updated Lagrangian finite "
+                      "elements. 0: only by 'Smallest element quality'.");
+    prm.declare_entry("Smallest element quality",
+                      "0.3",
+                      Patterns::Double(0, 1),
+                      "The grid is also reset once the quality of a cell that "
+                      "holds material falls below this: d (det A)^(2/d) / "
+                      "|A|^2, A the deformation gradient of the cell since the "
+                      "last reset; 1 for shapes similar to the undeformed one, "
+                      "0 for flat ones. 0: only if a cell is turned inside "
+                      "out.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Grid reset");
+    interval         = prm.get_integer("Steps between resets");
+    smallest_quality = prm.get_double("Smallest element quality");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::start(const double time)
+  {
+    reset_time    = time;
+    n_steps_since = 0;
+  }
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::advance(const StepContext<dim> &step,
+                          const NodalField       &unknowns)
+  {
+    ++n_steps_since;
+    is_due = (n_steps_since == interval);
+    if (is_due)
+      return;
+    advance_massless_points(step, unknowns);
+    advance_stencils(step, unknowns);
+    const double worst = Utilities::MPI::min(advance_cells(step, unknowns),
+                                             step.grid.communicator());
+    is_due             = !(worst > 0 && worst >= smallest_quality);
+  }
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::advance_massless_points(const StepContext<dim> &step,
+                                          const NodalField       &unknowns)
+  {
+    std::vector<double> history(points.n_history);
+    for (unsigned int k = points.n_occupied_cells; k < points.cell.size(); ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          // the pressure only serves to be mapped, by mass or volume, and these
+          // points have none
+          const auto state = step.kernel.final_state(
+            points,
+            q,
+            deformation_increment<dim>(
+              step, unknowns, points.stencil(step.grid.geometry(), k, q)),
+            step.mixed(),
+            0.,
+            history.data());
+          points.F[q] = state.F;
+          std::copy(history.begin(),
+                    history.end(),
+                    points.history.begin() +
+                      q * static_cast<std::size_t>(points.n_history));
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::advance_stencils(const StepContext<dim> &step,
+                                   const NodalField       &unknowns)
+  {
+    if (!points.has_stencils())
+      return;
+    for (unsigned int q = 0; q < points.n_points(); ++q)
+      {
+        const Tensor<2, dim> inverse = invert(deformation_increment<dim>(
+          step, unknowns, points.stencil(step.grid.geometry(), 0, q)));
+        for (std::size_t i = points.stencil_start[q];
+             i < points.stencil_start[q + 1];
+             ++i)
+          points.stencil_gradient[i] = points.stencil_gradient[i] * inverse;
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  GridReset<dim>::advance_cells(const StepContext<dim> &step,
+                                const NodalField       &unknowns)
+  {
+    const SimplexGeometry<dim> &geometry = step.grid.geometry();
+    points.deform_cells(geometry);
+    double worst = 1;
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
+      {
+        auto       &cell     = points.deformed_cell[k];
+        const auto &vertices = geometry.vertex_indices(points.cell[k]);
+        std::array<Tensor<1, dim>, dim + 1> u;
+        Tensor<2, dim>                      F = unit_symmetric_tensor<dim>();
+        bool                                active = true;
+        for (unsigned int v = 0; v <= dim; ++v)
+          {
+            active =
+              active && nodal_increment(step, unknowns, vertices[v], u[v]);
+            F += outer_product(u[v], cell.gradients[v]);
+          }
+        if (!active)
+          continue; // the points' domains miss a node of the cell
+        if (!(determinant(F) > 0))
+          return 0;
+        const Tensor<2, dim> inverse = invert(F);
+        for (unsigned int v = 0; v <= dim; ++v)
+          {
+            cell.corners[v] += u[v];
+            cell.gradients[v] = cell.gradients[v] * inverse;
+          }
+        worst = std::min(worst, quality(step, k));
+      }
+    return worst;
+  }
+
+
+
+  template <int dim>
+  double
+  GridReset<dim>::quality(const StepContext<dim> &step,
+                          const unsigned int      k) const
+  {
+    const auto    &gradients = step.grid.geometry().gradients(points.cell[k]);
+    const auto    &cell      = points.deformed_cell[k];
+    Tensor<2, dim> A;
+    for (unsigned int v = 0; v <= dim; ++v)
+      A += outer_product(Tensor<1, dim>(cell.corners[v]), gradients[v]);
+    const double J = determinant(A);
+    return J > 0 ? dim * std::pow(J, 2. / dim) / A.norm_square() : 0.;
+  }
+
+
+
+  template <int dim>
+  std::string
+  GridReset<dim>::save_state() const
+  {
+    std::ostringstream              stream(std::ios::binary);
+    boost::archive::binary_oarchive archive(stream);
+    archive << is_due << n_steps_since << reset_time;
+    if (!is_due)
+      archive << touched_vertices << elements << first_element << points
+              << ghost_penalty;
+    return stream.str();
+  }
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::load_state(const std::string &state)
+  {
+    std::istringstream              stream(state, std::ios::binary);
+    boost::archive::binary_iarchive archive(stream);
+    archive >> is_due >> n_steps_since >> reset_time;
+    if (!is_due)
+      archive >> touched_vertices >> elements >> first_element >> points >>
+        ghost_penalty;
+  }
+
+
+
+  template class GridReset<2>;
+  template class GridReset<3>;
+} // namespace isochor
