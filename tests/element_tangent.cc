@@ -100,6 +100,8 @@ struct RandomElement
     volume_over_G +=
       points.weight.back() / kernel.materials[m]->shear_modulus();
     test::Point<dim> point(*kernel.materials[m]);
+    if (mixed && point.material.depends_on_pressure())
+      point.pressure = 0.1 * G * random();
     for (unsigned int step = 0; step < 3; ++step)
       {
         const Tensor<2, dim> F_increment =
@@ -389,10 +391,11 @@ test_all()
         Laws{{"J2", soft}},
         Laws{{"Mohr-Coulomb", half}},
         Laws{{"Mohr-Coulomb", angles}},
+        Laws{{"Mohr-Coulomb", half + "\n" + angles}},
         Laws{{"Neo-Hookean", ""}, {"Mohr-Coulomb", angles}, {"J2", soft}}})
     test_materials<dim>(laws, n_tested);
   test::report("further parameters and mixtures, dim " + std::to_string(dim),
-               all_passed && n_tested == 18,
+               all_passed && n_tested == 20,
                std::to_string(n_tested) + " cases, see above");
   test_potential<dim>();
 }

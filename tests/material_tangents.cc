@@ -7,6 +7,8 @@
 // asked: the tangents against finite differences along random strain paths
 // and at special states, the symmetry that is claimed, and objectivity.
 
+#include <isochor/tensor_tools.h>
+
 #include <algorithm>
 
 #include "material_test_tools.h"
@@ -67,7 +69,46 @@ struct TangentErrors
 {
   double error   = 0;     ///< relative to the tangent's norm, or to 2 G
   bool   at_kink = false; ///< the stress is not differentiable nearby
+
+  void
+  add(const double e)
+  {
+    if (!(e <= error))
+      error = (e == e ? e : 1e300);
+  }
 };
+
+/** The derivatives with respect to the given pressure, made dimensionless by
+ * G. */
+template <int dim>
+void
+check_pressure_tangents(test::Point<dim>          &point,
+                        const Tensor<2, dim>      &F_increment,
+                        const StressResponse<dim> &response,
+                        TangentErrors             &result)
+{
+  const double G = point.material.shear_modulus(), p = *point.pressure;
+  SymmetricTensor<2, dim> stress[2];
+  double                  theta[2];
+  for (const unsigned int i : {0, 1})
+    {
+      const double h = (i + 1) * 2e-6 * G;
+      for (const int sign : {-1, 1})
+        {
+          point.pressure               = p + sign * h;
+          const StressResponse<dim> &r = point.evaluate(F_increment);
+          stress[i] += sign / (2 * h) * in_plane<dim>(r.deviatoric_stress);
+          theta[i] = (sign < 0 ? 0. : theta[i]) +
+                     sign * r.volumetric_strain / (2 * h) * G;
+        }
+    }
+  point.pressure = p;
+  if ((stress[0] - stress[1]).norm() > 1e-7 ||
+      std::abs(theta[0] - theta[1]) > 1e-7)
+    result.at_kink = true;
+  result.add((stress[0] - response.deviatoric_pressure_tangent).norm());
+  result.add(std::abs(theta[0] - response.volumetric_pressure_tangent * G));
+}
 
 template <int dim>
 TangentErrors
@@ -106,9 +147,10 @@ check_tangents(test::Point<dim> &point, const Tensor<2, dim> &F_increment)
         fine.theta - response.volumetric_tangent * symmetrize(l);
       for (const double error :
            {(fine.stress - expected).norm() / scale, std::abs(theta_error)})
-        if (!(error <= result.error))
-          result.error = (error == error ? error : 1e300);
+        result.add(error);
     }
+  if (point.pressure)
+    check_pressure_tangents(point, F_increment, response, result);
   return result;
 }
 
@@ -136,7 +178,9 @@ asymmetry(const MaterialModel<dim>  &material,
 
 template <int dim>
 void
-test_tangents(const std::string &label, const MaterialModel<dim> &material)
+test_tangents(const std::string        &label,
+              const MaterialModel<dim> &material,
+              const bool                at_pressure)
 {
   const Tensor<2, dim> one(unit_symmetric_tensor<dim>());
   test::Random         random;
@@ -153,6 +197,9 @@ test_tangents(const std::string &label, const MaterialModel<dim> &material)
             one + random.template gradient<dim>(amplitude);
           const std::string where =
             "path " + std::to_string(path) + ", step " + std::to_string(step);
+          if (at_pressure)
+            point.pressure =
+              2 * amplitude * material.shear_modulus() * random();
 
           const TangentErrors errors = check_tangents(point, F_increment);
           if (errors.at_kink)
@@ -181,12 +228,16 @@ test_tangents(const std::string &label, const MaterialModel<dim> &material)
 template <int dim>
 void
 test_special_states(const std::string        &label,
-                    const MaterialModel<dim> &material)
+                    const MaterialModel<dim> &material,
+                    const bool                at_pressure)
 {
   test::WorstError tangent, continuity;
   const auto       check = [&](const double x, const double y, const double z) {
     test::Point<dim> point(material);
-    Tensor<2, dim>   F;
+    // below the apex: beyond it θ^e has a kink where the deviator vanishes
+    if (at_pressure)
+      point.pressure = -0.01 * material.shear_modulus();
+    Tensor<2, dim> F;
     F[0][0]             = x;
     F[1][1]             = y;
     F[dim - 1][dim - 1] = (dim == 3 ? z : y);
@@ -234,7 +285,10 @@ test_objectivity(const std::string &label, const MaterialModel<dim> &material)
       const Tensor<2, 3>   Q_3    = test::in_space(Q);
 
       // Q F gives Q τ Q^T ...
-      test::Point<dim>            still(material), turned(material);
+      test::Point<dim> still(material), turned(material);
+      if (material.depends_on_pressure())
+        still.pressure = turned.pressure =
+          0.1 * material.shear_modulus() * random();
       const SymmetricTensor<2, 3> stress =
         still.evaluate(first).deviatoric_stress;
       const SymmetricTensor<2, 3> turned_stress =
@@ -270,8 +324,16 @@ test_material(const std::string &name, const std::string &settings = "")
   std::string one_line = label;
   std::replace(one_line.begin(), one_line.end(), '\n', ';');
 
-  test_tangents(one_line, *material);
-  test_special_states(one_line, *material);
+  if (material->inverse_bulk_modulus() > 0 || !material->depends_on_pressure())
+    {
+      test_tangents(one_line, *material, false);
+      test_special_states(one_line, *material, false);
+    }
+  if (material->depends_on_pressure())
+    {
+      test_tangents(one_line + ", at given p", *material, true);
+      test_special_states(one_line + ", at given p", *material, true);
+    }
   test_objectivity(one_line, *material);
 }
 
@@ -308,6 +370,12 @@ test_all()
                        "set Friction angle = " +
                          angles.substr(0, 2) + "\nset Dilation angle = " +
                          angles.substr(3) + "\nend");
+  test_material<dim>("Mohr-Coulomb",
+                     "set Poisson ratio = 0.5\n"
+                     "subsection Mohr-Coulomb\n"
+                     "set Friction angle = 20\n"
+                     "set Dilation angle = 20\n"
+                     "end");
   test::report("further parameters, dim " + std::to_string(dim),
                all_passed,
                "see above");

@@ -15,6 +15,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -82,6 +83,7 @@ namespace isochor
       std::vector<double>       history_n, history;
       StressResponse<dim>       response;
       StressStatus              status;
+      std::optional<double>     pressure; ///< of u-p, given to the law
 
       explicit Point(const MaterialModel<dim> &m)
         : material(m)
@@ -100,6 +102,7 @@ namespace isochor
         kinematics.F_increment = F_increment;
         kinematics.F           = F_increment * F;
         kinematics.J           = determinant(kinematics.F);
+        kinematics.pressure    = pressure;
         status                 = material.evaluate(kinematics,
                                    history_n.data(),
                                    history.data(),

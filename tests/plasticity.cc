@@ -17,17 +17,18 @@ const std::array<std::pair<std::string, std::string>, 2> formulations = {
   {{"u", "Formulation/Type = u\n"},
    {"u-p + PPP", "Formulation/Type = u-p\nFormulation/Stabilisation = PPP\n"}}};
 
-/** Largest relative deviation of the Cauchy stresses xx, yy, zz, xy. */
+/** Largest relative deviation of the Cauchy stresses xx, yy, zz, xy, ... */
+template <int dim>
 double
-stress_error(const MaterialPointMethod<2> &problem,
-             const std::array<double, 4>  &expected)
+stress_error(const MaterialPointMethod<dim> &problem,
+             const std::array<double, 6>    &expected)
 {
   double             worst = 0, scale = 0;
   const PointLayout &l = problem.material_points().layout();
   for (const double value : expected)
     scale = std::max(scale, std::abs(value));
   for (const auto &point : problem.material_points().handler())
-    for (unsigned int i = 0; i < 4; ++i)
+    for (unsigned int i = 0; i < (dim == 2 ? 4 : 6); ++i)
       test::add_error(
         worst,
         std::abs(point.get_properties()[l.stress + i] - expected[i]) / scale);
@@ -35,15 +36,22 @@ stress_error(const MaterialPointMethod<2> &problem,
 }
 
 /** E = 70 Pa, ν = 0.3; the grid follows the body to the stretch λ = 1 + e. */
+template <int dim>
 std::string
 confined_scene(const double e)
 {
   std::ostringstream scene;
-  scene << "Grid/Subdivisions = 3, 3\nGrid/Diagonals = alternating\n"
+  scene << (dim == 2 ? "Grid/Subdivisions = 3, 3\n" :
+                       "Grid/Lower corner = 0, 0, 0\n"
+                       "Grid/Upper corner = 1, 1, 1\n"
+                       "Grid/Subdivisions = 2, 2, 2\n"
+                       "Material points/Points per cell = 4\n")
+        << "Grid/Diagonals = alternating\n"
         << "Grid/Stretch = x: 0 -> 0, 1 -> " << e << "*t\n"
         << "Material/Young modulus = 70\nMaterial/Poisson ratio = 0.3\n"
         << "Boundary conditions/Displacement = left: x=0; right: x=" << e
-        << "*t; bottom: y=0; top: y=0\n"
+        << "*t; bottom: y=0; top: y=0"
+        << (dim == 2 ? "\n" : "; front: z=0; back: z=0\n")
         << "Time/Step size = 0.1\n";
   return scene.str();
 }
@@ -51,21 +59,23 @@ confined_scene(const double e)
 const double shear_modulus = 70 / 2.6, bulk_modulus = 70 / 1.2;
 
 /** F = diag(λ, 1, 1), J2: dev τ keeps its direction, τ_xx - τ_yy = ±σ_Y. */
+template <int dim>
 void
 test_confined_j2(const double e)
 {
   const double yield_stress = 5, J = 1 + e;
   const double p = bulk_modulus * (J - 1), s = std::copysign(yield_stress, e);
-  const std::array<double, 4> expected = {
-    {p + 2. / 3 * s / J, p - 1. / 3 * s / J, p - 1. / 3 * s / J, 0.}};
+  const std::array<double, 6> expected = {
+    {p + 2. / 3 * s / J, p - 1. / 3 * s / J, p - 1. / 3 * s / J, 0., 0., 0.}};
   for (const auto &formulation : formulations)
     {
-      const auto problem = test::run_scene<2>(
-        confined_scene(e) + formulation.second +
+      const auto problem = test::run_scene<dim>(
+        confined_scene<dim>(e) + formulation.second +
         "Material/Model = J2\nMaterial/J2/Yield stress = 5\n");
       test::check_error("J2, confined " +
                           std::string(e > 0 ? "tension" : "compression") +
-                          " at finite strain, " + formulation.first,
+                          " at finite strain, dim " + std::to_string(dim) +
+                          ", " + formulation.first,
                         stress_error(*problem, expected),
                         1e-8);
     }
@@ -77,6 +87,7 @@ test_confined_j2(const double e)
  *   ε_a = ln λ + 2 (1 - sin ψ) x,  ε_l = -(1 + sin ψ) x,
  *   τ_l (1 + sin φ) - τ_a (1 - sin φ) = 2 c cos φ.
  */
+template <int dim>
 void
 test_confined_mohr_coulomb(const double phi, const double psi)
 {
@@ -97,8 +108,8 @@ test_confined_mohr_coulomb(const double phi, const double psi)
   };
   const auto tau = stress(f(0) / (f(0) - f(1))); // f is linear
   AssertThrow(f(0) > 0, ExcMessage("The state must be plastic."));
-  const std::array<double, 4> expected = {
-    {tau[0] / (1 + e), tau[1] / (1 + e), tau[1] / (1 + e), 0.}};
+  const std::array<double, 6> expected = {
+    {tau[0] / (1 + e), tau[1] / (1 + e), tau[1] / (1 + e), 0., 0., 0.}};
 
   std::ostringstream material;
   material << "Material/Model = Mohr-Coulomb\n"
@@ -107,11 +118,12 @@ test_confined_mohr_coulomb(const double phi, const double psi)
            << "Material/Mohr-Coulomb/Dilation angle = " << psi << '\n';
   for (const auto &formulation : formulations)
     {
-      const auto problem = test::run_scene<2>(
-        confined_scene(e) + formulation.second + material.str());
+      const auto problem = test::run_scene<dim>(
+        confined_scene<dim>(e) + formulation.second + material.str());
       std::ostringstream what;
       what << "Mohr-Coulomb, phi = " << phi << ", psi = " << psi
-           << ", confined compression at finite strain, " << formulation.first;
+           << ", confined compression at finite strain, dim " << dim << ", "
+           << formulation.first;
       test::check_error(what.str(), stress_error(*problem, expected), 1e-8);
     }
 }
@@ -164,7 +176,8 @@ test_cylinder()
                     0.003);
 }
 
-/** Prandtl: q/c = 2 + π, with 8 cells per width; u is much too stiff. */
+/** Prandtl: q/c = 2 + π, with 8 cells per width; u is much too stiff. And with
+ * friction, φ = ψ = 20°, N_c = (exp(π tan φ) tan²(45° + φ/2) - 1) cot φ. */
 void
 test_footing()
 {
@@ -176,18 +189,35 @@ test_footing()
     "Boundary conditions/Displacement = left: x=0; right: x=0; "
     "bottom: x=0, y=0; footing: y=-3e-3*t\n"
     "Postprocess/Reactions = footing\nTime/Step size = 0.1\n";
+  const auto bearing_capacity = [&](const std::string &settings) {
+    const auto problem = test::run_scene<2>(scene + settings);
+    return -2 * problem->last_statistics().get("Reaction y on footing (N)") /
+           1e3;
+  };
   std::array<double, 2> error;
   for (unsigned int i = 0; i < 2; ++i)
-    {
-      const auto   problem = test::run_scene<2>(scene + formulations[i].second);
-      const double q =
-        -2 * problem->last_statistics().get("Reaction y on footing (N)") / 1e3;
-      error[i] = q / (2 + numbers::PI) - 1;
-    }
+    error[i] = bearing_capacity(formulations[i].second) / (2 + numbers::PI) - 1;
   test::check_error("Prandtl's footing, u-p + PPP", std::abs(error[1]), 0.03);
   test::check("Prandtl's footing, u is too stiff",
               error[0] > 0.2,
               std::to_string(error[0]));
+
+  const double tan_phi = std::tan(numbers::PI / 9),
+               tan_55  = std::tan(55 * numbers::PI / 180);
+  const double N_c =
+    (std::exp(numbers::PI * tan_phi) * tan_55 * tan_55 - 1) / tan_phi;
+  const std::string friction = "Material/Young modulus = 5e7\n"
+                               "Material/Mohr-Coulomb/Friction angle = 20\n"
+                               "Material/Mohr-Coulomb/Dilation angle = 20\n" +
+                               formulations[1].second;
+  for (const std::string nu : {"0.3", "0.5"})
+    test::check_error("Prandtl's footing with friction, u-p + PPP, nu = " + nu,
+                      std::abs(
+                        bearing_capacity(
+                          friction + "Material/Poisson ratio = " + nu + '\n') /
+                          N_c -
+                        1),
+                      0.05);
 }
 
 /** One step of a Neo-Hookean square under a pressure that follows it: the
@@ -244,11 +274,14 @@ int
 main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  test_confined_j2(0.5);
-  test_confined_j2(-0.3);
-  test_confined_mohr_coulomb(0, 0);
-  test_confined_mohr_coulomb(20, 0);
-  test_confined_mohr_coulomb(20, 20);
+  test_confined_j2<2>(0.5);
+  test_confined_j2<2>(-0.3);
+  test_confined_j2<3>(-0.3);
+  test_confined_mohr_coulomb<2>(0, 0);
+  test_confined_mohr_coulomb<2>(20, 0);
+  test_confined_mohr_coulomb<2>(20, 20);
+  test_confined_mohr_coulomb<3>(0, 0);
+  test_confined_mohr_coulomb<3>(20, 10);
   test_surface_loads();
   test_cylinder();
   test_footing();

@@ -11,6 +11,7 @@
 
 #include <isochor/plugin_registry.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ namespace isochor
     Tensor<2, dim> F;
     /** det F_{n+1} > 0 (checked by the caller). */
     double J;
+    /** The pressure unknown p at the point, in Pa: in u-p for laws that depend
+     * on it (MaterialModel::depends_on_pressure()), else empty. */
+    std::optional<double> pressure = {};
   };
 
   /**
@@ -56,11 +60,18 @@ namespace isochor
    * at the end of the step, d = sym l:
    *   δ τ_dev = l τ_dev + τ_dev l^T + tangent : d   (the Lie derivative),
    *   δ θ^e   = volumetric_tangent : d.
+   *
+   * A law whose strength depends on the mean stress is asked differently in
+   * u-p, where the mean stress that balances forces is the pressure unknown p,
+   * not K θ^e: it gets p with the deformation and answers dev τ and θ^e at that
+   * p (see MaterialModel::depends_on_pressure()). Its tangents are those at
+   * fixed p, and the last two members complete them.
    */
   template <int dim>
   struct StressResponse
   {
-    /** dev τ. */
+    /** dev τ = τ - p s 1. Traceless, except where a given p exceeds what the
+     * material can bear: there it also takes off what is too much. */
     SymmetricTensor<2, 3> deviatoric_stress;
     /** The in-plane part of the algorithmic modulus of dev τ. It has minor
      * symmetry; major symmetry only if MaterialModel::has_symmetric_tangent().
@@ -70,6 +81,11 @@ namespace isochor
     double volumetric_strain;
     /** ∂θ^e/∂d; s 1 for elastic volume change and isochoric flow. */
     SymmetricTensor<2, dim> volumetric_tangent;
+    /** The in-plane part of ∂(dev τ)/∂p at fixed deformation; 0 unless p was
+     * given. */
+    SymmetricTensor<2, dim> deviatoric_pressure_tangent;
+    /** ∂θ^e/∂p at fixed deformation, in 1/Pa; 0 unless p was given. */
+    double volumetric_pressure_tangent = 0;
   };
 
   /** Whether a point could be evaluated. */
@@ -129,6 +145,15 @@ namespace isochor
     volumetric_measure() const
     {
       return VolumetricMeasure::jacobian;
+    }
+
+    /** Whether dev τ or θ^e at a given deformation depend on the pressure
+     * unknown of u-p. Only then is Kinematics::pressure set, and only then are
+     * the derivatives with respect to it asked for. */
+    virtual bool
+    depends_on_pressure() const
+    {
+      return false;
     }
 
     /** Whether the tangents of u and of u-p are symmetric. */

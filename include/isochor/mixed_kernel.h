@@ -69,7 +69,8 @@ namespace isochor
    *   R_p,I = Σ_p V_p N_I (θ^e - p/K)                      (doc/method.md)
    *
    * u: p = K θ^e at the point. u-p: p = Σ_I N_I p_I. Tension is positive.
-   * Both are the derivatives of
+   * In u-p a law whose strength depends on p is evaluated at that p, so that τ
+   * is on its yield surface. Without such laws both are the derivatives of
    *   Π = Σ_p V_p [ W_dev(ΔF F_n) + p θ - p²/(2K) ],
    * so that the matrix is symmetric and 1/K = 0 allowed.
    */

@@ -32,7 +32,12 @@ namespace isochor
       std::array<double, max_nodes> constraint{}; ///< R_p
       std::array<double, max_nodes> s{};          ///< Σ V N_I s
       std::array<SymmetricTensor<2, dim>, max_nodes> volumetric_tangent;
-      std::array<double, max_nodes * max_nodes>      compressibility{};
+      /** Σ V N_I N_J (1/K - ∂θ^e/∂p). */
+      std::array<double, max_nodes * max_nodes> compressibility{};
+
+      /** Σ V N_I ∂(dev τ)/∂p, of laws that depend on p. */
+      bool                                           pressure_dependent = false;
+      std::array<SymmetricTensor<2, dim>, max_nodes> pressure_tangent;
     };
 
     /** Matrix block of displacements: material part sym(e_a ⊗ g_I) : c :
@@ -80,7 +85,8 @@ namespace isochor
         }
     }
 
-    /** Matrix blocks of u-p: Σ V s g_I N_J, Σ V N_I ∂θ^e/∂d, -Σ V N_I N_J/K. */
+    /** Matrix blocks of u-p: Σ V (s 1 + ∂(dev τ)/∂p) g_I N_J, Σ V N_I ∂θ^e/∂d
+     * g_J, Σ V N_I N_J (∂θ^e/∂p - 1/K). */
     template <int dim, std::size_t max_nodes>
     void
     add_coupling(Element<dim, dim + 1, max_nodes>            &element,
@@ -93,10 +99,12 @@ namespace isochor
         for (unsigned int J = 0; J < n; ++J)
           {
             const Tensor<1, dim> theta_g = sums.volumetric_tangent[J] * g[I];
+            Tensor<1, dim>       force   = sums.s[J] * g[I];
+            if (sums.pressure_dependent)
+              force += sums.pressure_tangent[J] * g[I];
             for (unsigned int a = 0; a < dim; ++a)
               {
-                element.matrix[(I * nc + a) * n_dofs + J * nc + dim] =
-                  g[I][a] * sums.s[J];
+                element.matrix[(I * nc + a) * n_dofs + J * nc + dim] = force[a];
                 element.matrix[(J * nc + dim) * n_dofs + I * nc + a] =
                   theta_g[a];
               }
@@ -148,6 +156,16 @@ namespace isochor
         kinematics.J = determinant(kinematics.F);
         if (!(kinematics.J > 0))
           return EvaluationStatus::inverted_point;
+        double p                  = 0;
+        bool   pressure_dependent = false;
+        if (mixed)
+          {
+            for (unsigned int I = 0; I < n; ++I)
+              p += shape(q, I) * element.pressure[I];
+            pressure_dependent = material.depends_on_pressure();
+            kinematics.pressure =
+              pressure_dependent ? std::optional<double>(p) : std::nullopt;
+          }
         if (material.evaluate(kinematics,
                               points.history.data() +
                                 q * std::size_t(points.n_history),
@@ -159,11 +177,7 @@ namespace isochor
         const double inverse_K = material.inverse_bulk_modulus();
         const internal::PressureFactor factor(material.volumetric_measure(),
                                               kinematics.J);
-        double                         p = 0;
-        if (mixed)
-          for (unsigned int I = 0; I < n; ++I)
-            p += shape(q, I) * element.pressure[I];
-        else
+        if (!mixed)
           p = response.volumetric_strain / inverse_K;
 
         for (unsigned int i = 0; i < dim; ++i)
@@ -191,6 +205,14 @@ namespace isochor
               sums.volumetric_tangent[I] += VN * response.volumetric_tangent;
               for (unsigned int J = 0; J < n; ++J)
                 sums.compressibility[I * n + J] += VN * shape(q, J) * inverse_K;
+              if (!pressure_dependent)
+                continue;
+              sums.pressure_dependent = true;
+              sums.pressure_tangent[I] +=
+                VN * response.deviatoric_pressure_tangent;
+              for (unsigned int J = 0; J < n; ++J)
+                sums.compressibility[I * n + J] -=
+                  VN * shape(q, J) * response.volumetric_pressure_tangent;
             }
       }
 
@@ -253,6 +275,8 @@ namespace isochor
     kinematics.F_increment = F_increment;
     kinematics.F           = F_increment * points.F[q];
     kinematics.J           = determinant(kinematics.F);
+    if (mixed && material.depends_on_pressure())
+      kinematics.pressure = nodal_pressure;
     StressResponse<dim> response;
     material.evaluate(kinematics,
                       points.history.data() + q * std::size_t(points.n_history),

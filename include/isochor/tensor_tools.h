@@ -109,13 +109,15 @@ namespace isochor
   is_finite(const StressResponse<dim> &response)
   {
     // A sum is finite only if its terms are: NaN and infinity survive adding.
-    double sum = response.volumetric_strain;
+    double sum =
+      response.volumetric_strain + response.volumetric_pressure_tangent;
     for (unsigned int i = 0; i < 6; ++i)
       sum += response.deviatoric_stress.access_raw_entry(i);
     constexpr unsigned int n =
       SymmetricTensor<2, dim>::n_independent_components;
     for (unsigned int i = 0; i < n; ++i)
-      sum += response.volumetric_tangent.access_raw_entry(i);
+      sum += response.volumetric_tangent.access_raw_entry(i) +
+             response.deviatoric_pressure_tangent.access_raw_entry(i);
     for (unsigned int i = 0; i < n * n; ++i)
       sum += response.tangent.access_raw_entry(i);
     return std::isfinite(sum);

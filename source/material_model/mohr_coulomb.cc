@@ -25,6 +25,9 @@ namespace isochor
    *   g = (τ_1 - τ_3) + (τ_1 + τ_3) sin ψ,
    * returned by stress regions (Clausen, Damkilde & Andersen 2006, 2007) and
    * with the consistent tangent. There is no tension cut-off besides the apex.
+   * In u the mean stress is returned with the deviator; in u-p, where it is the
+   * pressure unknown, the return is made at that mean stress
+   * (doc/materials.md).
    *
    * History: the elastic left Cauchy-Green tensor b^e and the equivalent
    * plastic strain Σ √(2/3) |Δε^p| of the logarithmic plastic increments.
@@ -69,10 +72,16 @@ namespace isochor
       return VolumetricMeasure::logarithmic;
     }
 
+    bool
+    depends_on_pressure() const override
+    {
+      return sin_phi > 0;
+    }
+
     /** Symmetric for φ = 0 only. With friction dev τ depends on volume change
-     * whereas, in u-p, the mean stress that balances forces is the nodal p: so
-     * even where φ = ψ and the tangent of τ is symmetric, that of dev τ and
-     * with it the matrix of u-p are not. */
+     * (u) or on p (u-p). With φ = ψ the tangent of τ and the matrix of u-p
+     * would be symmetric, but not beyond the apex, and not the tangent of dev
+     * τ. */
     bool
     has_symmetric_tangent() const override
     {
@@ -102,10 +111,21 @@ namespace isochor
     using Matrix = std::array<Vector, 3>;
 
     IsotropicElasticity elasticity;
-    double bulk_modulus = 0; ///< only for φ > 0, where K is finite
+    double bulk_modulus = 0; ///< of u with φ > 0, where K is finite
     double sin_phi      = 0;
     double sin_psi      = 0;
     double c_cos_phi    = 0; ///< Pa
+
+    /** A trial state in principal space, in descending order. */
+    struct Trial
+    {
+      Vector s;     ///< deviatoric stresses
+      double theta; ///< volumetric strain
+      /** The mean stress: K θ, which the return changes, or, if it is given,
+       * that of the returned state. Not needed, and 0, without friction. */
+      double mean;
+      bool   mean_is_given;
+    };
 
     /**
      * The return map in principal space, in descending order of the trial
@@ -121,6 +141,9 @@ namespace isochor
       Vector dtheta_dstrain;
       Matrix secant;
       bool   plastic;
+      Vector ds_dmean{}; ///< at a given mean stress, else 0, like the next
+      double dtheta_dmean = 0;
+      double excess       = 0; ///< of the given mean stress over the apex
     };
 
     /** The yield planes through one corner of the surface, or one of them:
@@ -148,19 +171,21 @@ namespace isochor
                    const unsigned int smallest) const;
 
     PrincipalResponse
-    elastic_response(const Vector &s_trial, const double theta_trial) const;
+    elastic_response(const Trial &trial) const;
 
     PrincipalResponse
-    return_to(const ActivePlanes &planes,
-              const Vector       &s_trial,
-              const double        theta_trial) const;
+    return_to(const ActivePlanes &planes, const Trial &trial) const;
 
     PrincipalResponse
     return_to_apex() const;
 
     /** Choose the region and return. */
     PrincipalResponse
-    principal_response(const Vector &s_trial, const double theta_trial) const;
+    principal_response(const Trial &trial) const;
+
+    /** The same at a given mean stress, also beyond the apex. */
+    PrincipalResponse
+    response_at_pressure(Trial trial, const double pressure) const;
 
     /** Tensors from principal values: see the class's documentation. */
     void
@@ -229,16 +254,13 @@ namespace isochor
                 ExcMessage("<Mohr-Coulomb/Cohesion> must be positive where "
                            "<Mohr-Coulomb/Friction angle> is 0: the material "
                            "would have no strength."));
-    AssertThrow(phi == 0 || elasticity.inverse_bulk_modulus > 0,
-                ExcMessage("<Poisson ratio> must be less than 0.5 where "
-                           "<Mohr-Coulomb/Friction angle> is positive: the "
-                           "return map needs the mean stress of the trial "
-                           "state, K times the volumetric strain."));
 
     sin_phi      = std::sin(phi * numbers::PI / 180);
     sin_psi      = std::sin(psi * numbers::PI / 180);
     c_cos_phi    = cohesion * std::cos(phi * numbers::PI / 180);
-    bulk_modulus = (phi > 0 ? 1 / elasticity.inverse_bulk_modulus : 0);
+    bulk_modulus = (phi > 0 && elasticity.inverse_bulk_modulus > 0 ?
+                      1 / elasticity.inverse_bulk_modulus :
+                      0);
   }
 
 
@@ -287,13 +309,12 @@ namespace isochor
 
   template <int dim>
   typename MohrCoulomb<dim>::PrincipalResponse
-  MohrCoulomb<dim>::elastic_response(const Vector &s_trial,
-                                     const double  theta_trial) const
+  MohrCoulomb<dim>::elastic_response(const Trial &trial) const
   {
     const double      two_G = 2 * elasticity.shear_modulus;
     PrincipalResponse result;
-    result.s       = s_trial;
-    result.theta   = theta_trial;
+    result.s       = trial.s;
+    result.theta   = trial.theta;
     result.plastic = false;
     result.dtheta_dstrain.fill(1);
     for (unsigned int A = 0; A < 3; ++A)
@@ -313,17 +334,18 @@ namespace isochor
    *   Σ_l (a_k · D b_l) λ_l = f_k(trial),   τ = τ_trial - Σ_k λ_k D b_k.
    * D b_k is 2 G dev b_k plus the mean stress 2 K sin ψ, so that
    * θ^e = θ_trial - 2 sin ψ Σ_k λ_k holds no K; and a_k · D b_l holds it only
-   * as K sin φ sin ψ. The matrix of an edge is [[A, B], [B, A]] with A - B = 2
-   * G (1 ± sin φ) (1 ± sin ψ) > 0.
+   * as K sin φ sin ψ. Where the mean stress is given it doesn't change with λ:
+   * f_k is evaluated at it, and K is absent. The matrix of an edge is
+   * [[A, B], [B, A]] with A - B = 2 G (1 ± sin φ) (1 ± sin ψ) > 0 and, at a
+   * given mean stress, A + B = 2/3 G (3 ∓ sin φ) (3 ∓ sin ψ) > 0.
    */
   template <int dim>
   typename MohrCoulomb<dim>::PrincipalResponse
   MohrCoulomb<dim>::return_to(const ActivePlanes &planes,
-                              const Vector       &s_trial,
-                              const double        theta_trial) const
+                              const Trial        &trial) const
   {
     const double two_G = 2 * elasticity.shear_modulus;
-    const double mean  = bulk_modulus * theta_trial;
+    const double K     = trial.mean_is_given ? 0. : bulk_modulus;
 
     std::array<Vector, 2> a, b;
     std::array<double, 2> f;
@@ -332,18 +354,18 @@ namespace isochor
         const unsigned int i = planes.largest[k], j = planes.smallest[k];
         a[k] = deviatoric_normal(i, j, sin_phi);
         b[k] = deviatoric_normal(i, j, sin_psi);
-        f[k] = yield_function(s_trial, mean, i, j);
+        f[k] = yield_function(trial.s, trial.mean, i, j);
       }
 
     const auto moduli = [&](const Vector &a_k, const Vector &b_l) {
       return two_G * (a_k[0] * b_l[0] + a_k[1] * b_l[1] + a_k[2] * b_l[2]) +
-             4 * bulk_modulus * sin_phi * sin_psi;
+             4 * K * sin_phi * sin_psi;
     };
     const double A           = moduli(a[0], b[0]);
     const double B           = (planes.n == 2 ? moduli(a[0], b[1]) : 0.);
     const double determinant = (A - B) * (A + B);
 
-    PrincipalResponse result = elastic_response(s_trial, theta_trial);
+    PrincipalResponse result = elastic_response(trial);
     result.plastic           = true;
     for (unsigned int k = 0; k < planes.n; ++k)
       {
@@ -354,20 +376,24 @@ namespace isochor
             inverse[k]     = A / determinant;
             inverse[1 - k] = -B / determinant;
           }
-        double lambda = 0;
+        double lambda = 0, dlambda_dmean = 0;
         Vector dlambda_dstrain{};
         for (unsigned int l = 0; l < planes.n; ++l)
           {
             lambda += inverse[l] * f[l];
             for (unsigned int D = 0; D < 3; ++D)
               dlambda_dstrain[D] +=
-                inverse[l] * (two_G * a[l][D] + 2 * bulk_modulus * sin_phi);
+                inverse[l] * (two_G * a[l][D] + 2 * K * sin_phi);
+            if (trial.mean_is_given)
+              dlambda_dmean += inverse[l] * 2 * sin_phi;
           }
 
         result.theta -= 2 * sin_psi * lambda;
+        result.dtheta_dmean -= 2 * sin_psi * dlambda_dmean;
         for (unsigned int C = 0; C < 3; ++C)
           {
             result.s[C] -= two_G * lambda * b[k][C];
+            result.ds_dmean[C] -= two_G * dlambda_dmean * b[k][C];
             result.dtheta_dstrain[C] -= 2 * sin_psi * dlambda_dstrain[C];
             for (unsigned int D = 0; D < 3; ++D)
               result.ds_dstrain[C][D] -= two_G * b[k][C] * dlambda_dstrain[D];
@@ -379,7 +405,7 @@ namespace isochor
     for (unsigned int C = 0; C < 3; ++C)
       for (unsigned int D = C + 1; D < 3; ++D)
         {
-          const double trial_difference = s_trial[C] - s_trial[D];
+          const double trial_difference = trial.s[C] - trial.s[D];
           const double ratio =
             (trial_difference > 0 ?
                (result.s[C] - result.s[D]) / trial_difference :
@@ -415,43 +441,77 @@ namespace isochor
    * τ_1 >= τ_2 >= τ_3. If it violates τ_1 >= τ_2, the plane with τ_2 in the
    * place of τ_1 is violated too, and the two multipliers of that edge are
    * positive; likewise for τ_2 >= τ_3. An edge is the answer unless the return
-   * to it ends beyond the apex, τ_1 < τ_3. Without friction the
-   * return ends at τ_1 - τ_3 = 2 c and the apex is never asked for.
+   * to it ends beyond the apex, τ_1 < τ_3. Without friction the return ends at
+   * τ_1 - τ_3 = 2 c, and at a given mean stress on the edge of that section of
+   * the surface, and the apex is never asked for.
    */
   template <int dim>
   typename MohrCoulomb<dim>::PrincipalResponse
-  MohrCoulomb<dim>::principal_response(const Vector &s_trial,
-                                       const double  theta_trial) const
+  MohrCoulomb<dim>::principal_response(const Trial &trial) const
   {
-    const double mean = bulk_modulus * theta_trial;
-    const double scale =
-      (s_trial[0] - s_trial[2]) + 2 * std::abs(mean) * sin_phi + 2 * c_cos_phi;
+    const double scale = (trial.s[0] - trial.s[2]) +
+                         2 * std::abs(trial.mean) * sin_phi + 2 * c_cos_phi;
     // The margin keeps a point that rests on the surface elastic. Written so
     // that not-a-number passes through as elastic and is reported there.
-    if (!(yield_function(s_trial, mean, 0, 2) > 1e-12 * scale))
-      return elastic_response(s_trial, theta_trial);
+    if (!(yield_function(trial.s, trial.mean, 0, 2) > 1e-12 * scale))
+      return elastic_response(trial);
 
-    const PrincipalResponse on_plane = return_to(plane, s_trial, theta_trial);
+    const PrincipalResponse on_plane     = return_to(plane, trial);
     const bool              violates_1_2 = on_plane.s[0] < on_plane.s[1];
     const bool              violates_2_3 = on_plane.s[1] < on_plane.s[2];
     if (!violates_1_2 && !violates_2_3)
       return on_plane;
 
+    const bool apex_is_out_of_reach = sin_phi == 0 || trial.mean_is_given;
     if (violates_1_2)
       {
-        const PrincipalResponse on_edge =
-          return_to(edge_1_is_2, s_trial, theta_trial);
-        if (on_edge.s[0] >= on_edge.s[2] || sin_phi == 0)
+        const PrincipalResponse on_edge = return_to(edge_1_is_2, trial);
+        if (on_edge.s[0] >= on_edge.s[2] || apex_is_out_of_reach)
           return on_edge;
       }
     if (violates_2_3)
       {
-        const PrincipalResponse on_edge =
-          return_to(edge_2_is_3, s_trial, theta_trial);
-        if (on_edge.s[0] >= on_edge.s[2] || sin_phi == 0)
+        const PrincipalResponse on_edge = return_to(edge_2_is_3, trial);
+        if (on_edge.s[0] >= on_edge.s[2] || apex_is_out_of_reach)
           return on_edge;
       }
     return return_to_apex();
+  }
+
+
+
+  /**
+   * The section of the surface by the deviatoric plane at @p pressure shrinks
+   * to a point at the apex, τ = c cot φ. Beyond it dev τ is zero and the
+   * excess of p over c cot φ is taken off, so that τ stays on the apex. θ^e
+   * goes on from its value at the apex, continuous in p and in the deformation,
+   * and falls by S = 100/G per excess. Any S >= 0 gives the same stress where
+   * θ^e = p/K: a root of this falling function lies below the apex or it
+   * doesn't, and then the stress is the apex's. S keeps the excess small, also
+   * for 1/K = 0: at most G/100 of the volumetric strain beyond the apex.
+   */
+  template <int dim>
+  typename MohrCoulomb<dim>::PrincipalResponse
+  MohrCoulomb<dim>::response_at_pressure(Trial        trial,
+                                         const double pressure) const
+  {
+    const double apex        = c_cos_phi / sin_phi;
+    trial.mean               = std::min(pressure, apex);
+    trial.mean_is_given      = true;
+    PrincipalResponse result = principal_response(trial);
+    if (!(pressure > apex))
+      return result;
+
+    const double S = 100 / elasticity.shear_modulus;
+    result.excess  = pressure - apex;
+    result.theta -= S * result.excess;
+    result.dtheta_dmean = -S;
+    result.plastic      = true;
+    result.s.fill(-result.excess);
+    result.ds_dmean.fill(-1);
+    result.ds_dstrain = Matrix{};
+    result.secant     = Matrix{};
+    return result;
   }
 
 
@@ -489,6 +549,9 @@ namespace isochor
     response.tangent            = SymmetricTensor<4, dim>();
     response.volumetric_strain  = principal.theta;
 
+    response.deviatoric_pressure_tangent = SymmetricTensor<2, dim>();
+    response.volumetric_pressure_tangent = principal.dtheta_dmean;
+
     std::array<SymmetricTensor<2, dim>, 3> m;
     for (unsigned int a = 0; a < 3; ++a)
       {
@@ -496,6 +559,8 @@ namespace isochor
         response.deviatoric_stress += principal.s[a] * m_a;
         m[a] = in_plane<dim>(m_a);
         response.volumetric_tangent += principal.dtheta_dstrain[a] * m[a];
+        if (depends_on_pressure())
+          response.deviatoric_pressure_tangent += principal.ds_dmean[a] * m[a];
       }
 
     for (unsigned int a = 0; a < 3; ++a)
@@ -538,19 +603,25 @@ namespace isochor
   {
     constexpr unsigned int alpha_index = n_symmetric_components<dim>;
     const double           two_G       = 2 * elasticity.shear_modulus;
+    const bool at_pressure = depends_on_pressure() && kinematics.pressure;
+    // Without p the mean stress is K θ^e.
+    if (depends_on_pressure() && !at_pressure && bulk_modulus == 0)
+      return StressStatus::return_map_failed;
 
     const SymmetricTensor<2, 3> b_trial =
       push_forward(kinematics.F_increment,
                    load_symmetric_tensor<dim>(history_n));
-    const SpectralDecomposition trial = spectral_decomposition<dim>(b_trial);
+    const SpectralDecomposition spectrum = spectral_decomposition<dim>(b_trial);
 
     Vector strain;
     for (unsigned int A = 0; A < 3; ++A)
-      strain[A] = 0.5 * std::log(trial.values[A]);
+      strain[A] = 0.5 * std::log(spectrum.values[A]);
     const double mean_strain = (strain[0] + strain[1] + strain[2]) / 3;
     // Without friction flow is isochoric: then J itself, which can't drift.
-    const double theta_trial =
-      (sin_phi == 0 ? std::log(kinematics.J) : 3 * mean_strain);
+    Trial trial;
+    trial.theta = (sin_phi == 0 ? std::log(kinematics.J) : 3 * mean_strain);
+    trial.mean  = bulk_modulus * trial.theta;
+    trial.mean_is_given = false;
 
     std::array<unsigned int, 3> order = {{0, 1, 2}};
     const auto sort_pair = [&](const unsigned int i, const unsigned int j) {
@@ -561,13 +632,13 @@ namespace isochor
     sort_pair(1, 2);
     sort_pair(0, 1);
 
-    Vector s_trial;
     for (unsigned int a = 0; a < 3; ++a)
-      s_trial[a] = two_G * (strain[order[a]] - mean_strain);
+      trial.s[a] = two_G * (strain[order[a]] - mean_strain);
 
     const PrincipalResponse principal =
-      principal_response(s_trial, theta_trial);
-    assemble_response(trial, strain, order, principal, response);
+      at_pressure ? response_at_pressure(trial, *kinematics.pressure) :
+                    principal_response(trial);
+    assemble_response(spectrum, strain, order, principal, response);
 
     history[alpha_index] = history_n[alpha_index];
     if (!principal.plastic)
@@ -576,16 +647,18 @@ namespace isochor
       {
         SymmetricTensor<2, 3> b_elastic;
         double                norm_square = 0;
+        // The excess is no stress and strains nothing.
+        const double theta =
+          principal.theta - principal.excess * elasticity.inverse_bulk_modulus;
         for (unsigned int a = 0; a < 3; ++a)
           {
-            const double elastic_strain =
-              principal.s[a] / two_G + principal.theta / 3;
+            const double s              = principal.s[a] + principal.excess;
+            const double elastic_strain = s / two_G + theta / 3;
             const double plastic_increment =
-              (s_trial[a] - principal.s[a]) / two_G +
-              (theta_trial - principal.theta) / 3;
+              (trial.s[a] - s) / two_G + (trial.theta - theta) / 3;
             norm_square += plastic_increment * plastic_increment;
 
-            const Tensor<1, 3> &n = trial.vectors[order[a]];
+            const Tensor<1, 3> &n = spectrum.vectors[order[a]];
             b_elastic +=
               std::exp(2 * elastic_strain) * symmetrize(outer_product(n, n));
           }
