@@ -6,19 +6,22 @@
 //   gmsh -2 footing.geo -setnumber h 0.05 -setnumber h_far 0.5 -o footing.msh
 // h       edge length (m) in the zone the mechanism reaches
 // h_far   edge length (m) far from it
-// h_edge  edge length (m) at the edge of the footing, where the velocity jumps;
-//         the collapse load is too high by about the width of one cell there
+// h_edge  edge length (m) at the edge of the footing, where the velocity jumps
+// inset   how far (m) the last node of the base lies inside the edge. The velocity
+//         falls linearly from it to the next node, so that half of that cell acts
+//         like footing: half an edge length makes the effective half width B/2
 // uniform 1: edge length h in all of the soil, for comparison
 DefineConstant[
   h       = {0.05, Min 1e-3, Max 1, Name "h"},
   h_far   = {0.5, Min 1e-3, Max 5, Name "h_far"},
-  h_edge  = {0.05, Min 1e-4, Max 1, Name "h_edge"},
+  h_edge  = {h, Min 1e-4, Max 1, Name "h_edge"},
+  inset   = {h_edge / 2, Min 0, Max 0.4, Name "inset"},
   uniform = {0, Choices {0, 1}, Name "uniform"}
 ];
 width      = 12;   // of the soil
 depth      = 10;   // of the soil
 head_room  = 2.5;  // above the initial surface
-half_width = 0.5;  // of the footing, B/2
+half_width = 0.5 - inset; // of the base; that of the footing is 0.5 = B/2
 fine_width = 6;    // the zone of edge length h: from the axis,
 fine_depth = 2;    // from the initial surface down,
 fine_heave = 1.25; // and from the initial surface up

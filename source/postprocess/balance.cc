@@ -12,8 +12,9 @@ namespace isochor
 {
   /**
    * What the body has in total, after each step: number, mass and current
-   * volume of the points, the extremes of their volume ratio J and, in
-   * dynamics, their kinetic energy (per metre of thickness in plane strain).
+   * volume of the points, that of the body as the quadrature sees it, the
+   * extremes of the points' volume ratio J and, in dynamics, their kinetic
+   * energy (per metre of thickness in plane strain).
    */
   template <int dim>
   class Balance : public Postprocessor<dim>
@@ -34,6 +35,24 @@ namespace isochor
     parse_parameters(ParameterHandler &prm) override
     {
       enabled = prm.get_bool("Write balance");
+    }
+
+    /** Points in cells that the body fills stand for the whole cell, so that
+     * this volume shows what that of the points can't: whether they have been
+     * squeezed together or drawn apart. */
+    void
+    evaluate_nodes(const StepResult<dim> &result,
+                   Statistics            &statistics) override
+    {
+      if (!enabled)
+        return;
+      const PointArrays<dim> &points = result.step.points;
+      double                  volume = 0;
+      for (unsigned int q = 0; q < points.weight.size(); ++q)
+        volume += points.weight[q] * determinant(points.F[q]);
+      statistics.set("Volume in the grid (m^" + std::to_string(dim) + ")",
+                     Utilities::MPI::sum(volume,
+                                         result.step.grid.communicator()));
     }
 
     void
