@@ -374,29 +374,6 @@ namespace isochor
 
   template <int dim>
   void
-  MaterialPointMethod<dim>::prepare_quadrature()
-  {
-    // halves of a point may be still too large for the cells around
-    for (unsigned int round = 0; round < 5; ++round)
-      {
-        points.gather(arrays);
-        quadrature.start_step(
-          arrays, *locator, kernel, needs_occupancy, occupancy);
-        if (!refinement.is_active())
-          return;
-        const auto splits = refinement.find(arrays, occupancy);
-        if (Utilities::MPI::sum(splits.size(), comm) == 0)
-          return;
-        points.split(splits);
-      }
-    points.gather(arrays);
-    quadrature.start_step(arrays, *locator, kernel, needs_occupancy, occupancy);
-  }
-
-
-
-  template <int dim>
-  void
   MaterialPointMethod<dim>::reset_grid()
   {
     TimerOutput::Scope scope(timer, "grid reset");
@@ -405,7 +382,9 @@ namespace isochor
     grid_reset.start(time.time);
     // here and not after the last step, which may end outside of the grid
     points.relocate(*locator);
-    prepare_quadrature();
+    refinement.refine(points, grid, *locator);
+    points.gather(arrays);
+    quadrature.start_step(arrays, *locator, kernel, needs_occupancy, occupancy);
     grid_reset.touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(grid_reset.touched_vertices);

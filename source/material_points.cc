@@ -162,8 +162,6 @@ namespace isochor
     insert(seeds, materials);
     if (!initial_velocity.empty())
       set_velocity(initial_velocity);
-    n_global_points = particles.n_global_particles();
-    global_volume   = total_reference_volume();
   }
 
 
@@ -559,60 +557,6 @@ namespace isochor
             arrays.acceleration[q][d] = properties[l.acceleration + d];
           }
     });
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPoints<dim>::split(const std::vector<PointSplit<dim>> &splits)
-  {
-    std::vector<Particles::ParticleIterator<dim>> point;
-    for (const Group &group : groups)
-      {
-        auto particle = group.first;
-        for (unsigned int i = 0; i < group.n_points; ++i, ++particle)
-          point.push_back(particle);
-      }
-
-    // new numbers, rank by rank
-    const types::particle_index n_new = splits.size();
-    types::particle_index       id    = 0;
-    const int                   ierr  = MPI_Exscan(&n_new,
-                                &id,
-                                1,
-                                DEAL_II_PARTICLE_INDEX_MPI_TYPE,
-                                MPI_SUM,
-                                grid.communicator());
-    AssertThrowMPI(ierr);
-    if (Utilities::MPI::this_mpi_process(grid.communicator()) == 0)
-      id = 0; // left undefined there
-    id += particles.get_next_free_particle_index();
-
-    struct NewPoint
-    {
-      const PointSplit<dim> *split;
-      std::vector<double>    properties;
-    };
-    std::vector<NewPoint> new_points;
-    for (const PointSplit<dim> &split : splits)
-      {
-        const ArrayView<double> properties =
-          point[split.point]->get_properties();
-        properties[point_layout.volume] /= 2;
-        properties[point_layout.mass] /= 2;
-        new_points.push_back({&split, {properties.begin(), properties.end()}});
-      }
-    groups.clear();
-    for (NewPoint &added : new_points)
-      particles.insert_particle(
-        added.split->location,
-        SimplexGeometry<dim>::reference_location(grid.geometry().barycentric(
-          added.split->cell, added.split->location)),
-        id++,
-        grid.geometry().cell_iterator(added.split->cell),
-        make_array_view(added.properties));
-    particles.update_cached_numbers();
   }
 
 

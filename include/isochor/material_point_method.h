@@ -72,8 +72,6 @@ namespace isochor
 
     void
     initialisation_phase();
-    void
-    prepare_quadrature();
     NewtonReport
     updated_lagrangian_phase();
     NewtonReport

@@ -100,16 +100,6 @@ namespace isochor
     return tensor;
   }
 
-  /** A material point to be split in two halves, one of which goes to another
-   * place. */
-  template <int dim>
-  struct PointSplit
-  {
-    unsigned int point = 0; ///< as in PointArrays
-    unsigned int cell  = 0; ///< of this rank, where the new point goes
-    Point<dim>   location;
-  };
-
   /**
    * The material points of this rank in typed arrays, ordered by cell: what
    * the hot loops of one step work on. Cell k of the list `cell` holds the
@@ -348,13 +338,6 @@ namespace isochor
         }
     }
 
-    /**
-     * Carry out @p splits, points q as in the last gather(), in this order.
-     * Invalidates what gather() gave. Collective.
-     */
-    void
-    split(const std::vector<PointSplit<dim>> &splits);
-
     /** Bring every point to the cell and rank where it now lies. Throws if a
      * point left the grid, naming it. */
     void
@@ -430,8 +413,6 @@ namespace isochor
     PointLayout                     point_layout;
     Particles::ParticleHandler<dim> particles;
     std::vector<Group>              groups;
-    types::particle_index           n_global_points = 0;
-    double                          global_volume   = 0;
   };
 } // namespace isochor
 

@@ -7,25 +7,25 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <isochor/cell_occupancy.h>
+#include <isochor/background_grid.h>
 #include <isochor/material_points.h>
+#include <isochor/point_locator.h>
 
 #include <vector>
 
 namespace isochor
 {
   /**
-   * Splits material points where the cells are too small for them: where the
-   * body is stretched, or small cells of a moving grid come to where large ones
-   * were seeded. A hole, a cell inside of the body without points, has nothing
-   * that would remember the material in it, and larger gaps are not even
-   * recognised as inside: the body would close them, and lose volume while
-   * det F of every point stays right.
+   * Splits material points that are too large for the cells: where the body is
+   * stretched, or small cells of a moving grid come to where larger ones were
+   * seeded. A cell inside of the body without points has nothing that would
+   * remember the material in it: the body closes such gaps, and loses volume
+   * while det F of every point stays right.
    *
-   * A hole gets a point at its centroid, half of the largest of the points in
-   * the cells next to it, with all that this one knows; if that point is no
-   * larger than the hole, it is a gap between points dense enough, and nothing
-   * is done. Volume, mass and momentum are conserved.
+   * A point becomes four (2D) or five (3D) equal ones, itself and the corners
+   * of an equilateral triangle or tetrahedron around it, all of which know what
+   * it knew. Volume, mass and momentum are conserved, and so are centre and
+   * second moment of the mass.
    */
   template <int dim>
   class PointRefinement
@@ -33,24 +33,34 @@ namespace isochor
   public:
     static void
     declare_parameters(ParameterHandler &prm);
-    /** Throws if switched on where there are no holes, or for points with
-     * domains. */
+    /** Throws if switched on for points with domains. */
     void
     parse_parameters(ParameterHandler &prm);
 
-    bool
-    is_active() const
-    {
-      return active;
-    }
-
-    /** The points to split, by this rank: see MaterialPoints::split(). */
-    std::vector<PointSplit<dim>>
-    find(const PointArrays<dim>   &points,
-         const CellOccupancy<dim> &occupancy) const;
+    /** Split what is too large, if asked for. Invalidates what was gathered
+     * from the points. Collective. */
+    void
+    refine(MaterialPoints<dim>       &points,
+           const BackgroundGrid<dim> &grid,
+           const PointLocator<dim>   &locator) const;
 
   private:
-    bool active = false;
+    struct NewPoint
+    {
+      unsigned int        cell; ///< of the point it comes from
+      Point<dim>          location;
+      std::vector<double> properties;
+    };
+
+    /** Make the points that are too large smaller; what they have lost. */
+    std::vector<NewPoint>
+    split(MaterialPoints<dim> &points, const PointLocator<dim> &locator) const;
+    void
+    insert(MaterialPoints<dim>         &points,
+           const BackgroundGrid<dim>   &grid,
+           const std::vector<NewPoint> &parts) const;
+
+    double largest_share = 0; ///< of a point in its cell; 0: any
   };
 } // namespace isochor
 

@@ -107,18 +107,22 @@ def report_load(label, depth, load):
             )
 
 
-def surface_profile(data, bin_width):
-    """Height of the soil's surface (m) right of the footing's side, as
-    (x, y): the highest point per bin and half the edge of its share."""
-    x, y = data["position"][:, 0], data["position"][:, 1]
-    top = y + 0.5 * np.sqrt(data["volume"])
-    edges = np.arange(HALF_WIDTH, x.max() + bin_width, bin_width)
-    bins = np.digitize(x, edges) - 1
-    height = np.full(len(edges), -np.inf)
-    inside = bins >= 0
-    np.maximum.at(height, bins[inside], top[inside])
-    filled = np.isfinite(height)
-    return edges[filled] + 0.5 * bin_width, height[filled]
+def surface_profile(data, arguments):
+    """The soil's surface beside the footing as a line of points (x, y): the
+    edge of the footing's base, then the topmost point of each column of the
+    soil at rest, moved with the soil by the depth it had below the surface."""
+    rest = data["position"][:, :2] - data["displacement"][:, :2]
+    depth = SURFACE - rest[:, 1]
+    edge = HALF_WIDTH - arguments.inset
+    near = (depth < 0.5) & (rest[:, 0] > edge)
+    order = np.flatnonzero(near)[np.argsort(depth[near])]
+    columns = np.round(rest[order, 0] / arguments.bin_width)
+    _, first = np.unique(columns, return_index=True)
+    chosen = order[first]
+    down = -depth[chosen, None] * data["deformation_gradient"][chosen, :2, 1]
+    surface = data["position"][chosen, :2] - down
+    corner = [edge, SURFACE - data["time"] * arguments.rate]
+    return np.vstack([corner, surface]).T
 
 
 def draw_heave(cases, arguments):
@@ -143,8 +147,8 @@ def draw_heave(cases, arguments):
                 continue
             drawn.add(data["time"])
             settlement = data["time"] * arguments.rate
-            report_volume(label, settlement, data)
-            x, y = surface_profile(data, arguments.bin_width)
+            x, y = surface_profile(data, arguments)
+            report_volume(label, settlement, data, x, y, arguments)
             ax.plot(
                 x,
                 y - SURFACE,
@@ -161,18 +165,18 @@ def draw_heave(cases, arguments):
     output.save(figure, arguments.figures / "heave.png")
 
 
-def report_volume(label, settlement, data):
-    """The volume of the points above the initial surface against that which
-    the footing has taken. A point counts as a whole: it crosses the surface
-    when the soil has risen by its depth, so the sum is right on average, but a
-    rise smaller than the depth of the topmost points is not seen."""
-    above = data["position"][:, 1] > SURFACE
-    heave = np.sum(data["volume"][above])
+def report_volume(label, settlement, data, x, y, arguments):
+    """The area between the initial surface and the present one against that
+    which the footing has taken. What the soil leaves open beside the footing
+    counts as the footing's."""
+    displaced = (HALF_WIDTH - arguments.inset) * settlement
+    heave = np.sum(np.diff(x) * (y[1:] + y[:-1] - 2 * SURFACE)) / 2
+    heave += (arguments.soil_width - x[-1]) * (y[-1] - SURFACE)
     change = np.sum(data["volume"] * (1 - 1 / data["J"]))
     print(
-        f"{label}, w = {settlement:.3f} m: displaced "
-        f"{HALF_WIDTH * settlement:.4f} m^2, heave {heave:.4f} m^2, change of "
-        f"the soil's volume {change:+.4f} m^2"
+        f"{label}, w = {settlement:.3f} m: displaced {displaced:.4f} m^2, "
+        f"heave {heave:.4f} m^2 ({100 * (heave / displaced - 1):+.1f} %), "
+        f"change of the soil's volume {change:+.4f} m^2"
     )
 
 
@@ -230,7 +234,16 @@ def parse_arguments():
         help="w/B of the heave profiles, at most 5",
     )
     parser.add_argument(
-        "--bin-width", type=float, default=0.05, help="of the profile (m)"
+        "--bin-width", type=float, default=0.02, help="of the profile (m)"
+    )
+    parser.add_argument(
+        "--inset",
+        type=float,
+        default=0.025,
+        help="of footing.geo, half of h_edge (m)",
+    )
+    parser.add_argument(
+        "--soil-width", type=float, default=12.0, help="of the half model (m)"
     )
     parser.add_argument(
         "--window",
