@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/mpi_sums.h>
 #include <isochor/point_refinement.h>
 
 #include <algorithm>
@@ -41,7 +42,7 @@ namespace isochor
             const double r = std::sqrt(0.75 * (1 - std::pow(5., -2. / 3))) *
                              std::cbrt(0.75 / numbers::PI) / std::sqrt(3.);
             for (unsigned int d = 0; d < 3; ++d) // every other corner of a cube
-              places[i][d] = ((i >> d) + (i == 3)) % 2 ? r : -r;
+              places[i][d] = ((i ^ (i << 1)) >> d) % 2 ? r : -r;
           }
       return places;
     }
@@ -159,19 +160,9 @@ namespace isochor
                                const BackgroundGrid<dim>   &grid,
                                const std::vector<NewPoint> &parts) const
   {
-    // numbers, rank by rank
-    const types::particle_index n    = parts.size();
-    types::particle_index       id   = 0;
-    const int                   ierr = MPI_Exscan(&n,
-                                &id,
-                                1,
-                                DEAL_II_PARTICLE_INDEX_MPI_TYPE,
-                                MPI_SUM,
-                                grid.communicator());
-    AssertThrowMPI(ierr);
-    if (Utilities::MPI::this_mpi_process(grid.communicator()) == 0)
-      id = 0; // left undefined there
-    id += points.handler().get_next_free_particle_index();
+    types::particle_index id =
+      points.handler().get_next_free_particle_index() +
+      exclusive_and_total_sum(parts.size(), grid.communicator()).first;
 
     // into the cell of the old point; the place may be in another one
     for (const NewPoint &part : parts)
