@@ -109,20 +109,44 @@ def report_load(label, depth, load):
 
 def surface_profile(data, arguments):
     """The soil's surface beside the footing as a line of points (x, y): the
-    edge of the footing's base, then the topmost point of each column of the
-    soil at rest, moved with the soil by the depth it had below the surface."""
+    edge of the footing's base, what the footing has left behind up to the
+    initial surface, and the surface of the soil at rest as it has moved."""
+    edge = HALF_WIDTH - arguments.inset
+    settlement = data["time"] * arguments.rate
+    wake = wake_profile(data, edge, settlement, arguments.bin_width)
+    top = moved_surface(data, edge, arguments.bin_width)
+    risen = np.argmax(top[:, 1] > SURFACE)
+    corner = [[edge, SURFACE - settlement]]
+    return np.vstack([corner, wake, top[risen:]]).T
+
+
+def wake_profile(data, edge, settlement, bin_width):
+    """The soil's left side above the footing's base: in each layer the first
+    point, less half of its size."""
+    x, y = data["position"][:, 0], data["position"][:, 1]
+    left = x - 0.5 * np.sqrt(data["volume"])
+    layers = np.arange(SURFACE - settlement, SURFACE, bin_width)
+    layer = np.digitize(y, layers) - 1
+    beside = (layer >= 0) & (y < SURFACE) & (x > edge)
+    first = np.full(len(layers), np.inf)
+    np.minimum.at(first, layer[beside], left[beside])
+    filled = np.isfinite(first)
+    centres = layers + 0.5 * bin_width
+    return np.c_[np.maximum(first, edge), centres][filled]
+
+
+def moved_surface(data, edge, bin_width):
+    """The topmost point of each column of the soil at rest, moved up with the
+    soil by the depth that it had below the surface."""
     rest = data["position"][:, :2] - data["displacement"][:, :2]
     depth = SURFACE - rest[:, 1]
-    edge = HALF_WIDTH - arguments.inset
     near = (depth < 0.5) & (rest[:, 0] > edge)
     order = np.flatnonzero(near)[np.argsort(depth[near])]
-    columns = np.round(rest[order, 0] / arguments.bin_width)
+    columns = np.round(rest[order, 0] / bin_width)
     _, first = np.unique(columns, return_index=True)
     chosen = order[first]
-    down = -depth[chosen, None] * data["deformation_gradient"][chosen, :2, 1]
-    surface = data["position"][chosen, :2] - down
-    corner = [edge, SURFACE - data["time"] * arguments.rate]
-    return np.vstack([corner, surface]).T
+    up = depth[chosen, None] * data["deformation_gradient"][chosen, :2, 1]
+    return data["position"][chosen, :2] + up
 
 
 def draw_heave(cases, arguments):
@@ -234,7 +258,7 @@ def parse_arguments():
         help="w/B of the heave profiles, at most 5",
     )
     parser.add_argument(
-        "--bin-width", type=float, default=0.02, help="of the profile (m)"
+        "--bin-width", type=float, default=0.05, help="of the profile (m)"
     )
     parser.add_argument(
         "--inset",
