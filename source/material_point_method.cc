@@ -8,8 +8,6 @@
 #include <isochor/material_point_method.h>
 #include <isochor/mpi_sums.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -117,10 +115,10 @@ namespace isochor
                       Patterns::Anything(),
                       "Where all files of the run go; made if missing.");
     prm.declare_entry("Terminal",
-                      "auto",
-                      Patterns::Selection("auto|quiet|verbose"),
-                      "Progress on the terminal; auto: only if the output is a "
-                      "terminal.");
+                      "progress",
+                      Patterns::Selection("quiet|progress|verbose"),
+                      "Nothing, a line per step with an estimate of the time "
+                      "left, or in addition the residuals of each iteration.");
     prm.leave_subsection();
   }
 
@@ -199,10 +197,9 @@ namespace isochor
     prm.enter_subsection("Output");
     output_directory           = prm.get("Directory");
     const std::string terminal = prm.get("Terminal");
-    verbose =
-      Utilities::MPI::this_mpi_process(comm) == 0 &&
-      (terminal == "verbose" || (terminal == "auto" && isatty(STDOUT_FILENO)));
-    pcout.set_condition(verbose);
+    pcout.set_condition(Utilities::MPI::this_mpi_process(comm) == 0 &&
+                        terminal != "quiet");
+    verbose = pcout.is_active() && terminal == "verbose";
     prm.leave_subsection();
   }
 
@@ -226,10 +223,15 @@ namespace isochor
         if (newton.converged)
           {
             convective_phase(newton);
+            print_progress(newton);
             start_afresh = checkpoint.write_if_due(state());
           }
         else
-          time.reject(newton.failure);
+          {
+            pcout << "Step " << time.step + 1 << " to t = " << time.next_time()
+                  << " is cut: " << newton.failure << std::endl;
+            time.reject(newton.failure);
+          }
       }
     if (pcout.is_active())
       timer.print_summary();
@@ -278,6 +280,22 @@ namespace isochor
           << " form" << std::endl;
     if (!notice.empty())
       pcout << notice << std::endl;
+    remaining_time.reached(time.time, clock.wall_time());
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::print_progress(const NewtonReport &newton)
+  {
+    remaining_time.reached(time.time, clock.wall_time());
+    pcout << "Step " << time.step << ": t = " << time.time << ", "
+          << system.matrix().n_equations << " equations, "
+          << newton.n_iterations()
+          << (newton.n_iterations() == 1 ? " iteration, " : " iterations, ")
+          << readable_duration(remaining_time.seconds_to(time.end_time()))
+          << " left" << std::endl;
   }
 
 
@@ -624,9 +642,9 @@ namespace isochor
   NewtonReport
   MaterialPointMethod<dim>::updated_lagrangian_phase()
   {
-    pcout << "Step " << time.step + 1 << ": t = " << time.next_time()
-          << " (dt = " << time.next_time() - time.time << "), "
-          << system.matrix().n_equations << " equations" << std::endl;
+    if (verbose)
+      pcout << "Step " << time.step + 1 << " to t = " << time.next_time()
+            << " (dt = " << time.next_time() - time.time << ")" << std::endl;
 
     at_start            = true;
     NewtonReport report = find_equilibrium();
@@ -643,7 +661,8 @@ namespace isochor
           break;
         system.reinit(
           false, n_components, grid_reset.elements, constraints, symmetric);
-        pcout << "    contact changed" << std::endl;
+        if (verbose)
+          pcout << "    contact changed" << std::endl;
         report.continue_with(find_equilibrium());
       }
     return report;
@@ -671,8 +690,7 @@ namespace isochor
         unknowns.local_element(i) =
           base_unknowns.local_element(i) + s * correction.local_element(i);
     };
-    return newton_solver.solve(problem,
-                               pcout.is_active() ? &std::cout : nullptr);
+    return newton_solver.solve(problem, verbose ? &std::cout : nullptr);
   }
 
 

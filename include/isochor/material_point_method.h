@@ -20,6 +20,7 @@
 #include <isochor/newton_solver.h>
 #include <isochor/point_refinement.h>
 #include <isochor/postprocessor.h>
+#include <isochor/remaining_time.h>
 #include <isochor/volume_projection.h>
 
 #include <memory>
@@ -69,6 +70,10 @@ namespace isochor
     setup();
     void
     find_walls();
+    /** Tell on the terminal that a step is done, and how long the rest takes.
+     */
+    void
+    print_progress(const NewtonReport &newton);
 
     void
     initialisation_phase();
@@ -126,6 +131,8 @@ namespace isochor
     ConditionalOStream pcout;
     bool               verbose = false;
     TimerOutput        timer;
+    Timer              clock;
+    RemainingTime      remaining_time;
 
     BackgroundGrid<dim>                grid;
     MaterialPoints<dim>                points;
