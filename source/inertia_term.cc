@@ -91,6 +91,62 @@ namespace isochor
 
   template <int dim>
   void
+  InertiaTerm<dim>::set_initial_acceleration(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    const NodalConstraints                                     &constraints,
+    const NodalField                                           &unknowns,
+    PointArrays<dim>                                           &points) const
+  {
+    StepContext<dim> start          = step;
+    start.time                      = step.old_time;
+    const unsigned int n_components = step.n_components;
+    NodalField         force, mass;
+    step.nodes.initialize(force, n_components);
+    step.nodes.initialize(mass, 1);
+    for (const auto &condition : conditions)
+      {
+        condition->add_external_force(start, force);
+        condition->add_boundary_force(start, unknowns, force);
+      }
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            mass.local_element(step.nodes.node(stencil.vertex[I])) +=
+              stencil.shape[I] * points.mass[q];
+        }
+    force.compress(VectorOperation::add);
+    mass.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < step.nodes.n_owned() * n_components; ++i)
+      {
+        const double m         = mass.local_element(i / n_components);
+        force.local_element(i) = constraints.constrained[i] || m == 0. ?
+                                   0. :
+                                   force.local_element(i) / m;
+      }
+    force.update_ghost_values();
+
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            for (unsigned int a = 0; a < dim; ++a)
+              points.acceleration[q][a] +=
+                stencil.shape[I] *
+                force.local_element(
+                  step.nodes.node(stencil.vertex[I]) * n_components + a);
+        }
+  }
+
+
+
+  template <int dim>
+  void
   InertiaTerm<dim>::collect_elements(const StepContext<dim> &step,
                                      ElementNodes           &elements)
   {

@@ -7,6 +7,7 @@
 #include <isochor/expression.h>
 #include <isochor/material_point_method.h>
 #include <isochor/mpi_sums.h>
+#include <isochor/pressure_mapping.h>
 
 #include <algorithm>
 #include <cmath>
@@ -382,7 +383,8 @@ namespace isochor
     if (dynamic)
       {
         if (time.step == 0)
-          set_initial_acceleration();
+          inertia.set_initial_acceleration(
+            context(), boundary_conditions, constraints, unknowns, arrays);
         inertia.start_step(context());
       }
     compute_residual_floor();
@@ -412,59 +414,17 @@ namespace isochor
 
   template <int dim>
   void
-  MaterialPointMethod<dim>::map_pressure()
-  {
-    // p_I = Σ N_I m_p p_p / Σ N_I m_p, P(37); with volumes where there is no
-    // mass
-    NodalField mass;
-    nodes.initialize(mass, 1);
-    const bool massless =
-      std::any_of(kernel.materials.begin(),
-                  kernel.materials.end(),
-                  [](const auto &m) { return m->density() == 0; });
-    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
-      for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
-           ++q)
-        {
-          const auto stencil = arrays.stencil(grid.geometry(), k, q);
-          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            {
-              const unsigned int node = nodes.node(stencil.vertex[I]);
-              const double       Nm   = stencil.shape[I] *
-                                (massless ? arrays.volume[q] : arrays.mass[q]);
-              mass.local_element(node) += Nm;
-              unknowns.local_element(node * n_components + dim) +=
-                Nm * arrays.pressure[q];
-            }
-        }
-    mass.compress(VectorOperation::add);
-    unknowns.compress(VectorOperation::add);
-    for (unsigned int node = 0; node < nodes.n_owned(); ++node)
-      if (mass.local_element(node) > 0)
-        unknowns.local_element(node * n_components + dim) /=
-          mass.local_element(node);
-    unknowns.update_ghost_values();
-  }
-
-
-
-  template <int dim>
-  void
   MaterialPointMethod<dim>::set_initial_pressure()
   {
     if (n_components == dim)
       return;
     if (grid_reset.due())
       {
-        map_pressure();
+        map_pressure_to_nodes(context(), unknowns);
         return;
       }
     // the nodes are those of the last step
-    for (unsigned int i = 0; i < last_motion.vertices.size(); ++i)
-      unknowns.local_element(
-        nodes.node(last_motion.vertices[i]) * n_components + dim) =
-        last_motion.unknowns[i * n_components + dim];
-    unknowns.update_ghost_values();
+    last_motion.restore_pressure(nodes, n_components, unknowns);
   }
 
 
@@ -475,19 +435,10 @@ namespace isochor
   {
     if (!newton_solver.extrapolate || last_motion.step_size == 0)
       return false;
-    const double ratio = context().step_size() / last_motion.step_size;
-    for (unsigned int i = 0; i < last_motion.vertices.size(); ++i)
-      {
-        const unsigned int node = nodes.node(last_motion.vertices[i]);
-        if (node < nodes.n_owned())
-          for (unsigned int a = 0; a < n_components; ++a)
-            // the nodal pressure is kept: mapped to the points and back it
-            // would be smoothed
-            unknowns.local_element(node * n_components + a) =
-              (a < dim ? ratio : 1.) *
-              last_motion.unknowns[i * n_components + a];
-      }
-    unknowns.update_ghost_values();
+    last_motion.extrapolate(nodes,
+                            n_components,
+                            context().step_size() / last_motion.step_size,
+                            unknowns);
     return true;
   }
 
@@ -500,74 +451,6 @@ namespace isochor
     unknowns.zero_out_ghost_values();
     unknowns = 0.;
     set_initial_pressure();
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPointMethod<dim>::remember_motion()
-  {
-    last_motion.step_size = context().step_size();
-    last_motion.vertices.clear();
-    last_motion.unknowns.clear();
-    for (unsigned int node = 0; node < nodes.n_local(); ++node)
-      {
-        last_motion.vertices.push_back(nodes.vertex(node));
-        for (unsigned int a = 0; a < n_components; ++a)
-          last_motion.unknowns.push_back(
-            unknowns.local_element(node * n_components + a));
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPointMethod<dim>::set_initial_acceleration()
-  {
-    const StepContext<dim> start{
-      grid, nodes, arrays, kernel, n_components, time.time, time.time};
-    NodalField force, mass;
-    nodes.initialize(force, n_components);
-    nodes.initialize(mass, 1);
-    for (const auto &condition : boundary_conditions)
-      {
-        condition->add_external_force(start, force);
-        condition->add_boundary_force(start, unknowns, force);
-      }
-    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
-      for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
-           ++q)
-        {
-          const auto stencil = arrays.stencil(grid.geometry(), k, q);
-          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            mass.local_element(nodes.node(stencil.vertex[I])) +=
-              stencil.shape[I] * arrays.mass[q];
-        }
-    force.compress(VectorOperation::add);
-    mass.compress(VectorOperation::add);
-    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
-      {
-        const double m         = mass.local_element(i / n_components);
-        force.local_element(i) = constraints.constrained[i] || m == 0. ?
-                                   0. :
-                                   force.local_element(i) / m;
-      }
-    force.update_ghost_values();
-
-    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
-      for (unsigned int q = arrays.cell_start[k]; q < arrays.cell_start[k + 1];
-           ++q)
-        {
-          const auto stencil = arrays.stencil(grid.geometry(), k, q);
-          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            for (unsigned int a = 0; a < dim; ++a)
-              arrays.acceleration[q][a] +=
-                stencil.shape[I] *
-                force.local_element(
-                  nodes.node(stencil.vertex[I]) * n_components + a);
-        }
   }
 
 
@@ -822,13 +705,13 @@ namespace isochor
     {
       TimerOutput::Scope scope(timer, "convective phase");
       update_points();
-      remember_motion();
+      last_motion.remember(nodes, n_components, step.step_size(), unknowns);
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);
       grid_reset.advance(step, unknowns);
       // on a grid that is kept nothing drifts
       if (project_volume && grid_reset.due())
-        project_volume_change();
+        volume_projection.apply(step, points);
       time.accept(newton.n_factorisations);
     }
     {
@@ -919,37 +802,6 @@ namespace isochor
               properties[l.acceleration + a] = acceleration[a];
             }
         }
-    });
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPointMethod<dim>::project_volume_change()
-  {
-    const StepContext<dim> step = context();
-    const PointLayout     &l    = points.layout();
-    volume_projection.project(step);
-    points.for_each([&](const unsigned int k,
-                        const unsigned int q,
-                        Point<dim> & /*location*/,
-                        ArrayView<double> properties) {
-      Tensor<2, dim> F;
-      for (unsigned int a = 0; a < dim; ++a)
-        for (unsigned int b = 0; b < dim; ++b)
-          F[a][b] = properties[l.F + a * dim + b];
-      auto stress = load_symmetric<dim>(&properties[l.stress]);
-      kernel.change_volume(arrays,
-                           q,
-                           volume_projection.correction(step, k, q),
-                           F,
-                           stress,
-                           l.n_history > 0 ? &properties[l.history] : nullptr);
-      for (unsigned int a = 0; a < dim; ++a)
-        for (unsigned int b = 0; b < dim; ++b)
-          properties[l.F + a * dim + b] = F[a][b];
-      store_symmetric<dim>(stress, &properties[l.stress]);
     });
   }
 

@@ -93,6 +93,38 @@ namespace isochor
 
 
 
+  template <int dim>
+  void
+  VolumeProjection<dim>::apply(const StepContext<dim> &step,
+                               MaterialPoints<dim>    &points)
+  {
+    const PointLayout &l = points.layout();
+    project(step);
+    points.for_each([&](const unsigned int k,
+                        const unsigned int q,
+                        Point<dim> & /*location*/,
+                        ArrayView<double> properties) {
+      Tensor<2, dim> F;
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = 0; b < dim; ++b)
+          F[a][b] = properties[l.F + a * dim + b];
+      auto stress = load_symmetric<dim>(&properties[l.stress]);
+      step.kernel.change_volume(step.points,
+                                q,
+                                correction(step, k, q),
+                                F,
+                                stress,
+                                l.n_history > 0 ? &properties[l.history] :
+                                                  nullptr);
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = 0; b < dim; ++b)
+          properties[l.F + a * dim + b] = F[a][b];
+      store_symmetric<dim>(stress, &properties[l.stress]);
+    });
+  }
+
+
+
   template class VolumeProjection<2>;
   template class VolumeProjection<3>;
 } // namespace isochor

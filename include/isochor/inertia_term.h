@@ -5,7 +5,10 @@
 #ifndef isochor_inertia_term_h
 #define isochor_inertia_term_h
 
+#include <isochor/boundary_condition.h>
 #include <isochor/equation_term.h>
+
+#include <memory>
 
 namespace isochor
 {
@@ -28,6 +31,17 @@ namespace isochor
     /** Map masses, velocities and accelerations to the nodes. Collective. */
     void
     start_step(const StepContext<dim> &step);
+
+    /** The accelerations of the points at the start of the first step, from the
+     * forces of the boundary conditions at the nodes that these leave free.
+     * Collective. */
+    void
+    set_initial_acceleration(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      const NodalConstraints                                     &constraints,
+      const NodalField                                           &unknowns,
+      PointArrays<dim>                                           &points) const;
 
     void
     collect_elements(const StepContext<dim> &step,

@@ -94,8 +94,6 @@ namespace isochor
      * follows from it. */
     void
     reset_grid();
-    void
-    map_pressure();
     /** Put where Newton's method starts without a predictor into the unknowns.
      */
     void
@@ -105,14 +103,10 @@ namespace isochor
     void
     start_from_rest();
     void
-    remember_motion();
-    void
     compute_residual_floor();
     /** Give the points the acceleration with which a body without stress
      * answers the loads at t = 0. Newmark's scheme starts from it: without, a
      * load that is there from the start would act on half of the first step. */
-    void
-    set_initial_acceleration();
     void
     prepare_system();
     /** Constrain the nodes anew; whether that made a difference on any rank. */
@@ -124,8 +118,6 @@ namespace isochor
     solve_linear_system(const bool factorise);
     void
     update_points();
-    void
-    project_volume_change();
 
     const MPI_Comm     comm;
     ConditionalOStream pcout;

@@ -9,6 +9,7 @@
 
 #include <isochor/active_nodes.h>
 #include <isochor/equation_term.h>
+#include <isochor/material_points.h>
 
 #include <vector>
 
@@ -50,6 +51,12 @@ namespace isochor
       excess[q] = value;
     }
 
+    /** Replace the excess of the @p points, which have moved, by its nodal
+     * means: in F, stress and history. Collective. */
+    void
+    apply(const StepContext<dim> &step, MaterialPoints<dim> &points);
+
+  private:
     /** Find the nodal means. Collective. */
     void
     project(const StepContext<dim> &step);
@@ -60,7 +67,6 @@ namespace isochor
                const unsigned int      k,
                const unsigned int      q) const;
 
-  private:
     std::vector<double> excess;
     NodalField          mean, weight;
   };
