@@ -257,6 +257,34 @@ test_kept_grid(const MPI_Comm comm)
 
 
 
+/** Points are split at first, and again, after the interruption, as the cells
+ * become smaller: the new ones must get the same numbers. */
+void
+test_split_points(const MPI_Comm comm)
+{
+  const std::vector<std::pair<std::string, std::string>> shrinking = {
+    {"Material points/Split at share of cell", "0.1"},
+    {"Grid/Stretch", "y: 0 -> 0, 4 -> -6*t"}};
+  const std::string a = "checkpoint-split-a", b = "checkpoint-split-b";
+  const Result      whole = run(comm, a, shrinking);
+  const auto        n     = [&](const Result &result) {
+    return Utilities::MPI::sum(result.points.size(), comm);
+  };
+  report("split points, uninterrupted", whole.error.empty(), whole.error);
+  crash_after_step     = 5;
+  const Result crashed = run(comm, b, shrinking);
+  expect_error("split points, interrupted", crashed, "crash");
+  report("more are split after the interruption",
+         n(whole) > n(crashed),
+         std::to_string(n(whole)));
+  crash_after_step = numbers::invalid_unsigned_int;
+  auto again       = shrinking;
+  again.emplace_back("Checkpoint/Resume", "true");
+  compare("split points, resumed", run(comm, b, again), b, whole, a);
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -325,6 +353,7 @@ main(int argc, char **argv)
                "There is no checkpoint to resume from");
 
   test_kept_grid(comm);
+  test_split_points(comm);
 
   if (Utilities::MPI::n_mpi_processes(comm) > 1)
     {
