@@ -295,12 +295,10 @@ namespace isochor
   {
     residual = 0.;
     residual.zero_out_ghost_values();
+    lifting = 0.;
+    lifting.zero_out_ghost_values();
     if (with_matrix)
-      {
-        lifting = 0.;
-        lifting.zero_out_ghost_values();
-        std::fill(system.values.begin(), system.values.end(), 0.);
-      }
+      std::fill(system.values.begin(), system.values.end(), 0.);
   }
 
 

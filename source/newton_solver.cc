@@ -188,6 +188,9 @@ namespace isochor
     add_row(0, 0);
 
     double last_ratio = 0.; // try the factorisation of the last step
+    // Assembling the matrix costs as much again as the residual: it is left
+    // away where the next iterate will need none.
+    bool matrix_is_current = true, expect_need = true;
     while (true)
       {
         if (!std::isfinite(gauge.merit(norms)))
@@ -213,6 +216,8 @@ namespace isochor
         // of the last iteration, promises to do
         const bool reuse = reuse_ratio > 0 && last_ratio <= reuse_ratio &&
                            problem.has_factorisation();
+        if (!matrix_is_current && (!reuse || norms.pending))
+          norms = problem.assemble(true);
         unsigned int n_linear = 0;
         try
           {
@@ -234,7 +239,8 @@ namespace isochor
         for (unsigned int k = 0;; ++k, s /= 2)
           {
             problem.advance(s);
-            norms              = problem.assemble(k == 0);
+            matrix_is_current  = k == 0 && expect_need;
+            norms              = problem.assemble(matrix_is_current);
             const double merit = gauge.merit(norms);
             if (k == 0 || merit < best)
               {
@@ -250,15 +256,24 @@ namespace isochor
           {
             // the old matrix led astray: back, and take the right one
             problem.advance(0.);
-            norms      = problem.assemble(true);
-            last_ratio = 1.;
+            norms             = problem.assemble(true);
+            matrix_is_current = expect_need = true;
+            last_ratio                      = 1.;
             continue;
           }
         if (best_s != s)
           problem.advance(best_s);
-        if (best_s != 1.)
-          norms = problem.assemble(true);
+        if (s != 1.) // the last trial was another, and without a matrix
+          {
+            norms             = problem.assemble(true);
+            matrix_is_current = true;
+          }
         last_ratio = may_grow ? 0. : best / old;
+        // none is needed for a correction by an old matrix, nor at the end,
+        // which quadratic convergence lets foresee
+        expect_need =
+          may_grow || (!(reuse_ratio > 0 && last_ratio <= reuse_ratio) &&
+                       best * last_ratio * last_ratio > tolerance);
         gauge.take(norms);
         add_row(best_s, n_linear);
       }

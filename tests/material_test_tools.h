@@ -99,11 +99,11 @@ namespace isochor
       evaluate(const Tensor<2, dim> &F_increment)
       {
         Kinematics<dim> kinematics;
-        kinematics.F_increment = F_increment;
-        kinematics.F           = F_increment * F;
-        kinematics.J           = determinant(kinematics.F);
-        kinematics.pressure    = pressure;
-        status                 = material.evaluate(kinematics,
+        kinematics.set_increment(F_increment);
+        kinematics.F        = F_increment * F;
+        kinematics.J        = determinant(kinematics.F);
+        kinematics.pressure = pressure;
+        status              = material.evaluate(kinematics,
                                    history_n.data(),
                                    history.data(),
                                    response);

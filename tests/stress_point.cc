@@ -88,10 +88,10 @@ evaluate_history(const MaterialModel<dim>    &material,
   test::Point<dim> point(material);
   point.history_n = history_of<dim>(principal, Q);
   Kinematics<dim> kinematics;
-  kinematics.F_increment = unit_symmetric_tensor<dim>();
-  kinematics.F           = unit_symmetric_tensor<dim>();
-  kinematics.J           = J;
-  point.status           = material.evaluate(kinematics,
+  kinematics.set_increment(unit_symmetric_tensor<dim>());
+  kinematics.F = unit_symmetric_tensor<dim>();
+  kinematics.J = J;
+  point.status = material.evaluate(kinematics,
                                    point.history_n.data(),
                                    point.history.data(),
                                    point.response);

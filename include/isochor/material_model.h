@@ -11,6 +11,8 @@
 
 #include <isochor/plugin_registry.h>
 
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,8 +27,11 @@ namespace isochor
   template <int dim>
   struct Kinematics
   {
-    /** ΔF = 1 + ∇_n Δu, from t_n to t_{n+1}. */
+    /** ΔF = 1 + ∇_n Δu, from t_n to t_{n+1}; see set_increment(). */
     Tensor<2, dim> F_increment;
+    /** (det ΔF)^(-2/3), which makes ΔF b ΔF^T isochoric: a root that all points
+     * of an element share. */
+    double isochoric_scale = std::numeric_limits<double>::quiet_NaN();
     /** F_{n+1} = ΔF F_n. */
     Tensor<2, dim> F;
     /** det F_{n+1} > 0 (checked by the caller). */
@@ -34,6 +39,17 @@ namespace isochor
     /** The pressure unknown p at the point, in Pa: in u-p for laws that depend
      * on it (MaterialModel::depends_on_pressure()), else empty. */
     std::optional<double> pressure = {};
+    /** Whether the tangents of the response are asked for. */
+    bool with_tangent = true;
+
+    /** Set the first two members. */
+    void
+    set_increment(const Tensor<2, dim> &increment)
+    {
+      F_increment     = increment;
+      const double dJ = determinant(increment);
+      isochoric_scale = 1 / std::cbrt(dJ * dJ);
+    }
   };
 
   /**
@@ -66,6 +82,8 @@ namespace isochor
    * not K θ^e: it gets p with the deformation and answers dev τ and θ^e at that
    * p (see MaterialModel::depends_on_pressure()). Its tangents are those at
    * fixed p, and the last two members complete them.
+   *
+   * Without Kinematics::with_tangent a law may leave the tangents as they are.
    */
   template <int dim>
   struct StressResponse

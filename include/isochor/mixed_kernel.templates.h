@@ -129,15 +129,15 @@ namespace isochor
     constexpr bool     mixed = (n_components == dim + 1);
     const unsigned int n     = element.nodes();
 
-    Kinematics<dim> kinematics;
-    kinematics.F_increment = unit_symmetric_tensor<dim>();
+    Tensor<2, dim> F_increment = unit_symmetric_tensor<dim>();
     for (unsigned int I = 0; I < n; ++I)
-      kinematics.F_increment +=
-        outer_product(element.increment[I], element.gradient[I]);
-    const double J_increment = determinant(kinematics.F_increment);
-    if (!(J_increment > 0))
+      F_increment += outer_product(element.increment[I], element.gradient[I]);
+    if (!(determinant(F_increment) > 0))
       return EvaluationStatus::inverted_point;
-    const Tensor<2, dim> inverse = invert(kinematics.F_increment);
+    Kinematics<dim> kinematics;
+    kinematics.set_increment(F_increment);
+    kinematics.with_tangent                       = with_matrix;
+    const Tensor<2, dim>                  inverse = invert(F_increment);
     std::array<Tensor<1, dim>, max_nodes> g;
     for (unsigned int I = 0; I < n; ++I)
       g[I] = element.gradient[I] * inverse;
@@ -152,8 +152,8 @@ namespace isochor
     for (unsigned int q = begin; q < end; ++q)
       {
         const MaterialModel<dim> &material = *materials[points.material[q]];
-        kinematics.F = kinematics.F_increment * points.F[q];
-        kinematics.J = determinant(kinematics.F);
+        kinematics.F                       = F_increment * points.F[q];
+        kinematics.J                       = determinant(kinematics.F);
         if (!(kinematics.J > 0))
           return EvaluationStatus::inverted_point;
         double p                  = 0;
@@ -272,9 +272,10 @@ namespace isochor
   {
     const MaterialModel<dim> &material = *materials[points.material[q]];
     Kinematics<dim>           kinematics;
-    kinematics.F_increment = F_increment;
-    kinematics.F           = F_increment * points.F[q];
-    kinematics.J           = determinant(kinematics.F);
+    kinematics.set_increment(F_increment);
+    kinematics.with_tangent = false;
+    kinematics.F            = F_increment * points.F[q];
+    kinematics.J            = determinant(kinematics.F);
     if (mixed && material.depends_on_pressure())
       kinematics.pressure = nodal_pressure;
     StressResponse<dim> response;

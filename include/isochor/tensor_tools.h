@@ -11,7 +11,9 @@
 
 #include <isochor/material_model.h>
 
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace isochor
@@ -109,18 +111,24 @@ namespace isochor
   is_finite(const StressResponse<dim> &response)
   {
     // A sum is finite only if its terms are: NaN and infinity survive adding.
-    double sum =
+    // Several sums, as each addition waits for the one before.
+    double scalars =
       response.volumetric_strain + response.volumetric_pressure_tangent;
+    double stress = 0, vectors = 0;
     for (unsigned int i = 0; i < 6; ++i)
-      sum += response.deviatoric_stress.access_raw_entry(i);
+      stress += response.deviatoric_stress.access_raw_entry(i);
     constexpr unsigned int n =
       SymmetricTensor<2, dim>::n_independent_components;
+    std::array<double, n> columns{};
     for (unsigned int i = 0; i < n; ++i)
-      sum += response.volumetric_tangent.access_raw_entry(i) +
-             response.deviatoric_pressure_tangent.access_raw_entry(i);
-    for (unsigned int i = 0; i < n * n; ++i)
-      sum += response.tangent.access_raw_entry(i);
-    return std::isfinite(sum);
+      {
+        vectors += response.volumetric_tangent.access_raw_entry(i) +
+                   response.deviatoric_pressure_tangent.access_raw_entry(i);
+        for (unsigned int j = 0; j < n; ++j)
+          columns[j] += response.tangent.access_raw_entry(i * n + j);
+      }
+    return std::isfinite(scalars + stress + vectors +
+                         std::accumulate(columns.begin(), columns.end(), 0.));
   }
 } // namespace isochor
 

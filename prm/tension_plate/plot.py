@@ -77,9 +77,10 @@ def draw_curves(cases, arguments):
         r"exact limit $2/\sqrt{3}$",
         (1, LIMIT),
         xycoords=("axes fraction", "data"),
-        xytext=(-2, 3),
+        xytext=(-2, -4),
         textcoords="offset points",
         ha="right",
+        va="top",
         color="0.3",
         fontsize=9,
     )

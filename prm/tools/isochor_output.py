@@ -523,9 +523,13 @@ def save(figure, path, formats=None):
 
 def parse_case(argument):
     """'LABEL=DIRECTORY' or 'DIRECTORY' (its name is then the label), for the
-    command lines of the plot scripts: a pair (label, Path)."""
-    label, separator, directory = argument.partition("=")
-    path = Path(directory if separator else argument)
-    if not path.is_dir():
-        raise OutputError(f"There is no directory {path}.")
-    return (label if separator else path.name), path
+    command lines of the plot scripts: a pair (label, Path). Labels and
+    directories may hold further '='."""
+    if Path(argument).is_dir():
+        return Path(argument).name, Path(argument)
+    parts = argument.split("=")
+    for n in range(1, len(parts)):
+        path = Path("=".join(parts[n:]))
+        if path.is_dir() and path != Path(""):
+            return "=".join(parts[:n]), path
+    raise OutputError(f"There is no directory {parts[-1]}.")

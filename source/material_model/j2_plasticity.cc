@@ -329,12 +329,11 @@ namespace isochor
   {
     constexpr unsigned int alpha_index = n_symmetric_components<dim>;
     const double           G           = elasticity.shear_modulus;
-    const double           J_increment = determinant(kinematics.F_increment);
 
     const SymmetricTensor<2, 3> b_bar =
+      kinematics.isochoric_scale *
       push_forward(kinematics.F_increment,
-                   load_symmetric_tensor<dim>(history_n)) /
-      std::cbrt(J_increment * J_increment);
+                   load_symmetric_tensor<dim>(history_n));
 
     TrialState trial;
     trial.mu_bar     = G * trace(b_bar) / 3;
@@ -349,8 +348,9 @@ namespace isochor
     if (trial.norm <= radius * (1 + 1e-12))
       {
         response.deviatoric_stress = trial.dev_stress;
-        response.tangent =
-          isochoric_modulus<dim>(trial.mu_bar, trial.dev_stress);
+        if (kinematics.with_tangent)
+          response.tangent =
+            isochoric_modulus<dim>(trial.mu_bar, trial.dev_stress);
         store_symmetric_tensor<dim>(b_bar, history);
         history[alpha_index] = trial.alpha;
       }
@@ -361,7 +361,8 @@ namespace isochor
         response.deviatoric_stress =
           (std::sqrt(2. / 3.) * current_yield_stress(alpha) / trial.norm) *
           trial.dev_stress;
-        response.tangent = plastic_modulus(trial, delta_gamma);
+        if (kinematics.with_tangent)
+          response.tangent = plastic_modulus(trial, delta_gamma);
 
         // Simo keeps tr b̄^e over the return, and det b̄^e drifts from 1. The
         // stress of this step doesn't depend on it; that of the next one does.

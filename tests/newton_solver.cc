@@ -1,0 +1,171 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Newton's method: corrections come from the residual and, where the matrix is
+// factorised, from the matrix of the present iterate, whatever the line search
+// tried in between; and it is quadratic in the plastic range.
+
+#include <array>
+#include <functional>
+
+#include "scene.h"
+
+using namespace isochor;
+
+/** An equation r(x) = 0 of one unknown, of which only |r| is used: each
+ * correction is 1. It remembers where it was assembled. */
+class MadeUpProblem
+{
+public:
+  MadeUpProblem(const double                                start,
+                const std::function<double(const double x)> residual)
+    : x(start)
+    , residual(residual)
+  {
+    problem.assemble = [this](const bool with_matrix) {
+      residual_at = x;
+      if (with_matrix)
+        matrix_at = x;
+      ResidualNorms norms;
+      norms.displacement = this->residual(x);
+      norms.force_scale  = 1;
+      return norms;
+    };
+    problem.solve = [this](const bool factorise) {
+      consistent =
+        consistent && residual_at == x && (!factorise || matrix_at == x);
+      n_factorisations += factorise;
+      base = x;
+      return 0u;
+    };
+    problem.has_factorisation = [this]() { return n_factorisations > 0; };
+    problem.advance           = [this](const double s) { x = base + s; };
+  }
+
+  NewtonSolver::Problem problem;
+  double                x;
+  bool                  consistent       = true;
+  unsigned int          n_factorisations = 0;
+
+private:
+  std::function<double(const double)> residual;
+  double                              residual_at = 0, matrix_at = 0, base = 0;
+};
+
+NewtonReport
+solve(MadeUpProblem &made_up, const std::string &settings)
+{
+  ParameterHandler prm;
+  NewtonSolver::declare_parameters(prm);
+  test::set_parameters(prm, settings);
+  NewtonSolver solver;
+  solver.parse_parameters(prm);
+  return solver.solve(made_up.problem, nullptr);
+}
+
+void
+check_consistency(const std::string   &what,
+                  const MadeUpProblem &made_up,
+                  const NewtonReport  &report,
+                  const double         solution)
+{
+  test::check(what,
+              report.converged && made_up.consistent && made_up.x == solution,
+              std::string(made_up.consistent ? "" : "stale residual, ") +
+                "at x = " + std::to_string(made_up.x));
+}
+
+void
+test_consistency()
+{
+  // the full step from 0 to 1 grows, but all shorter ones grow more
+  MadeUpProblem hump(-1, [](const double x) {
+    return x >= 2 ? 0. : x == 1 ? 0.6 : x > 0 ? 0.9 : x == 0 ? 0.5 : 1.;
+  });
+  check_consistency("the full step was the best",
+                    hump,
+                    solve(hump, "Newton/Reuse factorisation = 0\n"),
+                    2);
+
+  // half of the step from 0 to 1 is best, and the next one is good
+  MadeUpProblem half(-1, [](const double x) {
+    return x >= 1.5 ? 0. : x == 1 ? 0.6 : x == 0.5 ? 0.1 : x == 0 ? 0.5 : 1.;
+  });
+  check_consistency("half of the step was the best",
+                    half,
+                    solve(half, "Newton/Reuse factorisation = 0\n"),
+                    1.5);
+
+  // promises to end in one iteration more than once, and doesn't
+  const auto slow = [](const double x) {
+    const std::array<double, 8> r = {{1, 1e-1, 1e-3, 1e-6, 4e-7, 1e-7, 1e-8}};
+    return r[static_cast<unsigned int>(x)];
+  };
+  MadeUpProblem disappointing(0, slow);
+  check_consistency("the end came later than foreseen",
+                    disappointing,
+                    solve(disappointing, "Newton/Reuse factorisation = 0\n"),
+                    6);
+  MadeUpProblem with_reuse(0, slow);
+  check_consistency("the same with old matrices",
+                    with_reuse,
+                    solve(with_reuse, "Newton/Reuse factorisation = 0.2\n"),
+                    6);
+  test::check("old matrices were used",
+              with_reuse.n_factorisations < 6,
+              std::to_string(with_reuse.n_factorisations));
+}
+
+/** A block between clamps is drawn into flow. From where the residual is small
+ * enough for the zones to be known, r_{k+1} <= 100 r_k^2 down to rounding. */
+void
+test_plastic(const std::string &form)
+{
+  test::run_scene<2>(
+    "Grid/Subdivisions = 8, 8\nGrid/Diagonals = alternating\n"
+    "Grid/Stretch = y: 0 -> 0, 1 -> 0.02*t\n"
+    "Material/Model = J2\nMaterial/J2/Yield stress = 1.5\n"
+    "Material/Young modulus = 100\nMaterial/Poisson ratio = 0.4\n"
+    "Formulation/Type = " +
+    form +
+    "\nNewton/Reuse factorisation = 0\nNewton/Tolerance = 1e-11\nTime/Step size = 0.1\n"
+    "Boundary conditions/Displacement = bottom: x=0, y=0; top: x=0, "
+    "y=0.02*t\n");
+  const double       tolerance = 1e-11;
+  bool               quadratic = true;
+  unsigned int       n_checked = 0, n_iterations = 0;
+  std::ostringstream details;
+  for (const NewtonReport &newton : test::recorded().newton)
+    {
+      n_iterations += newton.n_iterations();
+      for (unsigned int k = 1; k + 1 < newton.iterations.size(); ++k)
+        {
+          const double r    = newton.iterations[k].displacement,
+                       next = newton.iterations[k + 1].displacement;
+          if (r > 1e-3 || r <= tolerance)
+            continue;
+          ++n_checked;
+          details << r << "->" << next << ' ';
+          quadratic = quadratic && next <= std::max(100 * r * r, tolerance);
+        }
+    }
+  test::check("quadratic in the plastic range, " + form,
+              quadratic && n_checked >= 5,
+              details.str());
+  const double mean =
+    static_cast<double>(n_iterations) / test::recorded().newton.size();
+  test::check("at most six iterations a step in the mean, " + form,
+              mean <= 6,
+              std::to_string(mean));
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_consistency();
+  test_plastic("u");
+  test_plastic("u-p");
+}
