@@ -193,6 +193,7 @@ namespace isochor
                       const Vector                      &strain,
                       const std::array<unsigned int, 3> &order,
                       const PrincipalResponse           &principal,
+                      const bool                         with_tangent,
                       StressResponse<dim>               &response) const;
   };
 
@@ -531,6 +532,7 @@ namespace isochor
                                       const Vector                      &strain,
                                       const std::array<unsigned int, 3> &order,
                                       const PrincipalResponse &principal,
+                                      const bool               with_tangent,
                                       StressResponse<dim>     &response) const
   {
     constexpr unsigned int n =
@@ -546,7 +548,6 @@ namespace isochor
 
     response.deviatoric_stress  = SymmetricTensor<2, 3>();
     response.volumetric_tangent = SymmetricTensor<2, dim>();
-    response.tangent            = SymmetricTensor<4, dim>();
     response.volumetric_strain  = principal.theta;
 
     response.deviatoric_pressure_tangent = SymmetricTensor<2, dim>();
@@ -563,6 +564,9 @@ namespace isochor
           response.deviatoric_pressure_tangent += principal.ds_dmean[a] * m[a];
       }
 
+    if (!with_tangent)
+      return;
+    response.tangent = SymmetricTensor<4, dim>();
     for (unsigned int a = 0; a < 3; ++a)
       {
         // Row a of the first sum, in one piece.
@@ -638,7 +642,8 @@ namespace isochor
     const PrincipalResponse principal =
       at_pressure ? response_at_pressure(trial, *kinematics.pressure) :
                     principal_response(trial);
-    assemble_response(spectrum, strain, order, principal, response);
+    assemble_response(
+      spectrum, strain, order, principal, kinematics.with_tangent, response);
 
     history[alpha_index] = history_n[alpha_index];
     if (!principal.plastic)
