@@ -11,11 +11,13 @@ code 1 if a run fails or a quadrature that should converge doesn't.
 
 import argparse
 import sys
+import time
 from pathlib import Path
 
 SCENE = Path(__file__).resolve().parent
 sys.path.insert(0, str(SCENE.parent / "tools"))
 
+import grids  # noqa: E402
 import isochor_output as output  # noqa: E402
 import numpy as np  # noqa: E402
 
@@ -30,6 +32,7 @@ FORMULATIONS = {  # Poisson ratio, density (kg/m^3)
     "u": (0.0, 80.0),
     "u-p": (0.33, 80.0),
 }
+GRIDS = ("aligned", "unaligned", "jittered", "gmsh")
 STRESS = "L2 error of stress yy"
 # Six metres below the top: a probe at the surface may leave the points behind.
 PROBE, PROBE_COLUMN = 44.0, "Displacement y of P (m)"
@@ -63,15 +66,34 @@ def exact_settlement(poisson_ratio, density):
     return 0.5 * PROBE * np.sum(weights * (1 - stretch))
 
 
-def run_case(arguments, formulation, quadrature, n):
-    """Relative L2 error of the stress, and of the settlement."""
-    poisson_ratio, density = FORMULATIONS[formulation]
-    # unaligned: the body ends inside of cells, at the side and at the top
-    height = HEIGHT * (1.07 if arguments.unaligned else 1.0)
+def grid_overrides(kind, n, directory):
+    """Parameters of a grid of n cells over the height of the body."""
     columns = max(1, round(n * WIDTH / HEIGHT))
+    if kind in ("jittered", "gmsh"):
+        path = directory / f"{kind}-n{n}.msh"
+        if kind == "gmsh":
+            grids.write_free(path, n)
+        else:
+            grids.write_jittered(path, columns, n, WIDTH, HEIGHT)
+        return {"Grid/Type": "gmsh", "Grid/File": path}
+    # unaligned: the body ends inside of cells, and the points lie on a lattice
+    height = HEIGHT * (1.07 if kind == "unaligned" else 1.0)
     overrides = {
         "Grid/Subdivisions": f"{columns}, {n}",
         "Grid/Upper corner": f"{WIDTH}, {height}",
+    }
+    if kind == "unaligned":
+        overrides["Material points/Lattice spacing"] = WIDTH / columns / 2
+        overrides["Material points/Region"] = f"if(y<{HEIGHT}, 1, 0)"
+    return overrides
+
+
+def run_case(arguments, formulation, quadrature, n):
+    """Relative L2 error of the stress, and of the settlement, and the run's
+    wall time (s)."""
+    poisson_ratio, density = FORMULATIONS[formulation]
+    overrides = {
+        **grid_overrides(arguments.grid, n, arguments.output_directory),
         "Material points/Points per cell": QUADRATURES[quadrature],
         "Quadrature/Type": quadrature,
         "Formulation/Type": formulation,
@@ -79,12 +101,13 @@ def run_case(arguments, formulation, quadrature, n):
         "Material/Poisson ratio": poisson_ratio,
         "Material/Density": density,
         "Time/Step size": 1 / arguments.steps,
+        "Time/Output interval": 1,
+        "Postprocess/Write grid": "false",
         "Postprocess/Exact stress": f"yy: -{density * GRAVITY}*t*({HEIGHT}-y)",
+        **dict(setting.split("=", 1) for setting in arguments.set),
     }
-    if arguments.unaligned:
-        overrides["Material points/Lattice spacing"] = WIDTH / columns / 2
-        overrides["Material points/Region"] = f"if(y<{HEIGHT}, 1, 0)"
-    name = f"{formulation}-{quadrature}-n{n}".replace(" ", "")
+    name = f"{arguments.grid}-{formulation}-{quadrature}-n{n}".replace(" ", "")
+    start = time.perf_counter()
     directory = output.run(
         arguments.executable,
         SCENE / "column.prm",
@@ -92,11 +115,13 @@ def run_case(arguments, formulation, quadrature, n):
         arguments.output_directory / name,
         arguments.processes,
     )
+    wall_time = time.perf_counter() - start
     statistics = output.read_statistics(directory)
     settlement = exact_settlement(poisson_ratio, density)
     return (
         statistics[STRESS][-1],
         -statistics[PROBE_COLUMN][-1] / settlement - 1,
+        wall_time,
     )
 
 
@@ -128,7 +153,14 @@ def main():
     parser.add_argument("--steps", type=int, default=40)
     parser.add_argument("--formulations", default=",".join(FORMULATIONS))
     parser.add_argument("--quadratures", default=",".join(QUADRATURES))
-    parser.add_argument("--unaligned", action="store_true")
+    parser.add_argument("--grid", choices=GRIDS, default="aligned")
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="SECTION/NAME=VALUE",
+        help="any other parameter; may be repeated",
+    )
     arguments = parser.parse_args()
     arguments.executable = arguments.executable or output.find_executable()
     arguments.output_directory.mkdir(parents=True, exist_ok=True)
@@ -136,8 +168,8 @@ def main():
 
     results, failures = {}, []
     for formulation in arguments.formulations.split(","):
-        print(f"{formulation}: stress error (settlement error in %)")
-        print(" " * 24 + "".join(f"{n:>18}" for n in sizes))
+        print(f"{formulation}: stress error (settlement error in %), time")
+        print(" " * 24 + "".join(f"{n:>26}" for n in sizes))
         for quadrature in arguments.quadratures.split(","):
             row = f"{quadrature:24}"
             for n in sizes:
@@ -145,9 +177,10 @@ def main():
                     result = run_case(arguments, formulation, quadrature, n)
                     results[formulation, quadrature, n] = result
                     row += f"{result[0]:9.5f} ({100 * result[1]:+6.2f})"
+                    row += f"{result[2]:6.1f} s"
                 except output.OutputError as error:
                     failures.append(f"{formulation}, {quadrature}, {n}: {error}")
-                    row += f"{'failed':>18}"
+                    row += f"{'failed':>26}"
             print(row, flush=True)
             errors = [
                 results[formulation, quadrature, n][0]
