@@ -171,9 +171,11 @@ def draw(results, sizes, directory):
             ]
             axis.loglog(sizes, errors, "o-", color=colour, label=quadrature)
         axis.loglog(sizes, 0.3 / np.array(sizes), "k:", lw=1, label="order 1")
-        axis.set(title=case, xlabel="cells over the height", ylim=(7e-4, 1))
+        axis.set(title=case, xlabel="cells over the height", ylim=(5e-5, 1))
+        axis.set_xticks(sizes, labels=[str(n) for n in sizes])
+        axis.minorticks_off()
     axes[0].set_ylabel(r"relative $L_2$ error of $\sigma_{yy}$")
-    axes[0].legend(fontsize=8)
+    axes[0].legend(fontsize=8, loc="lower left")
     draw_stress(axes[-1], cases[0], sizes[len(sizes) // 2], directory)
     figure.tight_layout()
     for suffix in ("png", "svg"):
