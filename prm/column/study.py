@@ -11,11 +11,13 @@ code 1 if a run fails or a quadrature that should converge doesn't.
 
 import argparse
 import sys
+import time
 from pathlib import Path
 
 SCENE = Path(__file__).resolve().parent
 sys.path.insert(0, str(SCENE.parent / "tools"))
 
+import grids  # noqa: E402
 import isochor_output as output  # noqa: E402
 import numpy as np  # noqa: E402
 
@@ -26,10 +28,16 @@ QUADRATURES = {  # name: points per cell
     "cell-filled + boundary": 4,
     "CPDI": 4,
 }
-FORMULATIONS = {  # Poisson ratio, density (kg/m^3)
-    "u": (0.0, 80.0),
-    "u-p": (0.33, 80.0),
+# formulation, Poisson ratio, density (kg/m^3), PPP coefficient, steps between
+# two resets of the grid
+CASES = {
+    "u": ("u", 0.0, 80.0, 0.1, 1),
+    "u-p": ("u-p", 0.33, 80.0, 0.1, 1),
+    # nearly incompressible and so heavy, density g H = 250 G, that it settles
+    # by a quarter all the same
+    "heavy": ("u-p", 0.499, 1667.8, 0.05, 4),
 }
+GRIDS = ("aligned", "unaligned", "jittered", "gmsh")
 STRESS = "L2 error of stress yy"
 # Six metres below the top: a probe at the surface may leave the points behind.
 PROBE, PROBE_COLUMN = 44.0, "Displacement y of P (m)"
@@ -63,57 +71,112 @@ def exact_settlement(poisson_ratio, density):
     return 0.5 * PROBE * np.sum(weights * (1 - stretch))
 
 
-def run_case(arguments, formulation, quadrature, n):
-    """Relative L2 error of the stress, and of the settlement."""
-    poisson_ratio, density = FORMULATIONS[formulation]
-    # unaligned: the body ends inside of cells, at the side and at the top
-    height = HEIGHT * (1.07 if arguments.unaligned else 1.0)
+def grid_overrides(kind, n, directory):
+    """Parameters of a grid of n cells over the height of the body."""
     columns = max(1, round(n * WIDTH / HEIGHT))
+    if kind in ("jittered", "gmsh"):
+        path = directory / f"{kind}-n{n}.msh"
+        if kind == "gmsh":
+            grids.write_free(path, n)
+        else:
+            grids.write_jittered(path, columns, n, WIDTH, HEIGHT)
+        return {"Grid/Type": "gmsh", "Grid/File": path}
+    # unaligned: the body ends inside of cells, and the points lie on a lattice
+    height = HEIGHT * (1.07 if kind == "unaligned" else 1.0)
     overrides = {
         "Grid/Subdivisions": f"{columns}, {n}",
         "Grid/Upper corner": f"{WIDTH}, {height}",
+    }
+    if kind == "unaligned":
+        overrides["Material points/Lattice spacing"] = WIDTH / columns / 2
+        overrides["Material points/Region"] = f"if(y<{HEIGHT}, 1, 0)"
+    return overrides
+
+
+def case_name(grid, case, quadrature, n):
+    """Of the directory of a run."""
+    return f"{grid}-{case}-{quadrature}-n{n}".replace(" ", "")
+
+
+def run_case(arguments, case, quadrature, n):
+    """Relative L2 errors of stress and settlement; wall time of the run (s)."""
+    formulation, poisson_ratio, density, alpha, interval = CASES[case]
+    overrides = {
+        **grid_overrides(arguments.grid, n, arguments.output_directory),
         "Material points/Points per cell": QUADRATURES[quadrature],
         "Quadrature/Type": quadrature,
         "Formulation/Type": formulation,
-        "Formulation/PPP coefficient": 0.1,
+        "Formulation/PPP coefficient": alpha,
+        "Grid reset/Steps between resets": interval,
         "Material/Poisson ratio": poisson_ratio,
         "Material/Density": density,
         "Time/Step size": 1 / arguments.steps,
+        "Time/Output interval": 1,
+        "Postprocess/Write grid": "false",
         "Postprocess/Exact stress": f"yy: -{density * GRAVITY}*t*({HEIGHT}-y)",
+        **dict(setting.split("=", 1) for setting in arguments.set),
     }
-    if arguments.unaligned:
-        overrides["Material points/Lattice spacing"] = WIDTH / columns / 2
-        overrides["Material points/Region"] = f"if(y<{HEIGHT}, 1, 0)"
-    name = f"{formulation}-{quadrature}-n{n}".replace(" ", "")
+    start = time.perf_counter()
     directory = output.run(
         arguments.executable,
         SCENE / "column.prm",
         overrides,
-        arguments.output_directory / name,
+        arguments.output_directory
+        / case_name(arguments.grid, case, quadrature, n),
         arguments.processes,
     )
+    wall_time = time.perf_counter() - start
     statistics = output.read_statistics(directory)
     settlement = exact_settlement(poisson_ratio, density)
     return (
         statistics[STRESS][-1],
         -statistics[PROBE_COLUMN][-1] / settlement - 1,
+        wall_time,
     )
 
 
+def draw_stress(axis, case, n, directory):
+    """Stress of the points of two quadratures along the height at rest."""
+    density = CASES[case][2]
+    for quadrature in ("points", "cell-filled"):
+        run = directory / case_name("aligned", case, quadrature, n)
+        if not (run / "points.pvd").is_file():
+            continue
+        points = output.read_points(run)
+        place = points["position"][:, 1] - points["displacement"][:, 1]
+        colour = output.LINE_COLOURS[list(QUADRATURES).index(quadrature)]
+        stress = 1e-3 * output.field(points, "cauchy_stress_yy")
+        axis.plot(stress, place, ".", ms=2, color=colour, label=quadrature)
+    exact = -1e-3 * density * GRAVITY * HEIGHT
+    axis.plot([exact, 0], [0, HEIGHT], "k-", lw=1, label="exact")
+    axis.set(
+        title=f"{case}, n = {n}",
+        xlabel=r"$\sigma_{yy}$ (kPa)",
+        ylabel="height at rest (m)",
+    )
+    axis.legend(markerscale=4)
+
+
 def draw(results, sizes, directory):
-    """Stress error over the grid's size."""
+    """Stress error over the grid's size, and a stress along the height."""
+    cases = [case for case in CASES if any(key[0] == case for key in results)]
     plt = output.plt
-    figure, axes = plt.subplots(1, 2, figsize=(8, 3.4), sharey=True)
-    for axis, formulation in zip(axes, FORMULATIONS):
+    figure, axes = plt.subplots(
+        1, len(cases) + 1, figsize=(3.6 * (len(cases) + 1), 3.4)
+    )
+    for axis, case in zip(axes, cases):
         for quadrature, colour in zip(QUADRATURES, output.LINE_COLOURS):
             errors = [
-                results.get((formulation, quadrature, n), (np.nan,))[0]
-                for n in sizes
+                results.get((case, quadrature, n), (np.nan,))[0] for n in sizes
             ]
             axis.loglog(sizes, errors, "o-", color=colour, label=quadrature)
-        axis.set(title=formulation, xlabel="cells over the height")
+        axis.loglog(sizes, 0.3 / np.array(sizes), "k:", lw=1, label="order 1")
+        axis.set(title=case, xlabel="cells over the height", ylim=(5e-5, 1))
+        axis.set_xticks(sizes, labels=[str(n) for n in sizes])
+        axis.minorticks_off()
     axes[0].set_ylabel(r"relative $L_2$ error of $\sigma_{yy}$")
-    axes[0].legend()
+    axes[0].legend(fontsize=8, loc="lower left")
+    draw_stress(axes[-1], cases[0], sizes[len(sizes) // 2], directory)
     figure.tight_layout()
     for suffix in ("png", "svg"):
         figure.savefig(directory / f"convergence.{suffix}")
@@ -126,33 +189,41 @@ def main():
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--sizes", default="8,16,32,64,128")
     parser.add_argument("--steps", type=int, default=40)
-    parser.add_argument("--formulations", default=",".join(FORMULATIONS))
+    parser.add_argument("--cases", default="u,u-p")
     parser.add_argument("--quadratures", default=",".join(QUADRATURES))
-    parser.add_argument("--unaligned", action="store_true")
+    parser.add_argument("--grid", choices=GRIDS, default="aligned")
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="SECTION/NAME=VALUE",
+        help="any other parameter; may be repeated",
+    )
     arguments = parser.parse_args()
     arguments.executable = arguments.executable or output.find_executable()
     arguments.output_directory.mkdir(parents=True, exist_ok=True)
     sizes = [int(n) for n in arguments.sizes.split(",")]
 
     results, failures = {}, []
-    for formulation in arguments.formulations.split(","):
-        print(f"{formulation}: stress error (settlement error in %)")
-        print(" " * 24 + "".join(f"{n:>18}" for n in sizes))
+    for case in arguments.cases.split(","):
+        print(f"{case}: stress error (settlement error in %), time")
+        print(" " * 24 + "".join(f"{n:>26}" for n in sizes))
         for quadrature in arguments.quadratures.split(","):
             row = f"{quadrature:24}"
             for n in sizes:
                 try:
-                    result = run_case(arguments, formulation, quadrature, n)
-                    results[formulation, quadrature, n] = result
+                    result = run_case(arguments, case, quadrature, n)
+                    results[case, quadrature, n] = result
                     row += f"{result[0]:9.5f} ({100 * result[1]:+6.2f})"
+                    row += f"{result[2]:6.1f} s"
                 except output.OutputError as error:
-                    failures.append(f"{formulation}, {quadrature}, {n}: {error}")
-                    row += f"{'failed':>18}"
+                    failures.append(f"{case}, {quadrature}, {n}: {error}")
+                    row += f"{'failed':>26}"
             print(row, flush=True)
             errors = [
-                results[formulation, quadrature, n][0]
+                results[case, quadrature, n][0]
                 for n in sizes
-                if (formulation, quadrature, n) in results
+                if (case, quadrature, n) in results
             ]
             if quadrature == "points" or len(errors) < 2:
                 continue
@@ -161,10 +232,11 @@ def main():
             )
             if not order > 0.8:
                 failures.append(
-                    f"{formulation}, {quadrature}: convergence of order "
+                    f"{case}, {quadrature}: convergence of order "
                     f"{order:.2f} only"
                 )
-    draw(results, sizes, arguments.output_directory)
+    if arguments.grid == "aligned" and results:
+        draw(results, sizes, arguments.output_directory)
     for failure in failures:
         print(failure, file=sys.stderr)
     return 1 if failures else 0

@@ -355,7 +355,9 @@ namespace isochor
                         ExcMessage(
                           "A point of <Boundary conditions/Surfaces of body> "
                           "acts on a cell that the material touches only in "
-                          "part. Use another <Quadrature/Type> than CPDI."));
+                          "part. Use so many points that their domains are no "
+                          "larger than the cells, or another "
+                          "<Quadrature/Type> than CPDI."));
           }
         elements.add(nodes.begin(), nodes.end());
       }
