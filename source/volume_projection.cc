@@ -32,6 +32,12 @@ namespace isochor
                 ExcMessage("<Formulation/Project volume change> needs the "
                            "pressure field of <Formulation/Type = u-p>."));
     prm.leave_subsection();
+    prm.enter_subsection("Quadrature");
+    AssertThrow(!active || prm.get("Type") != "CPDI",
+                ExcMessage("<Formulation/Project volume change> changes F, not "
+                           "the domains of points: it can't be used with "
+                           "<Quadrature/Type = CPDI>."));
+    prm.leave_subsection();
     return active;
   }
 

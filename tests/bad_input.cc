@@ -129,6 +129,29 @@ main(int argc, char **argv)
              1,
              {"Material/Poisson ratio", "0.5", "Formulation/Type = u-p"});
 
+  test_scene("projection in the u form",
+             scene("subsection Formulation\nset Type = u\n"
+                   "set Project volume change = true\nend\n"),
+             1,
+             {"Formulation/Project volume change", "u-p"});
+  test_scene("projection with domains",
+             scene("subsection Formulation\n"
+                   "set Project volume change = true\nend\n"
+                   "subsection Quadrature\nset Type = CPDI\nend\n"),
+             1,
+             {"Formulation/Project volume change", "CPDI"});
+  test_scene("splitting of domains",
+             scene("subsection Material points\n"
+                   "set Split at share of cell = 0.5\nend\n"
+                   "subsection Quadrature\nset Type = CPDI\nend\n"),
+             1,
+             {"Material points/Split at share of cell", "cell-filled"});
+  test_scene("splitting without end",
+             scene("subsection Material points\n"
+                   "set Split at share of cell = 0.01\nend\n"),
+             1,
+             {"Material points/Split at share of cell", "0.1"});
+
   test_scene("missing mesh",
              scene("subsection Grid\nset Type = gmsh\nset File = none.msh\n"
                    "end\n"),
