@@ -27,10 +27,12 @@ namespace isochor
     template <int dim, std::size_t max_nodes>
     struct ElementSums
     {
-      SymmetricTensor<2, dim>       stress;       ///< Σ V τ (in plane)
-      SymmetricTensor<4, dim>       modulus;      ///< Σ V of the modulus of τ
-      std::array<double, max_nodes> constraint{}; ///< R_p
-      std::array<double, max_nodes> s{};          ///< Σ V N_I s
+      SymmetricTensor<2, dim>       stress;  ///< Σ V τ (in plane)
+      SymmetricTensor<4, dim>       modulus; ///< Σ V of the modulus of τ
+      double                        spherical        = 0; ///< Σ V p s
+      double                        spherical_change = 0; ///< Σ V p J ds/dJ
+      std::array<double, max_nodes> constraint{};         ///< R_p
+      std::array<double, max_nodes> s{};                  ///< Σ V N_I s
       std::array<SymmetricTensor<2, dim>, max_nodes> volumetric_tangent;
       /** Σ V N_I N_J (1/K - ∂θ^e/∂p). */
       std::array<double, max_nodes * max_nodes> compressibility{};
@@ -183,12 +185,11 @@ namespace isochor
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = i; j < dim; ++j)
             sums.stress[i][j] += V * response.deviatoric_stress[i][j];
-        sums.stress += (V * p * factor.s) * one;
+        sums.spherical += V * p * factor.s;
         if (with_matrix)
           {
             sums.modulus += V * response.tangent;
-            sums.modulus += (V * p * factor.Js_prime) * one_one;
-            sums.modulus -= (2 * V * p * factor.s) * identity;
+            sums.spherical_change += V * p * factor.Js_prime;
             if (!mixed)
               sums.modulus += outer_product((V * factor.s / inverse_K) * one,
                                             response.volumetric_tangent);
@@ -216,6 +217,7 @@ namespace isochor
             }
       }
 
+    sums.stress += sums.spherical * one;
     for (unsigned int I = 0; I < n; ++I)
       {
         const Tensor<1, dim> force = sums.stress * g[I];
@@ -227,6 +229,8 @@ namespace isochor
       }
     if (with_matrix)
       {
+        sums.modulus += sums.spherical_change * one_one;
+        sums.modulus -= (2 * sums.spherical) * identity;
         internal::add_stiffness(element, g, sums.stress, sums.modulus);
         if constexpr (mixed)
           internal::add_coupling(element, g, sums);

@@ -235,7 +235,9 @@ namespace isochor
   J2Plasticity<dim>::solve_consistency_condition(const TrialState &trial) const
   {
     // f(Δγ) falls and is convex, so that Newton's method from Δγ = 0
-    // approaches the root from below without a safeguard.
+    // approaches the root from below without a safeguard. Without Voce's
+    // hardening f is linear and the first step exact.
+    const bool   linear          = (saturation_exponent == 0);
     const double root_two_thirds = std::sqrt(2. / 3.);
     const double tolerance       = 1e-14 * trial.norm;
     double       delta_gamma     = 0;
@@ -247,7 +249,8 @@ namespace isochor
         const double step =
           f / (2 * trial.mu_bar + 2. / 3. * current_hardening(alpha));
         delta_gamma += step;
-        if (std::abs(f) <= tolerance || std::abs(step) <= 1e-15 * delta_gamma)
+        if (linear || std::abs(f) <= tolerance ||
+            std::abs(step) <= 1e-15 * delta_gamma)
           return delta_gamma;
       }
     return std::numeric_limits<double>::quiet_NaN();
@@ -278,18 +281,19 @@ namespace isochor
     const double beta_3 = 1 / beta_0 - beta_1 + beta_2;
     const double beta_4 = (1 / beta_0 - beta_1) * trial.norm / mu_bar;
 
-    const SymmetricTensor<2, 3> n = trial.dev_stress / trial.norm;
-    const SymmetricTensor<2, 3> m = beta_3 * n + beta_4 * deviator(square(n));
+    const SymmetricTensor<2, 3>   n     = trial.dev_stress / trial.norm;
+    const SymmetricTensor<2, dim> n_dim = in_plane<dim>(n);
+    const SymmetricTensor<2, dim> m_dim =
+      2 * mu_bar * in_plane<dim>(beta_3 * n + beta_4 * deviator(square(n)));
 
     SymmetricTensor<4, dim> modulus =
-      (1 - beta_1) * isochoric_modulus<dim>(mu_bar, trial.dev_stress);
-    const SymmetricTensor<2, dim> n_dim = in_plane<dim>(n);
-    const SymmetricTensor<2, dim> m_dim = in_plane<dim>(m);
+      isochoric_modulus<dim>((1 - beta_1) * mu_bar,
+                             (1 - beta_1) * trial.dev_stress);
     if (symmetrize_tangent)
       modulus -=
-        mu_bar * (outer_product(n_dim, m_dim) + outer_product(m_dim, n_dim));
+        0.5 * (outer_product(n_dim, m_dim) + outer_product(m_dim, n_dim));
     else
-      modulus -= 2 * mu_bar * outer_product(n_dim, m_dim);
+      modulus -= outer_product(n_dim, m_dim);
     return modulus;
   }
 
@@ -312,7 +316,8 @@ namespace isochor
         const double step = ((mean * mean - half_q_q) * mean + constant) /
                             (3 * mean * mean - half_q_q);
         mean -= step;
-        if (std::abs(step) <= 1e-15 * mean)
+        // each error is about the square of the one before
+        if (std::abs(step) <= 1e-9 * mean)
           break;
       }
     return mean;
@@ -372,7 +377,8 @@ namespace isochor
                                     history);
         history[alpha_index] = alpha;
       }
-    return is_finite(response) && std::isfinite(history[alpha_index]) ?
+    // what isn't finite in F or in the history shows in one of these
+    return std::isfinite(trial.norm + history[alpha_index] + kinematics.J) ?
              StressStatus::success :
              StressStatus::return_map_failed;
   }
