@@ -3,7 +3,7 @@
 // Half model of a strip footing: soil 12 m x 10 m, and room for the heave
 // beside the footing, which itself is a hole in the grid: its base is the
 // boundary 'footing', its side the boundary 'shaft'.
-//   gmsh -2 footing.geo -setnumber h 0.05 -setnumber h_far 0.5 -o footing.msh
+//   gmsh -2 footing.geo -setnumber h 0.05 -setnumber h_far 0.3 -o footing.msh
 // h       edge length (m) in the zone the mechanism reaches
 // h_far   edge length (m) far from it
 // h_edge  edge length (m) at the edge of the footing, where the velocity jumps
@@ -13,7 +13,7 @@
 // uniform 1: edge length h in all of the soil, for comparison
 DefineConstant[
   h       = {0.05, Min 1e-3, Max 1, Name "h"},
-  h_far   = {0.5, Min 1e-3, Max 5, Name "h_far"},
+  h_far   = {0.3, Min 1e-3, Max 5, Name "h_far"},
   h_edge  = {h, Min 1e-4, Max 1, Name "h_edge"},
   inset   = {h_edge / 2, Min 0, Max 0.4, Name "inset"},
   uniform = {0, Choices {0, 1}, Name "uniform"}

@@ -45,11 +45,11 @@ CASES = {
 }
 
 
-def make_mesh(path, h, h_far, uniform):
+def make_mesh(path, arguments):
     """Let gmsh mesh soil and head room."""
     command = ["gmsh", "-2", str(SCENE / "footing.geo"), "-o", str(path)]
-    for name, value in (("h", h), ("h_far", h_far), ("uniform", int(uniform))):
-        command += ["-setnumber", name, str(value)]
+    for name in ("h", "h_far", "h_edge", "uniform"):
+        command += ["-setnumber", name, str(float(getattr(arguments, name)))]
     try:
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     except (OSError, subprocess.CalledProcessError) as error:
@@ -59,7 +59,7 @@ def make_mesh(path, h, h_far, uniform):
 def run_cases(directory, arguments):
     """Labels and output directories of the cases that made a step."""
     mesh = directory / "footing.msh"
-    make_mesh(mesh, arguments.h, arguments.h_far, arguments.uniform)
+    make_mesh(mesh, arguments)
     done = []
     for name in arguments.cases:
         case = directory / name.replace(", ", "-").replace(" ", "-")
@@ -83,7 +83,10 @@ def parse_arguments():
         description=__doc__.split("\n", maxsplit=1)[0]
     )
     parser.add_argument("--h", type=float, default=0.05, help="edge length (m)")
-    parser.add_argument("--h-far", type=float, default=0.5, help="far away (m)")
+    parser.add_argument("--h-far", type=float, default=0.3, help="far away (m)")
+    parser.add_argument(
+        "--h-edge", type=float, help="at the edge of the footing (m), default: h"
+    )
     parser.add_argument(
         "--uniform", action="store_true", help="edge length h in all of the soil"
     )
@@ -98,6 +101,7 @@ def parse_arguments():
         help="of: " + "; ".join(CASES) + ". Default: u-p, PPP",
     )
     arguments = parser.parse_args()
+    arguments.h_edge = arguments.h_edge or arguments.h
     arguments.cases = arguments.cases or ["u-p, PPP"]
     for name in arguments.cases:
         if name not in CASES:
@@ -114,7 +118,7 @@ def main():
         return 1
     command = [sys.executable, str(SCENE / "plot.py")]
     command += [f"{label}={case}" for label, case in cases]
-    command += ["--inset", str(arguments.h / 2), "--figures", str(directory)]
+    command += ["--inset", str(arguments.h_edge / 2), "--figures", str(directory)]
     return subprocess.run(command).returncode
 
 

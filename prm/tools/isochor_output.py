@@ -516,7 +516,8 @@ def save(figure, path, formats=None):
         target = path.with_suffix("." + ending)
         # Without the date the same results give the same bytes.
         metadata = {"Date": None} if ending == "svg" else None
-        figure.savefig(target, metadata=metadata)
+        # tight: with equal axes the layout may leave no room for titles
+        figure.savefig(target, metadata=metadata, bbox_inches="tight")
         print(f"wrote {target}")
     plt.close(figure)
 
