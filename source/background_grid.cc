@@ -9,6 +9,7 @@
 #include <isochor/background_grid.h>
 #include <isochor/expression.h>
 #include <isochor/plain_message.h>
+#include <isochor/structured_grid.h>
 
 #include <algorithm>
 #include <array>
@@ -65,30 +66,6 @@ namespace isochor
             break;
           }
       return names;
-    }
-
-    /**
-     * The d! simplices of Kuhn's triangulation of a unit cube, each the path
-     * from corner 0 to the opposite corner along one order of the axes. The
-     * cube's diagonal is "/" in 2D. Corners are numbered in binary.
-     */
-    template <int dim>
-    std::vector<std::array<unsigned int, dim + 1>>
-    kuhn_simplices()
-    {
-      std::vector<std::array<unsigned int, dim + 1>> simplices;
-      std::array<unsigned int, dim>                  axes;
-      for (unsigned int d = 0; d < dim; ++d)
-        axes[d] = d;
-      do
-        {
-          std::array<unsigned int, dim + 1> simplex{};
-          for (unsigned int d = 0; d < dim; ++d)
-            simplex[d + 1] = simplex[d] + (1u << axes[d]);
-          simplices.push_back(simplex);
-        }
-      while (std::next_permutation(axes.begin(), axes.end()));
-      return simplices;
     }
   } // namespace
 
@@ -253,95 +230,49 @@ namespace isochor
 
 
   template <int dim>
+  Point<dim>
+  BackgroundGrid<dim>::place_in_box(const Point<dim> &unit) const
+  {
+    Point<dim> place;
+    for (unsigned int d = 0; d < dim; ++d)
+      place[d] = parameters.lower[d] +
+                 unit[d] * (parameters.upper[d] - parameters.lower[d]);
+    return place;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  BackgroundGrid<dim>::place_in_trapezoid(const Point<dim> &unit) const
+  {
+    const auto    &c = parameters.corners;
+    const double   s = unit[0], t = unit[1];
+    const Point<2> in_plane =
+      (1 - s) * (1 - t) * c[0] + s * (1 - t) * Tensor<1, 2>(c[1]) +
+      s * t * Tensor<1, 2>(c[2]) + (1 - s) * t * Tensor<1, 2>(c[3]);
+    Point<dim> place;
+    place[0] = in_plane[0];
+    place[1] = in_plane[1];
+    if (dim == 3)
+      place[dim - 1] = unit[dim - 1] * parameters.depth;
+    return place;
+  }
+
+
+
+  template <int dim>
   void
   BackgroundGrid<dim>::create_structured()
   {
-    const auto                   &n = parameters.subdivisions;
-    std::array<unsigned int, dim> stride;
-    unsigned int                  n_vertices = 1;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        stride[d] = n_vertices;
-        n_vertices *= n[d] + 1;
-      }
-    const auto lattice = [&](unsigned int v) {
-      std::array<unsigned int, dim> index;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          index[d] = v % (n[d] + 1);
-          v /= n[d] + 1;
-        }
-      return index;
-    };
-
-    std::vector<Point<dim>> vertices(n_vertices);
-    for (unsigned int v = 0; v < n_vertices; ++v)
-      {
-        const auto index = lattice(v);
-        Point<dim> unit;
-        for (unsigned int d = 0; d < dim; ++d)
-          unit[d] = static_cast<double>(index[d]) / n[d];
-        if (parameters.type == "box")
-          for (unsigned int d = 0; d < dim; ++d)
-            vertices[v][d] =
-              parameters.lower[d] +
-              unit[d] * (parameters.upper[d] - parameters.lower[d]);
-        else
-          {
-            const auto    &c = parameters.corners;
-            const double   s = unit[0], t = unit[1];
-            const Point<2> place =
-              (1 - s) * (1 - t) * c[0] + s * (1 - t) * Tensor<1, 2>(c[1]) +
-              s * t * Tensor<1, 2>(c[2]) + (1 - s) * t * Tensor<1, 2>(c[3]);
-            vertices[v][0] = place[0];
-            vertices[v][1] = place[1];
-            if (dim == 3)
-              vertices[v][dim - 1] = unit[dim - 1] * parameters.depth;
-          }
-      }
-
-    const auto                 simplices = kuhn_simplices<dim>();
-    std::vector<CellData<dim>> cells;
-    unsigned int               n_boxes = 1;
-    for (unsigned int d = 0; d < dim; ++d)
-      n_boxes *= n[d];
-    cells.reserve(n_boxes * simplices.size());
-    for (unsigned int box = 0; box < n_boxes; ++box)
-      {
-        // mirroring a box along an axis turns its diagonal
-        unsigned int base = 0, mirror = 0, rest = box;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const unsigned int index = rest % n[d];
-            rest /= n[d];
-            base += index * stride[d];
-            if ((parameters.diagonals == "alternating" && index % 2 == 1) ||
-                ((parameters.diagonals == "\\" ||
-                  parameters.diagonals == "backslash") &&
-                 d == 0))
-              mirror |= 1u << d;
-          }
-        for (const auto &simplex : simplices)
-          {
-            CellData<dim> cell(dim + 1);
-            for (unsigned int i = 0; i <= dim; ++i)
-              {
-                const unsigned int corner = simplex[i] ^ mirror;
-                cell.vertices[i]          = base;
-                for (unsigned int d = 0; d < dim; ++d)
-                  if (corner & (1u << d))
-                    cell.vertices[i] += stride[d];
-              }
-            Tensor<2, dim> edges;
-            for (unsigned int d = 0; d < dim; ++d)
-              edges[d] =
-                vertices[cell.vertices[d + 1]] - vertices[cell.vertices[0]];
-            if (determinant(edges) < 0)
-              std::swap(cell.vertices[dim - 1], cell.vertices[dim]);
-            cells.push_back(cell);
-          }
-      }
-    tria.create_triangulation(vertices, cells, SubCellData());
+    const StructuredGrid<dim> lattice(parameters.subdivisions);
+    const auto vertices = lattice.vertices([this](const Point<dim> &unit) {
+      return parameters.type == "box" ? place_in_box(unit) :
+                                        place_in_trapezoid(unit);
+    });
+    tria.create_triangulation(vertices,
+                              lattice.cells(vertices, parameters.diagonals),
+                              SubCellData());
 
     for (unsigned int side = 0; side < 2 * dim; ++side)
       names[side_names[side]] = side;
@@ -350,12 +281,10 @@ namespace isochor
         if (cell->at_boundary(f))
           for (unsigned int side = 0; side < 2 * dim; ++side)
             {
-              const unsigned int d       = side / 2;
-              bool               on_side = true;
+              bool on_side = true;
               for (const unsigned int v : cell->face(f)->vertex_indices())
-                on_side =
-                  on_side && lattice(cell->face(f)->vertex_index(v))[d] ==
-                               (side % 2 == 0 ? 0 : n[d]);
+                on_side = on_side &&
+                          lattice.on_side(cell->face(f)->vertex_index(v), side);
               if (on_side)
                 cell->face(f)->set_boundary_id(side);
             }

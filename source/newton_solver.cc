@@ -68,71 +68,72 @@ namespace isochor
 
 
 
+  /** Keeps the scales, which may only grow in a step, and measures residuals
+   * by them. */
+  class NewtonSolver::Gauge
+  {
+  public:
+    void
+    take(const ResidualNorms &norms)
+    {
+      force    = std::max({force, norms.force_scale, first(norms)});
+      pressure = std::max(pressure, norms.pressure);
+      started  = started || !norms.pending;
+    }
+
+    double
+    force_scale() const
+    {
+      return force;
+    }
+
+    double
+    displacement_ratio(const ResidualNorms &norms) const
+    {
+      return force > 0 ? norms.displacement / force : 0.;
+    }
+
+    double
+    pressure_ratio(const ResidualNorms &norms) const
+    {
+      return pressure > 0 ? norms.pressure / pressure : 0.;
+    }
+
+    bool
+    converged(const ResidualNorms &norms, const double tolerance) const
+    {
+      return !norms.pending &&
+             norms.displacement <=
+               std::max(tolerance * force, norms.displacement_floor) &&
+             norms.pressure <=
+               std::max(tolerance * pressure, norms.pressure_floor);
+    }
+
+    /** What the line search wants to fall. */
+    double
+    merit(const ResidualNorms &norms) const
+    {
+      if (norms.status != EvaluationStatus::success ||
+          !std::isfinite(norms.displacement) || !std::isfinite(norms.pressure))
+        return std::numeric_limits<double>::infinity();
+      return std::max(displacement_ratio(norms), pressure_ratio(norms));
+    }
+
+  private:
+    double
+    first(const ResidualNorms &norms) const
+    {
+      return started || norms.pending ? 0. : norms.displacement;
+    }
+
+    bool   started = false;
+    double force = 0, pressure = 0;
+  };
+
+
+
   namespace
   {
-    /** Keeps the scales, which may only grow in a step, and measures residuals
-     * by them. */
-    class Gauge
-    {
-    public:
-      void
-      take(const ResidualNorms &norms)
-      {
-        force    = std::max({force, norms.force_scale, first(norms)});
-        pressure = std::max(pressure, norms.pressure);
-        started  = started || !norms.pending;
-      }
-
-      double
-      force_scale() const
-      {
-        return force;
-      }
-
-      double
-      displacement_ratio(const ResidualNorms &norms) const
-      {
-        return force > 0 ? norms.displacement / force : 0.;
-      }
-
-      double
-      pressure_ratio(const ResidualNorms &norms) const
-      {
-        return pressure > 0 ? norms.pressure / pressure : 0.;
-      }
-
-      bool
-      converged(const ResidualNorms &norms, const double tolerance) const
-      {
-        return !norms.pending &&
-               norms.displacement <=
-                 std::max(tolerance * force, norms.displacement_floor) &&
-               norms.pressure <=
-                 std::max(tolerance * pressure, norms.pressure_floor);
-      }
-
-      /** What the line search wants to fall. */
-      double
-      merit(const ResidualNorms &norms) const
-      {
-        if (norms.status != EvaluationStatus::success ||
-            !std::isfinite(norms.displacement) ||
-            !std::isfinite(norms.pressure))
-          return std::numeric_limits<double>::infinity();
-        return std::max(displacement_ratio(norms), pressure_ratio(norms));
-      }
-
-    private:
-      double
-      first(const ResidualNorms &norms) const
-      {
-        return started || norms.pending ? 0. : norms.displacement;
-      }
-
-      bool   started = false;
-      double force = 0, pressure = 0;
-    };
-
     std::string
     describe(const EvaluationStatus status)
     {
@@ -168,6 +169,59 @@ namespace isochor
 
 
 
+  bool
+  NewtonSolver::finished(const Gauge         &gauge,
+                         const ResidualNorms &norms,
+                         NewtonReport        &report) const
+  {
+    if (!std::isfinite(gauge.merit(norms)))
+      report.failure = describe(norms.status);
+    else if (gauge.converged(norms, tolerance))
+      {
+        report.converged   = true;
+        report.force_scale = gauge.force_scale();
+      }
+    else if (report.n_factorisations >= max_iterations ||
+             report.n_iterations() >= 4 * max_iterations)
+      report.failure = "Newton's method did not converge in " +
+                       std::to_string(max_iterations) + " iterations";
+    return report.converged || !report.failure.empty();
+  }
+
+
+
+  NewtonSolver::LineSearch
+  NewtonSolver::backtrack(const Problem     &problem,
+                          const Gauge       &gauge,
+                          const bool         may_grow,
+                          const unsigned int n_backtracks,
+                          const bool         with_matrix,
+                          ResidualNorms     &norms) const
+  {
+    const double old = gauge.merit(norms);
+    LineSearch   search;
+    for (unsigned int k = 0;; ++k, search.last /= 2)
+      {
+        problem.advance(search.last);
+        norms              = problem.assemble(k == 0 && with_matrix);
+        const double merit = gauge.merit(norms);
+        if (k == 0 || merit < search.merit)
+          {
+            search.merit = merit;
+            search.best  = search.last;
+          }
+        const bool accepted = may_grow ? std::isfinite(merit) : merit < old;
+        if (accepted || k == n_backtracks || gauge.converged(norms, tolerance))
+          break;
+      }
+    search.reduction = search.merit / old;
+    search.failed =
+      may_grow ? !std::isfinite(search.merit) : !(search.merit < old);
+    return search;
+  }
+
+
+
   NewtonReport
   NewtonSolver::solve(const Problem &problem, std::ostream *log) const
   {
@@ -191,27 +245,8 @@ namespace isochor
     // Assembling the matrix costs as much again as the residual: it is left
     // away where the next iterate will need none.
     bool matrix_is_current = true, expect_need = true;
-    while (true)
+    while (!finished(gauge, norms, report))
       {
-        if (!std::isfinite(gauge.merit(norms)))
-          {
-            report.failure = describe(norms.status);
-            return report;
-          }
-        if (gauge.converged(norms, tolerance))
-          {
-            report.converged   = true;
-            report.force_scale = gauge.force_scale();
-            return report;
-          }
-        if (report.n_factorisations >= max_iterations ||
-            report.n_iterations() >= 4 * max_iterations)
-          {
-            report.failure = "Newton's method did not converge in " +
-                             std::to_string(max_iterations) + " iterations";
-            return report;
-          }
-
         // an old matrix is worth a try where it, or the quadratic convergence
         // of the last iteration, promises to do
         const bool reuse = reuse_ratio > 0 && last_ratio <= reuse_ratio &&
@@ -232,27 +267,15 @@ namespace isochor
 
         // While prescribed increments come in, the residual has to grow; only
         // points that turn over shorten such a correction.
-        const bool   may_grow = norms.pending || report.n_iterations() == 0;
-        const double old      = gauge.merit(norms);
-        const unsigned int n_backtracks = reuse ? 0 : max_backtracks;
-        double             s = 1., best_s = 0., best = 0.;
-        for (unsigned int k = 0;; ++k, s /= 2)
-          {
-            problem.advance(s);
-            matrix_is_current  = k == 0 && expect_need;
-            norms              = problem.assemble(matrix_is_current);
-            const double merit = gauge.merit(norms);
-            if (k == 0 || merit < best)
-              {
-                best   = merit;
-                best_s = s;
-              }
-            const bool accepted = may_grow ? std::isfinite(merit) : merit < old;
-            if (accepted || k == n_backtracks ||
-                gauge.converged(norms, tolerance))
-              break;
-          }
-        if (reuse && (may_grow ? !std::isfinite(best) : !(best < old)))
+        const bool       may_grow = norms.pending || report.n_iterations() == 0;
+        const LineSearch search   = backtrack(problem,
+                                            gauge,
+                                            may_grow,
+                                            reuse ? 0 : max_backtracks,
+                                            expect_need,
+                                            norms);
+        matrix_is_current         = expect_need && search.last == 1.;
+        if (reuse && search.failed)
           {
             // the old matrix led astray: back, and take the right one
             problem.advance(0.);
@@ -261,21 +284,22 @@ namespace isochor
             last_ratio                      = 1.;
             continue;
           }
-        if (best_s != s)
-          problem.advance(best_s);
-        if (s != 1.) // the last trial was another, and without a matrix
+        if (search.best != search.last)
+          problem.advance(search.best);
+        if (search.last != 1.) // the last trial was without a matrix
           {
             norms             = problem.assemble(true);
             matrix_is_current = true;
           }
-        last_ratio = may_grow ? 0. : best / old;
+        last_ratio = may_grow ? 0. : search.reduction;
         // none is needed for a correction by an old matrix, nor at the end,
         // which quadratic convergence lets foresee
         expect_need =
           may_grow || (!(reuse_ratio > 0 && last_ratio <= reuse_ratio) &&
-                       best * last_ratio * last_ratio > tolerance);
+                       search.merit * last_ratio * last_ratio > tolerance);
         gauge.take(norms);
-        add_row(best_s, n_linear);
+        add_row(search.best, n_linear);
       }
+    return report;
   }
 } // namespace isochor

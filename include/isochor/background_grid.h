@@ -109,6 +109,10 @@ namespace isochor
   private:
     void
     create_structured();
+    Point<dim>
+    place_in_box(const Point<dim> &unit) const;
+    Point<dim>
+    place_in_trapezoid(const Point<dim> &unit) const;
     void
     read_gmsh();
     void

@@ -27,8 +27,9 @@ namespace isochor
     template <int dim, std::size_t max_nodes>
     struct ElementSums
     {
-      SymmetricTensor<2, dim>       stress;  ///< Σ V τ (in plane)
-      SymmetricTensor<4, dim>       modulus; ///< Σ V of the modulus of τ
+      /** In plane. The parts of p and of dev τ are apart until complete(). */
+      SymmetricTensor<2, dim>       stress;  ///< Σ V τ
+      SymmetricTensor<4, dim>       modulus; ///< Σ V of that of τ
       double                        spherical        = 0; ///< Σ V p s
       double                        spherical_change = 0; ///< Σ V p J ds/dJ
       std::array<double, max_nodes> constraint{};         ///< R_p
@@ -40,6 +41,78 @@ namespace isochor
       /** Σ V N_I ∂(dev τ)/∂p, of laws that depend on p. */
       bool                                           pressure_dependent = false;
       std::array<SymmetricTensor<2, dim>, max_nodes> pressure_tangent;
+
+      /** A point's stress. */
+      void
+      add_stress(const StressResponse<dim> &response,
+                 const double               V,
+                 const double               p,
+                 const PressureFactor      &factor,
+                 const bool                 with_matrix)
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = i; j < dim; ++j)
+            stress[i][j] += V * response.deviatoric_stress[i][j];
+        spherical += V * p * factor.s;
+        if (!with_matrix)
+          return;
+        modulus += V * response.tangent;
+        spherical_change += V * p * factor.Js_prime;
+      }
+
+      /** In the u form p = K θ^e changes with the displacement. */
+      void
+      add_bulk_stiffness(const StressResponse<dim> &response,
+                         const double               V_K_s)
+      {
+        modulus += outer_product(V_K_s * unit_symmetric_tensor<dim>(),
+                                 response.volumetric_tangent);
+      }
+
+      /** A point's share of the pressure equation. @p N: its shape values. */
+      template <typename Shape>
+      void
+      add_constraint(const StressResponse<dim> &response,
+                     const double               V,
+                     const double               p,
+                     const double               inverse_K,
+                     const PressureFactor      &factor,
+                     const bool                 depends_on_pressure,
+                     const unsigned int         n_nodes,
+                     const Shape               &N,
+                     const bool                 with_matrix)
+      {
+        for (unsigned int I = 0; I < n_nodes; ++I)
+          {
+            const double VN = V * N(I);
+            constraint[I] += VN * (response.volumetric_strain - p * inverse_K);
+            if (!with_matrix)
+              continue;
+            s[I] += VN * factor.s;
+            volumetric_tangent[I] += VN * response.volumetric_tangent;
+            for (unsigned int J = 0; J < n_nodes; ++J)
+              compressibility[I * n_nodes + J] += VN * N(J) * inverse_K;
+            if (!depends_on_pressure)
+              continue;
+            pressure_dependent = true;
+            pressure_tangent[I] += VN * response.deviatoric_pressure_tangent;
+            for (unsigned int J = 0; J < n_nodes; ++J)
+              compressibility[I * n_nodes + J] -=
+                VN * N(J) * response.volumetric_pressure_tangent;
+          }
+      }
+
+      /** Add p's parts to stress and modulus. */
+      void
+      complete(const bool with_matrix)
+      {
+        const SymmetricTensor<2, dim> one = unit_symmetric_tensor<dim>();
+        stress += spherical * one;
+        if (!with_matrix)
+          return;
+        modulus += spherical_change * outer_product(one, one);
+        modulus -= (2 * spherical) * identity_tensor<dim>();
+      }
     };
 
     /** Matrix block of displacements: material part sym(e_a ⊗ g_I) : c :
@@ -146,9 +219,6 @@ namespace isochor
 
     internal::ElementSums<dim, max_nodes> sums;
     StressResponse<dim>                   response;
-    const SymmetricTensor<2, dim>         one = unit_symmetric_tensor<dim>();
-    static const SymmetricTensor<4, dim>  identity = identity_tensor<dim>();
-    static const SymmetricTensor<4, dim>  one_one  = outer_product(one, one);
     std::array<double, max_history>       history;
 
     for (unsigned int q = begin; q < end; ++q)
@@ -181,43 +251,23 @@ namespace isochor
                                               kinematics.J);
         if (!mixed)
           p = response.volumetric_strain / inverse_K;
-
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = i; j < dim; ++j)
-            sums.stress[i][j] += V * response.deviatoric_stress[i][j];
-        sums.spherical += V * p * factor.s;
-        if (with_matrix)
-          {
-            sums.modulus += V * response.tangent;
-            sums.spherical_change += V * p * factor.Js_prime;
-            if (!mixed)
-              sums.modulus += outer_product((V * factor.s / inverse_K) * one,
-                                            response.volumetric_tangent);
-          }
+        sums.add_stress(response, V, p, factor, with_matrix);
+        if (!mixed && with_matrix)
+          sums.add_bulk_stiffness(response, V * factor.s / inverse_K);
         if (mixed)
-          for (unsigned int I = 0; I < n; ++I)
-            {
-              const double VN = V * shape(q, I);
-              sums.constraint[I] +=
-                VN * (response.volumetric_strain - p * inverse_K);
-              if (!with_matrix)
-                continue;
-              sums.s[I] += VN * factor.s;
-              sums.volumetric_tangent[I] += VN * response.volumetric_tangent;
-              for (unsigned int J = 0; J < n; ++J)
-                sums.compressibility[I * n + J] += VN * shape(q, J) * inverse_K;
-              if (!pressure_dependent)
-                continue;
-              sums.pressure_dependent = true;
-              sums.pressure_tangent[I] +=
-                VN * response.deviatoric_pressure_tangent;
-              for (unsigned int J = 0; J < n; ++J)
-                sums.compressibility[I * n + J] -=
-                  VN * shape(q, J) * response.volumetric_pressure_tangent;
-            }
+          sums.add_constraint(
+            response,
+            V,
+            p,
+            inverse_K,
+            factor,
+            pressure_dependent,
+            n,
+            [&](const unsigned int I) { return shape(q, I); },
+            with_matrix);
       }
+    sums.complete(with_matrix);
 
-    sums.stress += sums.spherical * one;
     for (unsigned int I = 0; I < n; ++I)
       {
         const Tensor<1, dim> force = sums.stress * g[I];
@@ -229,8 +279,6 @@ namespace isochor
       }
     if (with_matrix)
       {
-        sums.modulus += sums.spherical_change * one_one;
-        sums.modulus -= (2 * sums.spherical) * identity;
         internal::add_stiffness(element, g, sums.stress, sums.modulus);
         if constexpr (mixed)
           internal::add_coupling(element, g, sums);

@@ -113,6 +113,35 @@ namespace isochor
     bool extrapolate = true;
 
   private:
+    class Gauge;
+
+    /** What a line search has found. */
+    struct LineSearch
+    {
+      double best      = 0; ///< step length of least merit
+      double last      = 1; ///< step length of the iterate it has left
+      double merit     = 0; ///< at @p best
+      double reduction = 0; ///< merit to the one before
+      bool   failed    = false;
+    };
+
+    /** Whether the iteration ends here; @p report then says how. */
+    bool
+    finished(const Gauge         &gauge,
+             const ResidualNorms &norms,
+             NewtonReport        &report) const;
+
+    /** Halve the correction until the residual falls or, if it @p may_grow,
+     * can be evaluated. @p norms becomes that of the last iterate tried; its
+     * matrix is assembled for the full step only, if asked. */
+    LineSearch
+    backtrack(const Problem     &problem,
+              const Gauge       &gauge,
+              const bool         may_grow,
+              const unsigned int n_backtracks,
+              const bool         with_matrix,
+              ResidualNorms     &norms) const;
+
     unsigned int max_iterations = 15;
     /** Keep a factorisation as long as it reduces the residual by this factor
      * per iteration; 0: always factorise. */
