@@ -201,6 +201,7 @@ namespace isochor
     pcout.set_condition(Utilities::MPI::this_mpi_process(comm) == 0 &&
                         terminal != "quiet");
     verbose = pcout.is_active() && terminal == "verbose";
+    warnings.print_here(pcout.is_active());
     prm.leave_subsection();
   }
 
@@ -236,6 +237,7 @@ namespace isochor
       }
     if (pcout.is_active())
       timer.print_summary();
+    pcout << warnings.summary() << std::endl;
   }
 
 
@@ -330,7 +332,8 @@ namespace isochor
                                 kernel,
                                 n_components,
                                 time.time,
-                                time.next_time()};
+                                time.next_time(),
+                                warnings};
     NodalConstraints       held;
     held.reinit(all_nodes.n_local() * n_components);
     for (const auto &condition : boundary_conditions)
@@ -346,7 +349,7 @@ namespace isochor
 
   template <int dim>
   StepContext<dim>
-  MaterialPointMethod<dim>::context() const
+  MaterialPointMethod<dim>::context()
   {
     return {grid,
             nodes,
@@ -355,6 +358,7 @@ namespace isochor
             n_components,
             time.time,
             time.next_time(),
+            warnings,
             !grid_reset.due()};
   }
 

@@ -29,12 +29,6 @@ namespace
   class Crash : public Postprocessor<dim>
   {
   public:
-    static void
-    declare_parameters(ParameterHandler &)
-    {}
-    void
-    parse_parameters(ParameterHandler &) override
-    {}
     void
     evaluate_points(const StepResult<dim> &result, Statistics &) override
     {

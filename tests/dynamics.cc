@@ -36,12 +36,6 @@ namespace isochor
   class MotionRecorder : public Postprocessor<dim>
   {
   public:
-    static void
-    declare_parameters(ParameterHandler &)
-    {}
-    void
-    parse_parameters(ParameterHandler &) override
-    {}
     void
     initialize(const BackgroundGrid<dim> &) override
     {

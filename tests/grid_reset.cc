@@ -84,12 +84,6 @@ namespace isochor
   class HistoryRecorder : public Postprocessor<dim>
   {
   public:
-    static void
-    declare_parameters(ParameterHandler &)
-    {}
-    void
-    parse_parameters(ParameterHandler &) override
-    {}
     void
     initialize(const BackgroundGrid<dim> &) override
     {

@@ -30,12 +30,6 @@ namespace
     static double last;
     static bool   enabled;
 
-    static void
-    declare_parameters(ParameterHandler &)
-    {}
-    void
-    parse_parameters(ParameterHandler &) override
-    {}
     void
     evaluate_nodes(const StepResult<dim> &result, Statistics &) override
     {
@@ -228,7 +222,7 @@ namespace
                   quadrature + ", " + formulation + ", " + material.name,
                 quadrature == "points" ?
                   largest > 1e3 * smallest :
-                  largest < 20 * smallest && most <= fewest + 1 &&
+                  largest < 1.3 * smallest && most <= fewest + 1 &&
                     (!must_flow || least_plastic > 0.25),
                 details.str());
   }
@@ -278,15 +272,14 @@ main(int argc, char **argv)
   test_column("CPDI", "u", 4, 0.01);
   test_column("cell-filled", "u-p", 6, 0.01);
   test_column("CPDI", "u-p", 4, 0.01);
-  for (const auto &[stretch, stress] :
-       std::vector<std::pair<double, double>>{{1.5, 42.0152039363},
-                                              {3., 205.299981029}})
-    {
-      test_tension("points", stretch, stress, 0.03, 2.);
-      test_tension("cell-filled", stretch, stress, 0., 0.06);
-      test_tension("cell-filled + boundary", stretch, stress, 0., 0.01);
-      test_tension("CPDI", stretch, stress, 0., 1e-6);
-    }
+  test_tension("points", 1.5, 42.0152039363, 0.1, 1.);
+  test_tension("cell-filled", 1.5, 42.0152039363, 0., 0.05);
+  test_tension("cell-filled + boundary", 1.5, 42.0152039363, 0., 1e-4);
+  test_tension("CPDI", 1.5, 42.0152039363, 0., 1e-10);
+  test_tension("points", 3., 205.299981029, 0.5, 2.);
+  test_tension("cell-filled", 3., 205.299981029, 0., 0.06);
+  test_tension("cell-filled + boundary", 3., 205.299981029, 0., 0.002);
+  test_tension("CPDI", 3., 205.299981029, 0., 1e-9);
   for (const std::string formulation : {"u", "u-p"})
     {
       test_cut("points", formulation, elastic);

@@ -59,12 +59,6 @@ namespace isochor
     class Recorder : public Postprocessor<dim>
     {
     public:
-      static void
-      declare_parameters(ParameterHandler &)
-      {}
-      void
-      parse_parameters(ParameterHandler &) override
-      {}
       void
       evaluate_nodes(const StepResult<dim> &result, Statistics &) override
       {

@@ -23,8 +23,13 @@ namespace isochor
   class BoundaryCondition : public EquationTerm<dim>
   {
   public:
+    /** For those that have none. */
+    static void
+    declare_parameters(ParameterHandler & /*prm*/)
+    {}
     virtual void
-    parse_parameters(ParameterHandler &prm) = 0;
+    parse_parameters(ParameterHandler & /*prm*/)
+    {}
 
     /** Look up boundary names and the like; once, after the grid is made. */
     virtual void

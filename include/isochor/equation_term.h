@@ -9,6 +9,7 @@
 #include <isochor/material_points.h>
 #include <isochor/mixed_kernel.h>
 #include <isochor/mixed_system.h>
+#include <isochor/warnings.h>
 
 namespace isochor
 {
@@ -24,6 +25,8 @@ namespace isochor
     unsigned int n_components;
     double       old_time;
     double       time;
+    /** Where to say what should not be trusted without a look. */
+    Warnings &warnings;
     /** Whether the grid is still the one that the last step has deformed; see
      * GridReset. */
     bool grid_is_kept = false;

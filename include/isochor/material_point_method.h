@@ -64,6 +64,11 @@ namespace isochor
     {
       return points;
     }
+    const Warnings &
+    all_warnings() const
+    {
+      return warnings;
+    }
 
   private:
     void
@@ -89,7 +94,7 @@ namespace isochor
     state();
 
     StepContext<dim>
-    context() const;
+    context();
     /** Put the grid back, find where the points are in it, and set up all that
      * follows from it. */
     void
@@ -125,6 +130,7 @@ namespace isochor
     TimerOutput        timer;
     Timer              clock;
     RemainingTime      remaining_time;
+    Warnings           warnings;
 
     BackgroundGrid<dim>                grid;
     MaterialPoints<dim>                points;

@@ -28,7 +28,8 @@ namespace isochor
    * (or ISOCHOR_REGISTER_FOR_DIMENSION for a class template on `dim`). Each
    * class has a static `declare_parameters(ParameterHandler &)` and a default
    * constructor; its virtual `parse_parameters(ParameterHandler &)` reads what
-   * the former declared, from the same subsection.
+   * the former declared, from the same subsection. Post-processors and boundary
+   * conditions without parameters need neither.
    */
   template <typename Interface>
   class PluginRegistry

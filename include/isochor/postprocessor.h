@@ -40,8 +40,13 @@ namespace isochor
   public:
     virtual ~Postprocessor() = default;
 
+    /** For those that have none. */
+    static void
+    declare_parameters(ParameterHandler & /*prm*/)
+    {}
     virtual void
-    parse_parameters(ParameterHandler &prm) = 0;
+    parse_parameters(ParameterHandler & /*prm*/)
+    {}
 
     /** Once, after the grid is made and the points are seeded. */
     virtual void

@@ -21,8 +21,9 @@ namespace isochor
 
   /**
    * Vertices and simplices of a lattice of n_1 x ... x n_dim boxes, each split
-   * into dim! simplices. GridGenerator's simplex meshes know neither the
-   * direction of the diagonals nor mapped lattices.
+   * into dim! simplices. GridGenerator::
+   * subdivided_hyper_rectangle_with_simplices() has no choice of the diagonals,
+   * and five tetrahedra per box.
    */
   template <int dim>
   class StructuredGrid
