@@ -3,19 +3,16 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <isochor/background_grid.h>
 #include <isochor/expression.h>
-#include <isochor/plain_message.h>
+#include <isochor/mesh_reader.h>
 #include <isochor/structured_grid.h>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 namespace isochor
 {
@@ -38,34 +35,6 @@ namespace isochor
       for (unsigned int d = 0; d < dim; ++d)
         p[d] = coordinates[d];
       return p;
-    }
-
-    /** The names of the physical groups of dimension @p group_dim. */
-    std::map<std::string, unsigned int>
-    read_physical_names(std::istream &in, const int group_dim)
-    {
-      in.clear();
-      in.seekg(0);
-      std::map<std::string, unsigned int> names;
-      std::string                         line;
-      while (std::getline(in, line))
-        if (line.compare(0, 14, "$PhysicalNames") == 0)
-          {
-            unsigned int n;
-            in >> n;
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                int          d;
-                unsigned int id;
-                in >> d >> id;
-                std::getline(in, line);
-                const auto first = line.find('"'), last = line.rfind('"');
-                if (d == group_dim && first != std::string::npos)
-                  names[line.substr(first + 1, last - first - 1)] = id;
-              }
-            break;
-          }
-      return names;
     }
   } // namespace
 
@@ -183,7 +152,7 @@ namespace isochor
                                axes.substr(0, dim) + ", not <" + motion.first +
                                ">."));
         parameters.stretch_axis = axes.find(motion.first);
-        for (const auto &plane : Utilities::split_string_list(motion.second))
+        for (const auto &plane : split_formulas(motion.second, "Grid/Stretch"))
           {
             const auto arrow = plane.find("->");
             AssertThrow(arrow != std::string::npos,
@@ -194,7 +163,8 @@ namespace isochor
             stretch_planes.push_back(Utilities::string_to_double(
               Utilities::trim(plane.substr(0, arrow))));
             plane_displacement.emplace_back(plane.substr(arrow + 2),
-                                            "Grid/Stretch");
+                                            "Grid/Stretch",
+                                            FormulaVariables::time);
             AssertThrow(stretch_planes.size() < 2 ||
                           stretch_planes.back() >
                             stretch_planes[stretch_planes.size() - 2],
@@ -296,35 +266,10 @@ namespace isochor
   void
   BackgroundGrid<dim>::read_gmsh()
   {
-    std::ifstream file(parameters.file);
-    AssertThrow(file,
-                ExcMessage("The mesh file <" + parameters.file +
-                           "> of the parameter <Grid/File> can't be opened. It "
-                           "must be a gmsh .msh file (format 2 or 4.1)."));
-    for (const auto &name : read_physical_names(file, dim - 1))
-      names[name.first] = name.second;
-    for (const auto &name : read_physical_names(file, dim))
-      group_names[name.first] = name.second;
-    file.clear();
-    file.seekg(0);
-    try
-      {
-        GridIn<dim> grid_in(tria);
-        // from a stream: the version for file names drops the boundary ids
-        grid_in.read_msh(file);
-      }
-    catch (const std::exception &exc)
-      {
-        AssertThrow(false,
-                    ExcMessage("The mesh file <" + parameters.file +
-                               "> of the parameter <Grid/File> can't be read "
-                               "as a gmsh .msh file (format 2 or 4.1): " +
-                               plain_message(exc)));
-      }
-    AssertThrow(tria.all_reference_cells_are_simplex(),
-                ExcMessage("The mesh <" + parameters.file +
-                           "> holds other cells than triangles (2D) or "
-                           "tetrahedra (3D)."));
+    const MeshGroups groups =
+      read_mesh<dim>(parameters.file, "Grid/File", tria);
+    names       = groups.faces;
+    group_names = groups.cells;
   }
 
 
@@ -452,22 +397,51 @@ namespace isochor
 
 
   template <int dim>
-  bool
-  BackgroundGrid<dim>::in_groups(const unsigned int              cell,
-                                 const std::vector<std::string> &wanted) const
+  const std::map<std::string, types::material_id> &
+  BackgroundGrid<dim>::group_ids() const
   {
-    for (const std::string &name : wanted)
+    return group_names;
+  }
+
+
+
+  template <int dim>
+  std::string
+  BackgroundGrid<dim>::boundary_crossed(const unsigned int cell,
+                                        const Point<dim>  &x) const
+  {
+    const SimplexGeometry<dim> &geometry = *cached_geometry;
+    Point<dim>                  start;
+    for (const unsigned int vertex : geometry.vertex_indices(cell))
+      start += geometry.vertices()[vertex] / (dim + 1.);
+
+    // the first face that the line from there meets: where the barycentric
+    // coordinate of the opposite vertex vanishes and the others don't exceed 1
+    constexpr double   tolerance = 1e-6;
+    double             first     = 1 + tolerance;
+    types::boundary_id id        = numbers::invalid_boundary_id;
+    for (const BoundaryFace &face : faces)
       {
-        const auto group = group_names.find(name);
-        AssertThrow(group != group_names.end(),
-                    ExcMessage("The grid has no physical group of cells named "
-                               "<" +
-                               name + ">."));
-        if (cached_geometry->cell_iterator(cell)->material_id() ==
-            group->second)
-          return true;
+        const double a =
+          geometry.barycentric(face.cell, start)[face.opposite_vertex];
+        const double b =
+          geometry.barycentric(face.cell, x)[face.opposite_vertex];
+        if (!(a >= 0 && b < a))
+          continue;
+        const double s = a / (a - b);
+        const auto   lambda =
+          geometry.barycentric(face.cell, Point<dim>(start + s * (x - start)));
+        if (s < first &&
+            *std::min_element(lambda.begin(), lambda.end()) > -tolerance)
+          {
+            first = s;
+            id    = face.id;
+          }
       }
-    return wanted.empty();
+    for (const auto &name : names)
+      if (name.second == id)
+        return name.first;
+    return "a boundary without a name";
   }
 
 

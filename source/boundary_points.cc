@@ -3,13 +3,12 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
-#include <deal.II/grid/grid_in.h>
 
 #include <isochor/boundary_points.h>
+#include <isochor/mesh_reader.h>
 #include <isochor/seeding.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -79,20 +78,6 @@ namespace isochor
                          records.payload(i));
       return sorted;
     }
-
-
-
-    template <int dim>
-    void
-    read_mesh(const std::string &file_name, Triangulation<dim> &tria)
-    {
-      std::ifstream file(file_name);
-      AssertThrow(file,
-                  ExcMessage("The mesh file <" + file_name +
-                             "> of the body's surfaces can't be opened."));
-      GridIn<dim> grid_in(tria);
-      grid_in.read_msh(file);
-    }
   } // namespace
 
 
@@ -124,7 +109,9 @@ namespace isochor
     else
       {
         Triangulation<dim> mesh;
-        read_mesh(body_mesh, mesh);
+        read_mesh<dim>(body_mesh,
+                       "Boundary conditions/Mesh of body surfaces",
+                       mesh);
         const SimplexGeometry<dim> geometry(mesh);
         std::vector<unsigned int>  all_cells(geometry.n_cells());
         std::iota(all_cells.begin(), all_cells.end(), 0);
@@ -158,7 +145,8 @@ namespace isochor
     for (const auto &surface : surfaces)
       conditions.emplace_back(surface.on_grid_boundary ? "0" :
                                                          surface.condition,
-                              "Boundary conditions/Surfaces of body");
+                              "Boundary conditions/Surfaces of body",
+                              FormulaVariables::space);
     std::map<std::pair<unsigned int, unsigned int>, types::boundary_id>
       boundary_id;
     if (of_grid)

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/checkpoint.h>
+#include <isochor/parameter_list.h>
 #include <isochor/safe_file.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -25,7 +26,7 @@ namespace isochor
   {
     unsigned int                       n_ranks          = 0;
     std::uint64_t                      grid_fingerprint = 0;
-    std::map<std::string, std::string> problem;
+    std::map<std::string, std::string> problem, settings;
 
     LoadStepping             time;
     LastMotion               last_motion;
@@ -43,7 +44,7 @@ namespace isochor
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &n_ranks &grid_fingerprint &problem &time &last_motion &grid_reset
+      archive &n_ranks &grid_fingerprint &problem &settings &time &last_motion &grid_reset
         &boundary_conditions &postprocessors &n_properties &cells &ids
           &coordinates &properties;
     }
@@ -60,7 +61,7 @@ namespace isochor
     struct Header
     {
       char          magic[8]   = {'I', 's', 'o', 'c', 'h', 'o', 'r', '\n'};
-      std::uint64_t version    = 2;
+      std::uint64_t version    = 3;
       std::uint64_t byte_order = 0x0102030405060708;
       std::uint64_t dimension  = 0;
       std::uint64_t size       = 0; ///< of the rest, in bytes
@@ -100,57 +101,6 @@ namespace isochor
           hash = fnv1a(&owner, sizeof(owner), hash);
         }
       return hash;
-    }
-
-
-
-    /** Whether a resumed run may have another value than the first run: what
-     * says how to go on, not what the problem is. */
-    bool
-    may_change(const std::string &path)
-    {
-      for (const char *subsection :
-           {"Newton/", "Linear solver/", "Output/", "Checkpoint/"})
-        if (path.rfind(subsection, 0) == 0)
-          return true;
-      for (const char *name : {"Time/End time",
-                               "Time/Minimum step size",
-                               "Time/Maximum step size",
-                               "Time/Growth factor",
-                               "Time/Iterations of an easy step"})
-        if (path == name)
-          return true;
-      return false;
-    }
-
-
-
-    /** All parameters that describe the problem, by path. */
-    std::map<std::string, std::string>
-    problem_parameters(const ParameterHandler &prm)
-    {
-      std::stringstream text;
-      prm.print_parameters(text, ParameterHandler::ShortPRM);
-      std::map<std::string, std::string> values;
-      std::vector<std::string>           path = {""};
-      for (std::string line; std::getline(text, line);)
-        {
-          line = Utilities::trim(line);
-          if (line.rfind("subsection ", 0) == 0)
-            path.push_back(path.back() + Utilities::trim(line.substr(11)) +
-                           "/");
-          else if (line == "end")
-            path.pop_back();
-          else if (line.rfind("set ", 0) == 0)
-            {
-              const auto        equals = line.find('=');
-              const std::string name =
-                path.back() + Utilities::trim(line.substr(4, equals - 4));
-              if (!may_change(name))
-                values[name] = Utilities::trim(line.substr(equals + 1));
-            }
-        }
-      return values;
     }
 
 
@@ -210,8 +160,10 @@ namespace isochor
                       "Whether to continue from the last checkpoint in the "
                       "output directory, on as many processes as wrote it. "
                       "Parameters that describe the problem must be those of "
-                      "the first run; the step size is that of the "
-                      "checkpoint.");
+                      "the first run; those of <Time>, <Newton>, <Linear "
+                      "solver>, <Postprocess>, <Output> and <Checkpoint> may "
+                      "change. The step size is that of the checkpoint unless "
+                      "'Time/Step size' is changed.");
     prm.leave_subsection();
   }
 
@@ -219,14 +171,39 @@ namespace isochor
 
   template <int dim>
   void
-  Checkpoint<dim>::parse_parameters(ParameterHandler &prm)
+  Checkpoint<dim>::parse_parameters(ParameterHandler               &prm,
+                                    const std::vector<std::string> &changeable)
   {
     prm.enter_subsection("Checkpoint");
     step_interval = prm.get_integer("Interval");
     wall_interval = prm.get_double("Wall time interval");
     resume        = prm.get_bool("Resume");
     prm.leave_subsection();
-    problem = problem_parameters(prm);
+    problem.clear();
+    settings.clear();
+    for (const auto &entry : ParameterList(prm).entries)
+      {
+        const std::string path = join_path(entry.first);
+        const bool        may_change =
+          std::any_of(changeable.begin(),
+                      changeable.end(),
+                      [&path](const std::string &start) {
+                        return path.compare(0, start.size(), start) == 0;
+                      });
+        (may_change ? settings : problem)[path] = entry.second.value;
+      }
+    // of this run only
+    settings.erase("Checkpoint/Resume");
+    settings.erase("Output/Directory");
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  Checkpoint<dim>::changeable_parameters()
+  {
+    return {"Checkpoint/"};
   }
 
 
@@ -255,9 +232,41 @@ namespace isochor
     last_time        = std::chrono::steady_clock::now();
     if (resume)
       return resume_from_newest(state);
+    return remove_old();
+  }
+
+
+
+  template <int dim>
+  void
+  Checkpoint<dim>::resume_if_asked(const BackgroundGrid<dim> &grid_,
+                                   const std::string         &directory_,
+                                   const State               &state)
+  {
+    if (resume)
+      start(grid_, directory_, state);
+  }
+
+
+
+  template <int dim>
+  std::string
+  Checkpoint<dim>::remove_old() const
+  {
+    std::string notice;
     for (unsigned int slot = 0; slot < n_slots; ++slot)
-      std::remove(file_name(slot).c_str());
-    return "";
+      {
+        const Slot old = read_slot(slot);
+        if (std::remove(file_name(slot).c_str()) == 0)
+          notice += (notice.empty() ? "" : " and ") +
+                    (old.contents ?
+                       "after step " + std::to_string(old.contents->time.step) +
+                         ", t = " + std::to_string(old.contents->time.time) :
+                       std::string("an unreadable one"));
+      }
+    return notice.empty() ? "" :
+                            "Removed the checkpoints of an earlier run in <" +
+                              directory + ">: " + notice + ".";
   }
 
 
@@ -318,6 +327,7 @@ namespace isochor
     c.n_ranks          = Utilities::MPI::n_mpi_processes(grid->communicator());
     c.grid_fingerprint = grid_fingerprint;
     c.problem          = problem;
+    c.settings         = settings;
     c.time             = state.time;
     c.last_motion      = state.last_motion;
     c.grid_reset       = state.grid_reset.save_state();
@@ -458,7 +468,12 @@ namespace isochor
     last_step = state.time.step;
     return "Resumed after step " + std::to_string(state.time.step) +
            ", t = " + std::to_string(state.time.time) +
-           (problems.empty() ? "" : " (" + problems + ")");
+           (problems.empty() ? "" : " (" + problems + ")") +
+           ". What was written after it is replaced." +
+           (slots[newest].contents->settings == settings ?
+              "" :
+              " Changed:" +
+                differences(slots[newest].contents->settings, settings));
   }
 
 

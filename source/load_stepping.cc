@@ -21,8 +21,8 @@ namespace isochor
     prm.declare_entry("Step size",
                       "1",
                       Patterns::Double(0),
-                      "Of the first "
-                      "step (s).");
+                      "Of the first step (s), or, if it is changed, of the "
+                      "first after a restart.");
     prm.declare_entry(
       "Minimum step size",
       "0",
@@ -62,7 +62,8 @@ namespace isochor
     step_size = prm.get_double("Step size");
     AssertThrow(step_size > 0,
                 ExcMessage("The parameter <Time/Step size> must be positive."));
-    smallest = prm.get_double("Minimum step size");
+    first_step_size = step_size;
+    smallest        = prm.get_double("Minimum step size");
     if (smallest == 0)
       smallest = step_size / 1000;
     largest = prm.get_double("Maximum step size");
@@ -125,12 +126,28 @@ namespace isochor
 
 
 
+  std::vector<std::string>
+  LoadStepping::changeable_parameters()
+  {
+    return {"Time/"};
+  }
+
+
+
+  bool
+  LoadStepping::can_be_cut() const
+  {
+    return (next_time() - time) / 2 >= smallest;
+  }
+
+
+
   void
   LoadStepping::reject(const std::string &reason)
   {
     const double failed = next_time() - time;
     AssertThrow(
-      failed / 2 >= smallest,
+      can_be_cut(),
       ExcMessage("The step from t = " + std::to_string(time) + " of size " +
                  std::to_string(failed) +
                  " failed and can't be cut back further: " + reason +
@@ -167,7 +184,13 @@ namespace isochor
     time           = saved.time;
     step           = saved.step;
     n_cuts         = saved.n_cuts;
-    step_size      = std::min(saved.step_size, largest);
+    step_size      = saved.first_step_size == first_step_size ?
+                       std::min(saved.step_size, largest) :
+                       first_step_size;
     reached_output = saved.reached_output;
+    if (saved.output_interval != output_interval)
+      reached_output = output_interval > 0 ?
+                         std::floor(time / output_interval * (1 + 1e-12)) :
+                         0;
   }
 } // namespace isochor

@@ -27,7 +27,10 @@ namespace
     owner = problem;
     problem->parse_parameters(prm);
     if (validate_only)
-      return;
+      {
+        problem->validate();
+        return;
+      }
 
     prm.enter_subsection("Output");
     const std::string directory = prm.get("Directory");

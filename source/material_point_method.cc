@@ -4,10 +4,14 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
-#include <isochor/expression.h>
+#include <isochor/earlier_output.h>
+#include <isochor/idle_parameters.h>
 #include <isochor/material_point_method.h>
 #include <isochor/mpi_sums.h>
+#include <isochor/plain_message.h>
 #include <isochor/pressure_mapping.h>
+#include <isochor/safe_file.h>
+#include <isochor/scene_checks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,8 +122,9 @@ namespace isochor
     prm.declare_entry("Terminal",
                       "progress",
                       Patterns::Selection("quiet|progress|verbose"),
-                      "Nothing, a line per step with an estimate of the time "
-                      "left, or in addition the residuals of each iteration.");
+                      "Warnings and errors only, a line per step with an "
+                      "estimate of the time left, or in addition the residuals "
+                      "of each iteration.");
     prm.leave_subsection();
   }
 
@@ -133,7 +138,14 @@ namespace isochor
     points.parse_parameters(prm);
     newton_solver.parse_parameters(prm);
     time.parse_parameters(prm);
-    checkpoint.parse_parameters(prm);
+    std::vector<std::string> changeable = {"Output/"};
+    for (const auto &paths : {Checkpoint<dim>::changeable_parameters(),
+                              LoadStepping::changeable_parameters(),
+                              NewtonSolver::changeable_parameters(),
+                              LinearSolver::changeable_parameters(),
+                              Postprocessor<dim>::changeable_parameters()})
+      changeable.insert(changeable.end(), paths.begin(), paths.end());
+    checkpoint.parse_parameters(prm, changeable);
     dynamic = inertia.parse_parameters(prm);
     quadrature.parse_parameters(prm);
     ghost_penalty.parse_parameters(prm);
@@ -159,6 +171,8 @@ namespace isochor
           PluginRegistry<MaterialModel<dim>>::create(model));
         const auto &material = *kernel.materials.back();
         kernel.materials.back()->parse_parameters(prm);
+        if (project_volume)
+          kernel.materials.back()->prepare_rescaling();
         prm.leave_subsection();
         AssertThrow(mixed || material.inverse_bulk_modulus() > 0,
                     ExcMessage(
@@ -171,7 +185,18 @@ namespace isochor
                                "/Density> must be positive in a scene with "
                                "<Dynamics/Inertia = true>."));
         AssertThrow(material.history_names().size() <= max_history,
-                    ExcInternalError());
+                    ExcMessage("The law <" + model + "> of <" +
+                               material_section(m) + "/Model> keeps " +
+                               std::to_string(material.history_names().size()) +
+                               " history variables per point, but there is "
+                               "room for " +
+                               std::to_string(max_history) +
+                               ": raise max_history in mixed_kernel.h."));
+        AssertThrow(m < max_materials,
+                    ExcMessage("There may be no more than " +
+                               std::to_string(max_materials) +
+                               " materials: the sections <Material> to <" +
+                               material_section(max_materials - 1) + ">."));
         symmetric = symmetric && material.has_symmetric_tangent();
       }
 
@@ -201,8 +226,9 @@ namespace isochor
     pcout.set_condition(Utilities::MPI::this_mpi_process(comm) == 0 &&
                         terminal != "quiet");
     verbose = pcout.is_active() && terminal == "verbose";
-    warnings.print_here(pcout.is_active());
+    warnings.print_here(Utilities::MPI::this_mpi_process(comm) == 0);
     prm.leave_subsection();
+    warn_of_idle_parameters(prm, warnings);
   }
 
 
@@ -211,10 +237,71 @@ namespace isochor
   void
   MaterialPointMethod<dim>::run()
   {
+    try
+      {
+        setup();
+        open_output();
+        run_steps();
+      }
+    catch (...)
+      {
+        print_warning_count();
+        throw;
+      }
+    if (pcout.is_active())
+      timer.print_summary();
+    print_warning_count();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::validate()
+  {
     setup();
+    checkpoint.resume_if_asked(grid, output_directory, state());
+    print_size();
+    restore_moved_grid();
+    initialisation_phase();
+    at_start = true;
+    assemble(true);
+    print_warning_count();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::print_warning_count()
+  {
+    // nobody is to miss them because of 'quiet'
+    if (pcout.is_active())
+      pcout << warnings.summary() << std::endl;
+    else if (!warnings.all().empty() &&
+             Utilities::MPI::this_mpi_process(comm) == 0)
+      std::cerr << warnings.summary() << std::endl;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::run_steps()
+  {
     while (!time.finished())
       {
-        initialisation_phase();
+        try
+          {
+            initialisation_phase();
+          }
+        catch (const ExcPointsLeftGrid &exc)
+          {
+            AssertThrow(false,
+                        ExcMessage(plain_message(exc) + " " +
+                                   FailureReport<dim>::write_points(
+                                     context(), points, output_directory)));
+          }
         const bool   predicted = predict();
         NewtonReport newton    = updated_lagrangian_phase();
         if (!newton.converged && predicted)
@@ -230,14 +317,30 @@ namespace isochor
           }
         else
           {
+            AssertThrow(time.can_be_cut(), ExcMessage(explain_failure(newton)));
             pcout << "Step " << time.step + 1 << " to t = " << time.next_time()
                   << " is cut: " << newton.failure << std::endl;
             time.reject(newton.failure);
           }
       }
-    if (pcout.is_active())
-      timer.print_summary();
-    pcout << warnings.summary() << std::endl;
+  }
+
+
+
+  template <int dim>
+  std::string
+  MaterialPointMethod<dim>::explain_failure(const NewtonReport &newton)
+  {
+    const StepContext<dim> step = context();
+    return failure_report.explain({step,
+                                   unknowns,
+                                   system,
+                                   points,
+                                   time,
+                                   newton,
+                                   solver_report,
+                                   dynamic,
+                                   output_directory});
   }
 
 
@@ -269,21 +372,52 @@ namespace isochor
     for (auto &condition : boundary_conditions)
       terms.push_back(condition.get());
 
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::open_output()
+  {
+    const std::string earlier =
+      checkpoint.resumes() ? "" : describe_earlier_output(output_directory);
     const std::string notice =
       checkpoint.start(grid, output_directory, state());
+    restore_moved_grid();
+    run_on_all_ranks(comm, [&]() {
+      if (Utilities::MPI::this_mpi_process(comm) == 0)
+        statistics.open(output_directory + "/statistics.txt", time.step);
+    });
+    print_size();
+    for (const std::string &text : {earlier, notice})
+      if (!text.empty())
+        pcout << text << std::endl;
+    remaining_time.reached(time.time, clock.wall_time());
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::restore_moved_grid()
+  {
     if (grid.is_moving() && !grid_reset.due())
       grid.set_vertices(grid.vertices_at_time(grid_reset.start_time()));
-    if (Utilities::MPI::this_mpi_process(comm) == 0)
-      statistics.open(output_directory + "/statistics.txt", time.step);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::print_size()
+  {
     pcout << "Isochor: " << grid.triangulation().n_active_cells() << " cells, "
           << points.handler().n_global_particles() << " material points, "
           << (n_components == dim ?
                 "u" :
                 (kernel.ppp_coefficient > 0 ? "u-p + PPP" : "u-p"))
           << " form" << std::endl;
-    if (!notice.empty())
-      pcout << notice << std::endl;
-    remaining_time.reached(time.time, clock.wall_time());
   }
 
 
@@ -645,7 +779,28 @@ namespace isochor
       norms.pending ? 0. : std::sqrt(std::max(squares[2], squares[3]));
     norms.displacement_floor = force_floor;
     norms.pressure_floor     = volume_floor;
+    if (with_matrix && !scene_checked)
+      check_scene();
     return norms;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::check_scene()
+  {
+    scene_checked = true;
+    if (time.step > 0) // resumed: said when it started
+      return;
+    const StepContext<dim> step = context();
+    check_body(step);
+    for (const auto &condition : boundary_conditions)
+      condition->check_scene(step);
+    for (const auto &postprocessor : postprocessors)
+      postprocessor->check_scene(step);
+    if (!dynamic)
+      check_supports(system.matrix(), warnings);
   }
 
 
@@ -660,7 +815,7 @@ namespace isochor
       {
         TimerOutput::Scope scope(timer, "factorisation");
         factorised_pattern = 0; // none, should this throw
-        linear_solver->factorise(system.matrix());
+        solver_report      = linear_solver->factorise(system.matrix());
         factorised_pattern = system.matrix().pattern_id;
       }
     LinearSolverReport report;
@@ -699,6 +854,7 @@ namespace isochor
       statistics.set("Relative residual of forces",
                      newton.iterations.back().displacement);
       statistics.set("Equations", system.matrix().n_equations);
+      set_solver_statistics(newton);
       if (!grid_reset.always())
         statistics.set("Step of grid", grid_reset.n_steps() + 1);
       for (auto &postprocessor : postprocessors)
@@ -716,6 +872,8 @@ namespace isochor
       // on a grid that is kept nothing drifts
       if (project_volume && grid_reset.due())
         volume_projection.apply(step, points);
+      failure_report.remember(step, unknowns);
+      warn_if_nothing_moves(newton);
       time.accept(newton.n_factorisations);
     }
     {
@@ -724,6 +882,36 @@ namespace isochor
         postprocessor->evaluate_points(result, statistics);
       statistics.end_row();
     }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::set_solver_statistics(const NewtonReport &newton)
+  {
+    if (linear_solver->is_iterative())
+      statistics.set("Linear iterations", newton.n_linear_iterations());
+    if (solver_report.knows_pivots)
+      statistics.set("Negative pivots", solver_report.n_negative_pivots);
+    if (solver_report.n_factor_entries > 0)
+      statistics.set("Entries of the factors", solver_report.n_factor_entries);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::warn_if_nothing_moves(const NewtonReport &newton)
+  {
+    if (time.step == 0 && newton.n_iterations() == 0)
+      warnings.add("nothing loads the scene",
+                   "The first step, to t = " +
+                     std::to_string(time.next_time()) +
+                     ", needed no iteration: no load and no displacement acts "
+                     "on the body up to then. Set loads in <Boundary "
+                     "conditions>, <Dynamics/Initial velocity>, or a larger "
+                     "<Time/Step size> if they begin later.");
   }
 
 

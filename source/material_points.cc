@@ -3,17 +3,16 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
-#include <deal.II/grid/grid_in.h>
 
 #include <isochor/expression.h>
 #include <isochor/material_points.h>
-#include <isochor/plain_message.h>
+#include <isochor/mesh_reader.h>
 #include <isochor/relocation.h>
 #include <isochor/seeding.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace isochor
@@ -80,8 +79,9 @@ namespace isochor
     prm.declare_entry("Physical groups",
                       "",
                       Patterns::List(Patterns::Anything()),
-                      "For a gmsh grid: the names of the physical groups of "
-                      "cells that the body fills. Empty: all.");
+                      "The names of the physical groups of cells that the body "
+                      "fills: of 'Body mesh' if there is one, else of the "
+                      "gmsh grid. Empty: all.");
     prm.declare_entry("Body mesh",
                       "",
                       Patterns::Anything(),
@@ -120,9 +120,30 @@ namespace isochor
     parameters.lattice_spacing = prm.get_double("Lattice spacing");
     parameters.material_zones  = prm.get("Materials in zones");
     prm.leave_subsection();
+    check_combinations();
     // fail now and not after an hour of meshing
     material_point_rule<dim>(parameters.points_per_cell);
-    Expression<dim>(parameters.region, "Material points/Region");
+    Expression<dim>(parameters.region,
+                    "Material points/Region",
+                    FormulaVariables::space);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::check_combinations() const
+  {
+    const bool lattice = parameters.lattice_spacing > 0;
+    AssertThrow(!lattice || parameters.body_mesh.empty(),
+                ExcMessage("The parameters <Material points/Lattice spacing> "
+                           "and <Material points/Body mesh> are two ways to "
+                           "place the points. Leave one out."));
+    AssertThrow(!lattice || parameters.zones.empty(),
+                ExcMessage("The parameter <Material points/Points per cell in "
+                           "zones> can't be used with <Material points/Lattice "
+                           "spacing>, which places the points without regard "
+                           "to cells. Leave one out."));
   }
 
 
@@ -147,7 +168,7 @@ namespace isochor
     std::vector<Seed> seeds =
       !parameters.body_mesh.empty()  ? seeds_in_body_mesh() :
       parameters.lattice_spacing > 0 ? seeds_on_lattice() :
-                                       seeds_in_cells(grid.geometry(), true);
+                                       seeds_in_cells(grid.geometry(), grid.group_ids());
     const Expression<dim> in_body(parameters.region, "Material points/Region");
     seeds.erase(std::remove_if(seeds.begin(),
                                seeds.end(),
@@ -168,8 +189,9 @@ namespace isochor
 
   template <int dim>
   std::vector<typename MaterialPoints<dim>::Seed>
-  MaterialPoints<dim>::seeds_in_cells(const SimplexGeometry<dim> &geometry,
-                                      const bool                  of_grid) const
+  MaterialPoints<dim>::seeds_in_cells(
+    const SimplexGeometry<dim>                      &geometry,
+    const std::map<std::string, types::material_id> &group_ids) const
   {
     struct Zone
     {
@@ -190,12 +212,13 @@ namespace isochor
                           "Material points/Points per cell in zones"))
       add_zone(Utilities::string_to_int(zone.first),
                Expression<dim>(zone.second,
-                               "Material points/Points per cell in zones"));
+                               "Material points/Points per cell in zones",
+                               FormulaVariables::space));
 
     std::vector<Seed> seeds;
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       {
-        if (of_grid && !grid.in_groups(cell, parameters.groups))
+        if (!in_groups(geometry, group_ids, cell))
           continue;
         std::array<Point<dim>, dim + 1> corners;
         Point<dim>                      centre;
@@ -234,26 +257,10 @@ namespace isochor
   MaterialPoints<dim>::seeds_in_body_mesh() const
   {
     Triangulation<dim> body;
-    std::ifstream      file(parameters.body_mesh);
-    AssertThrow(file,
-                ExcMessage("The mesh file <" + parameters.body_mesh +
-                           "> of the parameter <Material points/Body mesh> "
-                           "can't be opened."));
-    try
-      {
-        GridIn<dim> grid_in(body);
-        grid_in.read_msh(file);
-      }
-    catch (const std::exception &exc)
-      {
-        AssertThrow(false,
-                    ExcMessage("The mesh file <" + parameters.body_mesh +
-                               "> of the parameter <Material points/Body mesh> "
-                               "can't be read: " +
-                               plain_message(exc)));
-      }
+    const MeshGroups   names =
+      read_mesh<dim>(parameters.body_mesh, "Material points/Body mesh", body);
     const SimplexGeometry<dim> geometry(body);
-    std::vector<Seed>          seeds = seeds_in_cells(geometry, false);
+    std::vector<Seed>          seeds = seeds_in_cells(geometry, names.cells);
     locate(seeds);
     return seeds;
   }
@@ -278,12 +285,20 @@ namespace isochor
           upper[d] = std::max(upper[d], vertex[d]);
         }
     std::array<unsigned int, dim> n;
-    unsigned int                  n_points = 1;
+    double                        n_boxes = 1;
     for (unsigned int d = 0; d < dim; ++d)
-      {
-        n[d] = std::ceil((upper[d] - lower[d]) / h - 1e-10);
-        n_points *= n[d];
-      }
+      n_boxes *= std::ceil((upper[d] - lower[d]) / h - 1e-10);
+    std::ostringstream number;
+    number << n_boxes;
+    AssertThrow(n_boxes < std::numeric_limits<int>::max(),
+                ExcMessage("The lattice of the parameter <Material "
+                           "points/Lattice spacing> has " +
+                           number.str() +
+                           " boxes in the extent of the grid: are <Grid> and "
+                           "the spacing in the same unit?"));
+    for (unsigned int d = 0; d < dim; ++d)
+      n[d] = std::ceil((upper[d] - lower[d]) / h - 1e-10);
+    const unsigned int n_points = n_boxes;
     // one point in the middle of each box; where points carry simplex domains,
     // one in each simplex of the box, so that the domains tile the body
     std::vector<CornerVectors<dim>> domains(1);
@@ -305,7 +320,8 @@ namespace isochor
               domains.back()[c] = h * (corners[c] - centroid);
           }
       }
-    std::vector<Seed> seeds;
+    const Expression<dim> in_body(parameters.region, "Material points/Region");
+    std::vector<Seed>     seeds;
     for (unsigned int i = 0; i < n_points; ++i)
       for (unsigned int s = 0; s < places.size(); ++s)
         {
@@ -313,17 +329,55 @@ namespace isochor
           unsigned int rest = i;
           for (unsigned int d = 0; d < dim; ++d, rest /= n[d - 1])
             seed.location[d] += (rest % n[d] + places[s][d]) * h;
-          seeds.push_back(seed);
+          if (in_body(seed.location, 0.) > 0)
+            seeds.push_back(seed);
         }
-    const Expression<dim> in_body(parameters.region, "Material points/Region");
+    locate(seeds);
     seeds.erase(std::remove_if(seeds.begin(),
                                seeds.end(),
                                [&](const Seed &seed) {
-                                 return !(in_body(seed.location, 0.) > 0);
+                                 return !in_groups(grid.geometry(),
+                                                   grid.group_ids(),
+                                                   seed.cell);
                                }),
                 seeds.end());
-    locate(seeds);
     return seeds;
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialPoints<dim>::in_groups(
+    const SimplexGeometry<dim>                      &geometry,
+    const std::map<std::string, types::material_id> &group_ids,
+    const unsigned int                               cell) const
+  {
+    for (const std::string &name : parameters.groups)
+      {
+        const auto group = group_ids.find(name);
+        if (group == group_ids.end())
+          {
+            std::string known;
+            for (const auto &entry : group_ids)
+              known += (known.empty() ? "" : ", ") + entry.first;
+            AssertThrow(false,
+                        ExcMessage(
+                          "The parameter <Material points/Physical groups> "
+                          "names <" +
+                          name + ">, but the " +
+                          (parameters.body_mesh.empty() ? "grid" :
+                                                          "body's mesh") +
+                          " has " +
+                          (known.empty() ?
+                             "no named group of cells" :
+                             "the groups of cells " + known) +
+                          "."));
+          }
+        if (geometry.cell_iterator(cell)->material_id() == group->second)
+          return true;
+      }
+    return parameters.groups.empty();
   }
 
 
@@ -373,7 +427,8 @@ namespace isochor
         zones.emplace_back(number - 1,
                            Expression<dim>(zone.second,
                                            "Material points/Materials in "
-                                           "zones"));
+                                           "zones"),
+                                           FormulaVariables::space));
       }
 
     const unsigned int rank =
@@ -425,8 +480,8 @@ namespace isochor
   {
     const std::string            name = "Dynamics/Initial velocity";
     std::vector<Expression<dim>> velocity;
-    for (const auto &item : Utilities::split_string_list(formulas))
-      velocity.emplace_back(item, name);
+    for (const auto &item : split_formulas(formulas, name))
+      velocity.emplace_back(item, name, FormulaVariables::space);
     AssertThrow(velocity.size() == dim,
                 ExcMessage("The parameter <" + name + "> needs " +
                            std::to_string(dim) + " components."));
@@ -569,17 +624,49 @@ namespace isochor
     const RelocationReport<dim> report = isochor::relocate(particles, locator);
     if (report.n_lost == 0)
       return;
-    std::ostringstream where;
-    for (std::size_t i = 0; i < std::min<std::size_t>(report.lost.size(), 3);
-         ++i)
-      where << " Point " << report.lost.ids[i] << " is at ("
-            << report.lost.locations[i] << ").";
+
+    constexpr std::size_t               most = 3; // places to list
+    std::string                         places;
+    std::map<std::string, unsigned int> n_through;
+    for (std::size_t i = 0; i < report.lost.size(); ++i)
+      {
+        const Point<dim> &x = report.lost.locations[i];
+        ++n_through[grid.boundary_crossed(report.lost.cells[i], x)];
+        std::ostringstream place;
+        place << " Point " << report.lost.ids[i] << " is at (" << x << ").";
+        if (i < most)
+          places += place.str();
+        // kept, so that the state can be looked at
+        particles.insert_particle(
+          x,
+          SimplexGeometry<dim>::reference_location(
+            grid.geometry().barycentric(report.lost.cells[i], x)),
+          report.lost.ids[i],
+          grid.geometry().cell_iterator(report.lost.cells[i]),
+          report.lost.payload(i));
+      }
+    particles.update_cached_numbers();
+
+    std::map<std::string, unsigned int> n_through_all;
+    std::string                         all_places, boundaries;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(grid.communicator(), n_through))
+      for (const auto &entry : of_rank)
+        n_through_all[entry.first] += entry.second;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(grid.communicator(), places))
+      all_places += of_rank;
+    for (const auto &entry : n_through_all)
+      boundaries += (boundaries.empty() ? "" : ", ") +
+                    std::to_string(entry.second) + " through <" + entry.first +
+                    ">";
     AssertThrow(false,
-                ExcMessage(std::to_string(report.n_lost) +
-                           " material points left the background grid." +
-                           where.str() +
-                           " Enlarge the grid, or hold the body by boundary "
-                           "conditions."));
+                ExcPointsLeftGrid(std::to_string(report.n_lost) +
+                                  " material points left the background "
+                                  "grid, " +
+                                  boundaries + "." + all_places +
+                                  " Enlarge the grid, or hold the body by "
+                                  "boundary conditions."));
   }
 
 

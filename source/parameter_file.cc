@@ -3,14 +3,9 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Boost's own JSON parser uses what Boost 1.74 warns about.
-#define BOOST_BIND_GLOBAL_PLACEHOLDERS
-
 #include <isochor/edit_distance.h>
 #include <isochor/parameter_file.h>
-
-#include <boost/property_tree/json_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
+#include <isochor/parameter_list.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -25,16 +20,7 @@ namespace isochor
 {
   namespace
   {
-    using Path = std::vector<std::string>;
-
-    std::string
-    join(const Path &path)
-    {
-      std::string result;
-      for (const std::string &name : path)
-        result += (result.empty() ? "" : "/") + name;
-      return result;
-    }
+    using Path = ParameterList::Path;
 
 
 
@@ -224,67 +210,6 @@ namespace isochor
 
 
 
-    /** What a ParameterHandler has declared, which it tells only by printing
-     * it: all subsections, and all parameters with their pattern. */
-    struct Declarations
-    {
-      explicit Declarations(const ParameterHandler &prm);
-
-      std::set<Path>              subsections;
-      std::map<Path, std::string> patterns;
-
-    private:
-      void
-      collect(const boost::property_tree::ptree &tree, const Path &path);
-    };
-
-
-
-    Declarations::Declarations(const ParameterHandler &prm)
-    {
-      std::stringstream json;
-      prm.print_parameters(json, ParameterHandler::JSON);
-      boost::property_tree::ptree tree;
-      boost::property_tree::read_json(json, tree);
-      collect(tree, {});
-    }
-
-
-
-    void
-    Declarations::collect(const boost::property_tree::ptree &tree,
-                          const Path                        &path)
-    {
-      for (const auto &[name, child] : tree)
-        {
-          Path child_path = path;
-          child_path.push_back(name);
-          // A parameter is a node with a text "value", an alias one with a
-          // text "alias"; a subsection may contain parameters of these names,
-          // but those aren't plain texts.
-          const auto has_text = [&child = child](const char *key) {
-            const auto node = child.find(key);
-            return node != child.not_found() && node->second.empty();
-          };
-          if (has_text("value"))
-            patterns[child_path] =
-              child.get<std::string>("pattern_description", "");
-          else if (has_text("alias"))
-            {
-              Path target = path;
-              target.push_back(child.get<std::string>("alias"));
-              patterns[child_path] = "the values of <" + join(target) + ">";
-            }
-          else
-            {
-              subsections.insert(child_path);
-              collect(child, child_path);
-            }
-        }
-    }
-
-
-
     /**
      * How unlikely it is that @p candidate is meant by @p path: the edit
      * distance of the names, plus that of the enclosing subsections. The latter
@@ -296,7 +221,7 @@ namespace isochor
       constexpr unsigned int wrong_section = 2;
 
       const auto section = [](const Path &p) {
-        return join(Path(p.begin(), p.end() - 1));
+        return join_path(Path(p.begin(), p.end() - 1));
       };
       const unsigned int names = edit_distance(path.back(), candidate.back());
       const unsigned int sections =
@@ -319,19 +244,19 @@ namespace isochor
                                            return mismatch(path, get_path(a)) <
                                                   mismatch(path, get_path(b));
                                          });
-      return "; did you mean <" + join(get_path(*best)) + ">?";
+      return "; did you mean <" + join_path(get_path(*best)) + ">?";
     }
 
 
 
     void
     check_declared(const ParameterStatement &statement,
-                   const Declarations       &declarations)
+                   const ParameterList      &declarations)
     {
       const Path       &path         = statement.path;
       const std::string prefix       = statement.origin + ": ";
-      const std::string name         = "<" + join(path) + ">";
-      const bool        is_parameter = declarations.patterns.count(path) > 0;
+      const std::string name         = "<" + join_path(path) + ">";
+      const bool        is_parameter = declarations.entries.count(path) > 0;
       const bool is_subsection       = declarations.subsections.count(path) > 0;
 
       if (statement.is_subsection && is_parameter)
@@ -348,7 +273,7 @@ namespace isochor
       if (!statement.is_subsection && !is_parameter)
         throw ParameterError(
           prefix + "unknown parameter " + name +
-          suggestion(path, declarations.patterns, [](const auto &entry) {
+          suggestion(path, declarations.entries, [](const auto &entry) {
             return entry.first;
           }));
     }
@@ -371,7 +296,7 @@ namespace isochor
         {
           throw ParameterError(statement.origin + ": the value <" +
                                statement.value + "> of the parameter <" +
-                               join(statement.path) +
+                               join_path(statement.path) +
                                "> is not allowed; allowed is " + pattern);
         }
       for (unsigned int i = 0; i < sections.size(); ++i)
@@ -466,13 +391,13 @@ namespace isochor
   apply_parameters(const std::vector<ParameterStatement> &statements,
                    ParameterHandler                      &prm)
   {
-    const Declarations declarations(prm);
+    const ParameterList declarations(prm);
     for (const ParameterStatement &statement : statements)
       {
         check_declared(statement, declarations);
         if (!statement.is_subsection)
           set_parameter(statement,
-                        declarations.patterns.at(statement.path),
+                        declarations.entries.at(statement.path).pattern,
                         prm);
       }
   }

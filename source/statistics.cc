@@ -19,6 +19,7 @@ namespace isochor
   {
     file_name = name;
     std::string kept;
+    columns.clear();
     if (n_rows > 0)
       {
         // drop what an interrupted run wrote after its last checkpoint
@@ -39,7 +40,7 @@ namespace isochor
                                " rows, but the "
                                "checkpoint was made after " +
                                std::to_string(n_rows) + "."));
-        header_written = true;
+        n_columns_written = columns.size();
       }
     write_file_safely(file_name, [&](std::ostream &out) { out << kept; });
     file.open(file_name, std::ios::app);
@@ -51,8 +52,7 @@ namespace isochor
   void
   Statistics::set(const std::string &column, const double value)
   {
-    if (!header_written &&
-        std::find(columns.begin(), columns.end(), column) == columns.end())
+    if (std::find(columns.begin(), columns.end(), column) == columns.end())
       columns.push_back(column);
     row[column] = value;
   }
@@ -75,17 +75,49 @@ namespace isochor
 
 
   void
+  Statistics::rewrite()
+  {
+    // the rows that are there get nan in the columns that are new
+    std::string rows;
+    if (n_columns_written > 0)
+      {
+        std::string missing;
+        for (std::size_t i = n_columns_written; i < columns.size(); ++i)
+          missing += "nan ";
+        std::ifstream old(file_name);
+        for (std::string line; std::getline(old, line);)
+          if (line[0] != '#')
+            rows += line + missing + "\n";
+      }
+    file.close();
+    write_file_safely(file_name, [&](std::ostream &out) {
+      for (unsigned int i = 0; i < columns.size(); ++i)
+        out << "# " << i + 1 << ": " << columns[i] << '\n';
+      out << rows;
+    });
+    file.open(file_name, std::ios::app);
+    n_columns_written = columns.size();
+  }
+
+
+
+  void
   Statistics::end_row()
   {
     if (file.is_open())
       {
-        if (!header_written)
-          for (unsigned int i = 0; i < columns.size(); ++i)
-            file << "# " << i + 1 << ": " << columns[i] << '\n';
+        if (n_columns_written < columns.size())
+          rewrite();
         char value[40];
         for (const std::string &column : columns)
           {
-            std::snprintf(value, sizeof(value), "%.12g", row[column]);
+            const auto entry = row.find(column);
+            if (entry == row.end())
+              {
+                file << "nan ";
+                continue;
+              }
+            std::snprintf(value, sizeof(value), "%.12g", entry->second);
             file << value << ' ';
           }
         file << std::endl;
@@ -93,7 +125,6 @@ namespace isochor
                     ExcMessage("Can't write to the file <" + file_name +
                                ">. Is the disk full?"));
       }
-    header_written = true;
     last_row.swap(row);
     row.clear();
   }

@@ -10,6 +10,7 @@
 #include <isochor/material_point_method.h>
 #include <isochor/parameter_file.h>
 
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -279,6 +280,86 @@ test_split_points(const MPI_Comm comm)
 
 
 
+/** The values of a column of the statistics; nan where there is none. */
+std::vector<double>
+column(const std::string &directory, const std::string &name)
+{
+  std::ifstream       file(directory + "/statistics.txt");
+  std::string         line;
+  unsigned int        index = 0, n_columns = 0;
+  std::vector<double> values;
+  while (std::getline(file, line))
+    if (line[0] == '#')
+      {
+        if (line.substr(line.find(": ") + 2) == name)
+          index = n_columns;
+        ++n_columns;
+      }
+    else
+      {
+        std::istringstream row(line);
+        std::string        word;
+        for (unsigned int i = 0; i <= index; ++i)
+          row >> word;
+        values.push_back(std::strtod(word.c_str(), nullptr));
+      }
+  return values;
+}
+
+
+
+/** What says how to go on may change at a restart: the step size, the output
+ * and the probes. */
+void
+test_changed_settings(const MPI_Comm comm)
+{
+  const std::string a = "checkpoint-set-a", b = "checkpoint-set-b";
+  const std::pair<std::string, std::string> probes = {
+    "Postprocess/Point probes", "new: 1.9, 2; centre: 1.7, 1.7"};
+  const std::string name = "Displacement y of new (m)";
+  const Result      whole = run(comm, a, {probes});
+  crash_after_step        = 5;
+  expect_error("settings, interrupted", run(comm, b), "crash");
+  crash_after_step     = numbers::invalid_unsigned_int;
+  const Result resumed = run(comm,
+                             b,
+                             {{"Checkpoint/Resume", "true"},
+                              {"Time/Step size", "0.01"},
+                              {"Time/Output interval", "0.02"},
+                              {"Newton/Tolerance", "1e-9"},
+                              {"Postprocess/Write grid", "false"},
+                              probes});
+  // the checkpoint is that after step 4, t = 0.08
+  const auto  sizes = column(b, "Step size (s)");
+  bool        right = sizes.size() == 4 + 8;
+  for (unsigned int i = 0; i < sizes.size(); ++i)
+    right = right && std::abs(sizes[i] - (i < 4 ? 0.02 : 0.01)) < 1e-12;
+  report("another step size", resumed.error.empty() && right, resumed.error);
+  // outputs at 0.04, 0.08 and from then on each 0.02
+  report("other outputs",
+         contents(b + "/points.pvd").find("points-00006.pvtu") !=
+             std::string::npos &&
+           contents(b + "/points.pvd").find("points-00007.pvtu") ==
+             std::string::npos &&
+           contents(b + "/grid.pvd").find("grid-00003.pvtu") ==
+             std::string::npos,
+         contents(b + "/points.pvd"));
+  const auto   values   = column(b, name);
+  const double expected = column(a, name).back();
+  report("another probe: nan before",
+         values.size() == 12 && std::isnan(values[3]) && !std::isnan(values[4]),
+         std::to_string(values.size()));
+  report("another probe: where it would have been",
+         !values.empty() && std::abs(values.back() / expected - 1) < 0.02,
+         std::to_string(values.back()) + " instead of " +
+           std::to_string(expected));
+  report("the probe that stays",
+         !std::isnan(column(b, "Displacement y of centre (m)")[0]),
+         "nan");
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -346,6 +427,7 @@ main(int argc, char **argv)
                run(comm, "checkpoint-c", {resume}),
                "There is no checkpoint to resume from");
 
+  test_changed_settings(comm);
   test_kept_grid(comm);
   test_split_points(comm);
 

@@ -82,11 +82,14 @@ namespace isochor
     const std::vector<BoundaryFace> &
     boundary_faces() const;
 
-    /** Whether @p cell belongs to one of the named physical groups of a gmsh
-     * grid; true for an empty list. Throws on an unknown name. */
-    bool
-    in_groups(const unsigned int              cell,
-              const std::vector<std::string> &group_names) const;
+    /** Names and ids of the physical groups of cells of a gmsh grid. */
+    const std::map<std::string, types::material_id> &
+    group_ids() const;
+
+    /** The name of the boundary through which one leaves the grid from the
+     * centre of @p cell to @p x, for messages. */
+    std::string
+    boundary_crossed(const unsigned int cell, const Point<dim> &x) const;
 
     /** Rank that owns the node at vertex @p vertex. */
     unsigned int

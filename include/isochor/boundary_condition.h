@@ -36,6 +36,12 @@ namespace isochor
     initialize(const BackgroundGrid<dim> & /*grid*/)
     {}
 
+    /** The first step is set up: warn of what can't be meant, as parts of the
+     * parameters that act on nothing. See scene_checks.h. Collective. */
+    virtual void
+    check_scene(const StepContext<dim> & /*step*/) const
+    {}
+
     /** Prescribe increments of nodal unknowns over the step. */
     virtual void
     constrain(const StepContext<dim> & /*step*/,

@@ -51,9 +51,16 @@ namespace isochor
     declare_parameters(ParameterHandler &prm);
 
     /** Reads its subsection, and from all others what describes the problem:
-     * @p prm has to be at its top level. */
+     * @p prm has to be at its top level. A resumed run may change the parameters
+     * whose path ("Section/Entry") starts with one of @p changeable: what says
+     * how to go on, not what the problem is. Their owners know which. */
     void
-    parse_parameters(ParameterHandler &prm);
+    parse_parameters(ParameterHandler               &prm,
+                     const std::vector<std::string> &changeable);
+
+    /** The parameters of this class that a resumed run may set anew. */
+    static std::vector<std::string>
+    changeable_parameters();
 
     /**
      * Once, when all of @p state is set up as for the start of a run. If the
@@ -67,6 +74,19 @@ namespace isochor
     start(const BackgroundGrid<dim> &grid,
           const std::string         &directory,
           const State               &state);
+
+    /** Whether start() will resume a run. */
+    bool
+    resumes() const
+    {
+      return resume;
+    }
+
+    /** What start() does if the parameters ask to resume; nothing else. */
+    void
+    resume_if_asked(const BackgroundGrid<dim> &grid,
+                    const std::string         &directory,
+                    const State               &state);
 
     /** After a step: write a checkpoint if it is time to, and return whether
      * it was. Throws on all ranks if that fails on any; the previous one is
@@ -96,13 +116,16 @@ namespace isochor
     restore(const Contents &contents, const State &state) const;
     std::string
     resume_from_newest(const State &state);
+    /** Remove the checkpoints of an earlier run; returns what to tell. */
+    std::string
+    remove_old() const;
 
     unsigned int step_interval = 0;
     double       wall_interval = 0;
     bool         resume        = false;
 
-    /** The parameters that a resumed run must share, by path. */
-    std::map<std::string, std::string> problem;
+    /** The parameters that a resumed run must share, by path, and others. */
+    std::map<std::string, std::string> problem, settings;
     std::uint64_t                      grid_fingerprint = 0;
     const BackgroundGrid<dim>         *grid             = nullptr;
     std::string                        directory;

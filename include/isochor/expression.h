@@ -6,8 +6,6 @@
 #define isochor_expression_h
 
 #include <deal.II/base/function_parser.h>
-#include <deal.II/base/numbers.h>
-#include <deal.II/base/utilities.h>
 
 #include <memory>
 #include <string>
@@ -18,37 +16,30 @@ namespace isochor
 {
   using namespace dealii;
 
+  /** What a formula may depend on. The rest is fixed where it is evaluated, so
+   * that a formula with it can't be meant. */
+  enum class FormulaVariables
+  {
+    space_and_time,
+    space, ///< evaluated at t = 0 only
+    time   ///< the same at all places
+  };
+
   /** A formula in the coordinates x, y(, z) and the time t, from a parameter
    * file. The constant `pi` is known. */
   template <int dim>
   class Expression
   {
   public:
-    /** @p parameter names the origin of @p formula in error messages. */
-    Expression(const std::string &formula, const std::string &parameter)
-      : function(std::make_shared<FunctionParser<dim>>(1))
-    {
-      try
-        {
-          function->initialize(FunctionParser<dim>::default_variable_names() +
-                                 ",t",
-                               formula,
-                               {{"pi", numbers::PI}},
-                               true);
-          function->set_time(0.);
-          function->value(Point<dim>());
-        }
-      catch (const std::exception &)
-        {
-          AssertThrow(false,
-                      ExcMessage("The formula <" + formula +
-                                 "> of the parameter <" + parameter +
-                                 "> can't be read. Allowed are the variables " +
-                                 FunctionParser<dim>::default_variable_names() +
-                                 ",t, the constant pi and the usual "
-                                 "mathematical functions."));
-        }
-    }
+    /**
+     * @p parameter names the origin of @p formula in error messages.
+     * @throws ExcMessage if the formula can't be read or depends on other than
+     * @p variables.
+     */
+    Expression(
+      const std::string     &formula,
+      const std::string     &parameter,
+      const FormulaVariables variables = FormulaVariables::space_and_time);
 
     double
     operator()(const Point<dim> &x, const double t) const
@@ -61,28 +52,27 @@ namespace isochor
     std::shared_ptr<FunctionParser<dim>> function;
   };
 
+  /** The names of variables and functions in a formula, in their order. */
+  std::vector<std::string>
+  names_in_formula(const std::string &formula);
+
   /**
-   * Split "name: text; name: text" into its pairs, in order. Throws if an item
-   * has no colon, naming @p parameter.
+   * The items of a list of formulas, trimmed. Separators in parentheses belong
+   * to a formula, as the commas of `if(x > 1, 2, 3)`. An empty list has no
+   * item. Throws, naming @p parameter, if parentheses don't match.
    */
-  inline std::vector<std::pair<std::string, std::string>>
-  split_named_list(const std::string &list, const std::string &parameter)
-  {
-    std::vector<std::pair<std::string, std::string>> pairs;
-    for (const std::string &item : Utilities::split_string_list(list, ';'))
-      {
-        if (item.empty())
-          continue;
-        const auto colon = item.find(':');
-        AssertThrow(colon != std::string::npos,
-                    ExcMessage("The entry <" + item + "> of the parameter <" +
-                               parameter +
-                               "> must have the form <name: value>."));
-        pairs.emplace_back(Utilities::trim(item.substr(0, colon)),
-                           Utilities::trim(item.substr(colon + 1)));
-      }
-    return pairs;
-  }
+  std::vector<std::string>
+  split_formulas(const std::string &list,
+                 const std::string &parameter,
+                 const char         separator = ',');
+
+  /**
+   * Split "name: text; name: text" into its pairs, in order; semicolons in
+   * parentheses and all colons but the first belong to the text. Throws if an
+   * item has no colon, naming @p parameter.
+   */
+  std::vector<std::pair<std::string, std::string>>
+  split_named_list(const std::string &list, const std::string &parameter);
 } // namespace isochor
 
 #endif

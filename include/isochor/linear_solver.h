@@ -12,6 +12,7 @@
 #include <isochor/sparse_system.h>
 
 #include <string>
+#include <vector>
 
 namespace isochor
 {
@@ -22,6 +23,9 @@ namespace isochor
     bool         factorised        = false; ///< a numeric factorisation too
     unsigned int iterations        = 0;     ///< 0 for direct solvers
     unsigned int n_negative_pivots = 0;     ///< if the solver knows
+    bool         knows_pivots      = false; ///< whether it does
+    /** Of the factors, over all ranks; 0: none or not known. */
+    double n_factor_entries = 0;
     /** Held by this rank: for direct solvers by the factors and the workspace
      * of the factorisation, for iterative ones by the matrix, not counting the
      * preconditioner; 0: not known. */
@@ -45,6 +49,20 @@ namespace isochor
 
     virtual void
     parse_parameters(ParameterHandler &prm) = 0;
+
+    /** The parameters, by path, that a resumed run may set anew. */
+    static std::vector<std::string>
+    changeable_parameters()
+    {
+      return {"Linear solver/"};
+    }
+
+    /** Whether solves take iterations. */
+    virtual bool
+    is_iterative() const
+    {
+      return false;
+    }
 
     /**
      * Take the matrix @p A: analyse if its pattern_id is new, factorise or

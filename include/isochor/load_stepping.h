@@ -8,6 +8,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <vector>
 
 namespace isochor
 {
@@ -37,6 +38,14 @@ namespace isochor
     void
     accept(const unsigned int n_iterations);
 
+    /** The parameters, by path, that a resumed run may set anew. */
+    static std::vector<std::string>
+    changeable_parameters();
+
+    /** Whether the step to next_time() may be tried with half its size. */
+    bool
+    can_be_cut() const;
+
     /** The step to next_time() failed because of @p reason. Throws if the step
      * is already the smallest allowed. */
     void
@@ -61,7 +70,9 @@ namespace isochor
       return end;
     }
 
-    /** Continue where @p saved was, with the parameters of this object. */
+    /** Continue where @p saved was, with the parameters of this object. The
+     * step size is the last one of @p saved, unless the parameters ask for
+     * another at the start than they did then. */
     void
     resume(const LoadStepping &saved);
 
@@ -69,7 +80,8 @@ namespace isochor
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &time &step &n_cuts &step_size &reached_output;
+      archive &time &step &n_cuts &step_size &reached_output &first_step_size
+        &output_interval;
     }
 
   private:
@@ -77,6 +89,7 @@ namespace isochor
     double
     next_target() const;
 
+    double       first_step_size = 1;
     double       end             = 1;
     double       smallest        = 0;
     double       largest         = 1;

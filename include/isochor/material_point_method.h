@@ -12,6 +12,7 @@
 #include <isochor/body_term.h>
 #include <isochor/boundary_condition.h>
 #include <isochor/checkpoint.h>
+#include <isochor/failure_report.h>
 #include <isochor/ghost_penalty.h>
 #include <isochor/grid_reset.h>
 #include <isochor/inertia_term.h>
@@ -53,6 +54,11 @@ namespace isochor
     void
     run();
 
+    /** Set up all that run() sets up, to the equations of the first step, so
+     * that mistakes in the scene show. Writes no files. Throws as run(). */
+    void
+    validate();
+
     /** The results of the last step, for programs built on this class. */
     const Statistics &
     last_statistics() const
@@ -75,6 +81,28 @@ namespace isochor
     setup();
     void
     find_walls();
+    /** Find or remove checkpoints and open the statistics. */
+    void
+    open_output();
+    /** The moving grid of a resumed run is that of the last reset. */
+    void
+    restore_moved_grid();
+    void
+    print_size();
+    void
+    print_warning_count();
+    void
+    run_steps();
+    /** Warn of what can't be meant, with the first matrix. */
+    void
+    check_scene();
+    void
+    warn_if_nothing_moves(const NewtonReport &newton);
+    void
+    set_solver_statistics(const NewtonReport &newton);
+    /** Why no smaller step is tried: the message for the user. */
+    std::string
+    explain_failure(const NewtonReport &newton);
     /** Tell on the terminal that a step is done, and how long the rest takes.
      */
     void
@@ -175,6 +203,9 @@ namespace isochor
     std::unique_ptr<LinearSolver>                        linear_solver;
     NewtonSolver                                         newton_solver;
     LoadStepping                                         time;
+    LinearSolverReport                                   solver_report;
+    FailureReport<dim>                                   failure_report;
+    bool                                                 scene_checked = false;
     Statistics                                           statistics;
     Checkpoint<dim>                                      checkpoint;
 

@@ -13,6 +13,7 @@
 #include <isochor/material_model.h>
 #include <isochor/point_locator.h>
 #include <isochor/seeding.h>
+#include <isochor/tensor_tools.h>
 
 #include <algorithm>
 #include <array>
@@ -68,38 +69,6 @@ namespace isochor
     return F;
   }
 
-  /** Store a symmetric 3D tensor as xx, yy, zz, xy(, xz, yz). */
-  template <int dim>
-  void
-  store_symmetric(const SymmetricTensor<2, 3> &tensor, double *values)
-  {
-    for (unsigned int i = 0; i < 3; ++i)
-      values[i] = tensor[i][i];
-    values[3] = tensor[0][1];
-    if (dim == 3)
-      {
-        values[4] = tensor[0][2];
-        values[5] = tensor[1][2];
-      }
-  }
-
-  /** The inverse of store_symmetric(). */
-  template <int dim>
-  SymmetricTensor<2, 3>
-  load_symmetric(const double *values)
-  {
-    SymmetricTensor<2, 3> tensor;
-    for (unsigned int i = 0; i < 3; ++i)
-      tensor[i][i] = values[i];
-    tensor[0][1] = values[3];
-    if (dim == 3)
-      {
-        tensor[0][2] = values[4];
-        tensor[1][2] = values[5];
-      }
-    return tensor;
-  }
-
   /**
    * The material points of this rank in typed arrays, ordered by cell: what
    * the hot loops of one step work on. Cell k of the list `cell` holds the
@@ -121,7 +90,7 @@ namespace isochor
     std::vector<double>                      weight; ///< volume of integration
     std::vector<double>                      pressure;
     std::vector<Tensor<2, dim>>              F;
-    std::vector<unsigned char>               material;
+    std::vector<unsigned char>               material; ///< its index
     std::vector<double>         history; ///< n_history values a point
     std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
     /** Domains at t = 0, if the layout has them. */
@@ -287,6 +256,16 @@ namespace isochor
     }
   };
 
+  /** Thrown on all ranks if points left the grid. */
+  class ExcPointsLeftGrid : public StandardExceptions::ExcMessage
+  {
+  public:
+    using StandardExceptions::ExcMessage::ExcMessage;
+  };
+
+  /** How many materials there may be: their index is an unsigned char. */
+  constexpr unsigned int max_materials = 256;
+
   /** The body: owner of the ParticleHandler that stores the points. */
   template <int dim>
   class MaterialPoints
@@ -338,8 +317,9 @@ namespace isochor
         }
     }
 
-    /** Bring every point to the cell and rank where it now lies. Throws if a
-     * point left the grid, naming it. */
+    /** Bring every point to the cell and rank where it now lies.
+     * @throws ExcPointsLeftGrid if points left the grid, saying where; they are
+     * then kept in the cells they were in. Collective. */
     void
     relocate(const PointLocator<dim> &locator);
 
@@ -393,9 +373,19 @@ namespace isochor
     void
     for_each_in_arrays(const Function &copy) const;
 
+    /** Throw for parameters that exclude each other. */
+    void
+    check_combinations() const;
+    /** Whether a cell belongs to one of the groups asked for, @p group_ids
+     * being those of its mesh. */
+    bool
+    in_groups(const SimplexGeometry<dim>                      &geometry,
+              const std::map<std::string, types::material_id> &group_ids,
+              const unsigned int                               cell) const;
     std::vector<Seed>
-    seeds_in_cells(const SimplexGeometry<dim> &geometry,
-                   const bool                  of_grid) const;
+    seeds_in_cells(
+      const SimplexGeometry<dim>                      &geometry,
+      const std::map<std::string, types::material_id> &group_ids) const;
     std::vector<Seed>
     seeds_in_body_mesh() const;
     std::vector<Seed>

@@ -52,6 +52,16 @@ namespace isochor
     /** What forces were measured against (N). */
     double force_scale = 0;
 
+    /** Iterations of an iterative linear solver, of all solves. */
+    unsigned int
+    n_linear_iterations() const
+    {
+      unsigned int n = 0;
+      for (const NewtonIteration &iteration : iterations)
+        n += iteration.n_linear_iterations;
+      return n;
+    }
+
     /** Solves made. */
     unsigned int
     n_iterations() const
@@ -100,6 +110,13 @@ namespace isochor
     declare_parameters(ParameterHandler &prm);
     void
     parse_parameters(ParameterHandler &prm);
+
+    /** The parameters, by path, that a resumed run may set anew. */
+    static std::vector<std::string>
+    changeable_parameters()
+    {
+      return {"Newton/"};
+    }
 
     /** Solve. If @p log is given, print the convergence table to it. */
     NewtonReport

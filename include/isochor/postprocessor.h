@@ -48,9 +48,22 @@ namespace isochor
     parse_parameters(ParameterHandler & /*prm*/)
     {}
 
+    /** The parameters, by path, that a resumed run may set anew. */
+    static std::vector<std::string>
+    changeable_parameters()
+    {
+      return {"Postprocess/"};
+    }
+
     /** Once, after the grid is made and the points are seeded. */
     virtual void
     initialize(const BackgroundGrid<dim> & /*grid*/)
+    {}
+
+    /** The first step is set up: warn of what can't be meant, as boundaries
+     * that no material touches. Collective. */
+    virtual void
+    check_scene(const StepContext<dim> & /*step*/) const
     {}
 
     /** The step has converged; the nodes still hold the solution and the

@@ -14,8 +14,10 @@ namespace isochor
 {
   /**
    * One row of named values per step, appended to `statistics.txt` in the
-   * output directory: a comment line per column, then the rows. The columns are
-   * those of the first row. Only the rank that calls open() writes.
+   * output directory: a comment line per column, then the rows. A column that
+   * comes up later than in the first row, as that of a probe added at a restart,
+   * is appended, the file written anew with nan in the rows before; a value that
+   * isn't set in a row is nan there. Only the rank that calls open() writes.
    */
   class Statistics
   {
@@ -39,11 +41,16 @@ namespace isochor
     end_row();
 
   private:
+    /** Write the file anew with the present columns. */
+    void
+    rewrite();
+
     std::string                   file_name;
     std::ofstream                 file;
     std::vector<std::string>      columns;
     std::map<std::string, double> row, last_row;
-    bool                          header_written = false;
+    /** How many of the columns stand in the file. */
+    std::size_t n_columns_written = 0;
   };
 } // namespace isochor
 

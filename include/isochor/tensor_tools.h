@@ -39,10 +39,12 @@ namespace isochor
     return part;
   }
 
-  /** A 3D tensor from its n_symmetric_components<dim> stored components. */
+  /** A 3D tensor from its n_symmetric_components<dim> stored components. The
+   * one order of histories, points, checkpoints and output: xx, yy, zz, xy(, xz,
+   * yz), which is deal.II's. */
   template <int dim>
   inline SymmetricTensor<2, 3>
-  load_symmetric_tensor(const double *components)
+  load_symmetric(const double *components)
   {
     SymmetricTensor<2, 3> t;
     for (unsigned int i = 0; i < n_symmetric_components<dim>; ++i)
@@ -50,10 +52,10 @@ namespace isochor
     return t;
   }
 
-  /** The inverse of load_symmetric_tensor(). */
+  /** The inverse of load_symmetric(). */
   template <int dim>
   inline void
-  store_symmetric_tensor(const SymmetricTensor<2, 3> &t, double *components)
+  store_symmetric(const SymmetricTensor<2, 3> &t, double *components)
   {
     for (unsigned int i = 0; i < n_symmetric_components<dim>; ++i)
       components[i] = t.access_raw_entry(i);

@@ -27,7 +27,8 @@ namespace isochor
       unsigned int n_times = 0;
     };
 
-    /** @p print: whether this rank writes them to the standard error. */
+    /** @p print: whether this rank writes them to the standard error, whatever
+     * else of the run is printed. */
     void
     print_here(const bool print)
     {

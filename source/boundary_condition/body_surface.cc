@@ -34,6 +34,9 @@ namespace isochor
     initialize(const BackgroundGrid<dim> &grid) override;
 
     void
+    check_scene(const StepContext<dim> &step) const override;
+
+    void
     collect_elements(const StepContext<dim> &step,
                      ElementNodes           &elements) override;
 
@@ -257,7 +260,7 @@ namespace isochor
             Surface   &surface  = find_surface(entry.first, parameter);
             auto      &load     = is_dead ? surface.traction : surface.pressure;
             const auto formulas = is_dead ?
-                                    Utilities::split_string_list(entry.second) :
+                                    split_formulas(entry.second, name) :
                                     std::vector<std::string>{entry.second};
             AssertThrow(!is_dead || formulas.size() == dim,
                         ExcMessage("The parameter <" + name + "> needs " +
@@ -283,7 +286,7 @@ namespace isochor
     const std::string name      = "Boundary conditions/" + parameter;
     const std::string axes      = std::string("xyz").substr(0, dim);
     for (const auto &entry : split_named_list(prm.get(parameter), name))
-      for (const auto &item : Utilities::split_string_list(entry.second))
+      for (const auto &item : split_formulas(entry.second, name))
         {
           Surface          &surface = find_surface(entry.first, parameter);
           const auto        equals  = item.find('=');
@@ -324,6 +327,24 @@ namespace isochor
       }
     if (!surfaces.empty())
       points = std::make_unique<BoundaryPoints<dim>>(grid);
+  }
+
+
+
+  template <int dim>
+  void
+  BodySurfaceConditions<dim>::check_scene(const StepContext<dim> &step) const
+  {
+    for (const Surface &surface : surfaces)
+      if (surface.traction.empty() && surface.pressure.empty() &&
+          !surface.is_fixed())
+        step.warnings.add("no condition on <" + surface.place.name +
+                            "> of <Surfaces of body>",
+                          "The surface <" + surface.place.name +
+                            "> of the parameter <Boundary conditions/Surfaces "
+                            "of body> has no effect: name it in <Traction on "
+                            "body>, <Pressure on body> or <Displacement of "
+                            "body> of that section, or leave it out.");
   }
 
 

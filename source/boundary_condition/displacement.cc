@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/boundary_condition.h>
 #include <isochor/expression.h>
+#include <isochor/scene_checks.h>
 
 #include <algorithm>
 #include <limits>
@@ -51,7 +52,7 @@ namespace isochor
     {
       const std::string name = "Boundary conditions/Displacement";
       for (const auto &entry : split_named_list(prm.get("Displacement"), name))
-        for (const auto &item : Utilities::split_string_list(entry.second))
+        for (const auto &item : split_formulas(entry.second, name))
           {
             const std::string axes   = std::string("xyz").substr(0, dim);
             const auto        equals = item.find('=');
@@ -108,6 +109,27 @@ namespace isochor
               condition.gap.assign(vertices.size(), 0.);
             }
         }
+    }
+
+    void
+    check_scene(const StepContext<dim> &step) const override
+    {
+      const std::string     parameter = "Boundary conditions/Displacement";
+      std::set<std::string> done;
+      for (const auto &condition : conditions)
+        if (done.insert(condition.boundary).second)
+          {
+            const bool everywhere = condition.boundary == "everywhere";
+            warn_if_untouched(step,
+                              parameter,
+                              condition.boundary,
+                              everywhere ?
+                                0 :
+                                step.grid.boundary_id(condition.boundary,
+                                                      parameter),
+                              Contact::node,
+                              everywhere);
+          }
     }
 
     void

@@ -2,6 +2,8 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
 #include <isochor/boundary_condition.h>
 #include <isochor/expression.h>
 
@@ -28,11 +30,37 @@ namespace isochor
       const std::string name = "Boundary conditions/Gravity";
       if (prm.get("Gravity").empty())
         return;
-      for (const auto &item : Utilities::split_string_list(prm.get("Gravity")))
-        gravity.emplace_back(item, name);
+      for (const auto &item : split_formulas(prm.get("Gravity"), name))
+        gravity.emplace_back(item, name, FormulaVariables::time);
       AssertThrow(gravity.size() == dim,
                   ExcMessage("The parameter <" + name + "> needs " +
                              std::to_string(dim) + " components."));
+    }
+
+    void
+    check_scene(const StepContext<dim> &step) const override
+    {
+      const auto &points = step.points;
+      for (unsigned int m = 0; m < step.kernel.materials.size(); ++m)
+        {
+          bool weightless = false;
+          for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+            for (unsigned int q = points.cell_start[k];
+                 q < points.cell_start[k + 1] && !gravity.empty();
+                 ++q)
+              weightless =
+                weightless || (points.material[q] == m && points.mass[q] == 0);
+          if (Utilities::MPI::max(static_cast<int>(weightless),
+                                  step.grid.communicator()) == 0)
+            continue;
+          const std::string section =
+            m == 0 ? "Material" : "Material " + std::to_string(m + 1);
+          step.warnings.add("weight without density",
+                            "The parameter <Boundary conditions/Gravity> has "
+                            "no effect on points of <" +
+                              section + ">, as <" + section +
+                              "/Density> is 0. Give it a density (kg/m^3).");
+        }
     }
 
     void

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/boundary_condition.h>
 #include <isochor/expression.h>
+#include <isochor/scene_checks.h>
 
 namespace isochor
 {
@@ -34,7 +35,7 @@ namespace isochor
       for (const auto &entry : split_named_list(prm.get("Traction"), name))
         {
           Load load{entry.first, 0, {}};
-          for (const auto &item : Utilities::split_string_list(entry.second))
+          for (const auto &item : split_formulas(entry.second, name))
             load.traction.emplace_back(item, name);
           AssertThrow(load.traction.size() == dim,
                       ExcMessage("The parameter <" + name + "> needs " +
@@ -50,6 +51,17 @@ namespace isochor
       for (Load &load : loads)
         load.id =
           grid.boundary_id(load.boundary, "Boundary conditions/Traction");
+    }
+
+    void
+    check_scene(const StepContext<dim> &step) const override
+    {
+      for (const Load &load : loads)
+        warn_if_untouched(step,
+                          "Boundary conditions/Traction",
+                          load.boundary,
+                          load.id,
+                          Contact::occupied_face);
     }
 
     void

@@ -193,6 +193,12 @@ namespace isochor
       prm.leave_subsection();
     }
 
+    bool
+    is_iterative() const override
+    {
+      return true;
+    }
+
     LinearSolverReport
     factorise(const SparseSystem &A) override
     {

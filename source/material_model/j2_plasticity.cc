@@ -48,7 +48,7 @@ namespace isochor
     void
     initialize_history(double *history) const override
     {
-      store_symmetric_tensor<dim>(unit_symmetric_tensor<3>(), history);
+      store_symmetric<dim>(unit_symmetric_tensor<3>(), history);
       history[n_symmetric_components<dim>] = 0;
     }
 
@@ -338,7 +338,7 @@ namespace isochor
     const SymmetricTensor<2, 3> b_bar =
       kinematics.isochoric_scale *
       push_forward(kinematics.F_increment,
-                   load_symmetric_tensor<dim>(history_n));
+                   load_symmetric<dim>(history_n));
 
     TrialState trial;
     trial.mu_bar     = G * trace(b_bar) / 3;
@@ -356,7 +356,7 @@ namespace isochor
         if (kinematics.with_tangent)
           response.tangent =
             isochoric_modulus<dim>(trial.mu_bar, trial.dev_stress);
-        store_symmetric_tensor<dim>(b_bar, history);
+        store_symmetric<dim>(b_bar, history);
         history[alpha_index] = trial.alpha;
       }
     else
@@ -372,7 +372,7 @@ namespace isochor
         // Simo keeps tr b̄^e over the return, and det b̄^e drifts from 1. The
         // stress of this step doesn't depend on it; that of the next one does.
         const SymmetricTensor<2, 3> q = response.deviatoric_stress / G;
-        store_symmetric_tensor<dim>(q + unimodular_mean(q, trace(b_bar) / 3) *
+        store_symmetric<dim>(q + unimodular_mean(q, trace(b_bar) / 3) *
                                           unit_symmetric_tensor<3>(),
                                     history);
         history[alpha_index] = alpha;

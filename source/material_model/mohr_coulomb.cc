@@ -54,7 +54,7 @@ namespace isochor
     void
     initialize_history(double *history) const override
     {
-      store_symmetric_tensor<dim>(unit_symmetric_tensor<3>(), history);
+      store_symmetric<dim>(unit_symmetric_tensor<3>(), history);
       history[n_symmetric_components<dim>] = 0;
     }
 
@@ -614,7 +614,7 @@ namespace isochor
 
     const SymmetricTensor<2, 3> b_trial =
       push_forward(kinematics.F_increment,
-                   load_symmetric_tensor<dim>(history_n));
+                   load_symmetric<dim>(history_n));
     const SpectralDecomposition spectrum = spectral_decomposition<dim>(b_trial);
 
     Vector strain;
@@ -647,7 +647,7 @@ namespace isochor
 
     history[alpha_index] = history_n[alpha_index];
     if (!principal.plastic)
-      store_symmetric_tensor<dim>(b_trial, history);
+      store_symmetric<dim>(b_trial, history);
     else
       {
         SymmetricTensor<2, 3> b_elastic;
@@ -667,7 +667,7 @@ namespace isochor
             b_elastic +=
               std::exp(2 * elastic_strain) * symmetrize(outer_product(n, n));
           }
-        store_symmetric_tensor<dim>(b_elastic, history);
+        store_symmetric<dim>(b_elastic, history);
         history[alpha_index] += std::sqrt(2. / 3. * norm_square);
       }
     return is_finite(response) && std::isfinite(history[alpha_index]) ?

@@ -15,6 +15,11 @@ namespace isochor
    * Compressible Neo-Hookean law with the stored energy
    *   W = K (J-1)²/2 + G/2 (tr b̄ - 3),  b̄ = J^{-2/3} F F^T,
    * hence dev τ = G dev b̄ (Iaconeta et al. 2019, eqs. 27-30).
+   *
+   * A change of volume by the factor a (rescale_volume()) is a^{1/3} F in all
+   * directions, which b̄ doesn't feel. In plane strain F_33 = 1 isn't stored and
+   * the plane takes the whole of a; the history then keeps a, so that
+   *   b̄ = J^{-2/3} (a^{-1/3} F F^T + a^{2/3} e_3 ⊗ e_3).
    */
   template <int dim>
   class NeoHookean : public MaterialModel<dim>
@@ -38,6 +43,33 @@ namespace isochor
              double                *history,
              StressResponse<dim>   &response) const override;
 
+    void
+    prepare_rescaling() override
+    {
+      keeps_factor = (dim == 2);
+    }
+
+    std::vector<std::string>
+    history_names() const override
+    {
+      return keeps_factor ? std::vector<std::string>{"volume_rescaling"} :
+                            std::vector<std::string>();
+    }
+
+    void
+    initialize_history(double *history) const override
+    {
+      if (keeps_factor)
+        history[0] = 1.;
+    }
+
+    void
+    rescale_volume(const double factor, double *history) const override
+    {
+      if (keeps_factor)
+        history[0] *= factor;
+    }
+
     double
     shear_modulus() const override
     {
@@ -58,6 +90,7 @@ namespace isochor
 
   private:
     IsotropicElasticity elasticity;
+    bool                keeps_factor = false;
   };
 
 
@@ -65,15 +98,22 @@ namespace isochor
   template <int dim>
   StressStatus
   NeoHookean<dim>::evaluate(const Kinematics<dim> &kinematics,
-                            const double * /*history_n*/,
-                            double * /*history*/,
+                            const double        *history_n,
+                            double              *history,
                             StressResponse<dim> &response) const
   {
     const double                G = elasticity.shear_modulus;
     const double                J = kinematics.J;
-    const SymmetricTensor<2, 3> G_b_bar =
+    SymmetricTensor<2, 3> G_b_bar =
       (G / std::cbrt(J * J)) *
       push_forward(kinematics.F, unit_symmetric_tensor<3>());
+    if (keeps_factor)
+      {
+        const double a         = history[0] = history_n[0];
+        const double out_of_plane = G_b_bar[2][2];
+        G_b_bar /= std::cbrt(a);
+        G_b_bar[2][2] = out_of_plane * std::cbrt(a * a);
+      }
 
     response.deviatoric_stress = deviator(G_b_bar);
     response.tangent =

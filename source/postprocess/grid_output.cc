@@ -3,9 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/field_output.h>
+#include <isochor/grid_fields.h>
 #include <isochor/postprocessor.h>
-
-#include <algorithm>
 
 namespace isochor
 {
@@ -41,42 +40,8 @@ namespace isochor
     {
       if (!enabled || !result.time.next_output_due())
         return;
-      const StepContext<dim>     &step     = result.step;
-      const SimplexGeometry<dim> &geometry = step.grid.geometry();
-
-      FieldPatches<dim, dim> patches;
-      const unsigned int     displacement =
-        patches.add_vector("displacement_increment");
-      const unsigned int pressure =
-        step.mixed() ? patches.add_scalar("pressure") : 0;
-      patches.reserve(step.points.cell.size());
-      std::array<Point<dim>, dim + 1> corners;
-      for (unsigned int k = 0; k < step.points.cell.size(); ++k)
-        {
-          const auto &vertices = geometry.vertex_indices(step.points.cell[k]);
-          if (std::any_of(vertices.begin(),
-                          vertices.end(),
-                          [&step](const unsigned int v) {
-                            return step.nodes.node(v) ==
-                                   numbers::invalid_unsigned_int;
-                          }))
-            continue; // the points' domains miss a node of the cell
-          for (unsigned int v = 0; v <= dim; ++v)
-            corners[v] = step.points.corner(geometry, k, v);
-          auto &patch = patches.add_patch(
-            ArrayView<const Point<dim>>(corners.data(), dim + 1));
-          for (unsigned int v = 0; v <= dim; ++v)
-            {
-              const unsigned int first =
-                step.nodes.node(vertices[v]) * step.n_components;
-              for (unsigned int a = 0; a < dim; ++a)
-                patch.data(displacement + a, v) =
-                  result.unknowns.local_element(first + a);
-              if (step.mixed())
-                patch.data(pressure, v) =
-                  result.unknowns.local_element(first + dim);
-            }
-        }
+      const StepContext<dim> &step    = result.step;
+      FieldPatches<dim, dim>  patches = grid_fields(step, result.unknowns);
       series.write(patches,
                    step.time,
                    result.output_directory,

@@ -39,7 +39,7 @@ namespace isochor
       for (const auto &entry : split_named_list(prm.get("Point probes"), name))
         {
           const auto x = Utilities::string_to_double(
-            Utilities::split_string_list(entry.second));
+            split_formulas(entry.second, name));
           AssertThrow(x.size() == dim,
                       ExcMessage("The probe <" + entry.first +
                                  "> of the parameter <" + name + "> needs " +
@@ -48,6 +48,7 @@ namespace isochor
           probe.name = entry.first;
           for (unsigned int d = 0; d < dim; ++d)
             probe.location[d] = x[d];
+          probe.origin = probe.location;
           probes.push_back(probe);
         }
     }
@@ -58,6 +59,8 @@ namespace isochor
     {
       for (Probe &probe : probes)
         {
+          if (probe.is_new)
+            place_in_moved_body(result, probe);
           const std::array<double, dim + 2> values = interpolate(result, probe);
           AssertThrow(values[dim + 1] > 0,
                       ExcMessage("The point probe <" + probe.name +
@@ -84,26 +87,85 @@ namespace isochor
       std::ostringstream state;
       state.precision(std::numeric_limits<double>::max_digits10);
       for (const Probe &probe : probes)
-        state << probe.location << ' ' << probe.displacement << ' ';
+        if (!probe.is_new)
+          state << probe.origin << ' ' << probe.location << ' '
+                << probe.displacement << ' ' << probe.name << '\n';
       return state.str();
     }
 
     void
     load_state(const std::string &text) override
     {
-      std::istringstream state(text);
+      // the parameters may name other probes than before
       for (Probe &probe : probes)
-        for (unsigned int d = 0; d < 2 * dim; ++d)
-          state >> (d < dim ? probe.location[d] : probe.displacement[d - dim]);
+        probe.is_new = true;
+      std::istringstream state(text);
+      for (std::string line; std::getline(state, line);)
+        {
+          std::istringstream values(line);
+          Probe              saved;
+          for (unsigned int d = 0; d < dim; ++d)
+            values >> saved.origin[d];
+          for (unsigned int d = 0; d < dim; ++d)
+            values >> saved.location[d];
+          for (unsigned int d = 0; d < dim; ++d)
+            values >> saved.displacement[d];
+          std::getline(values >> std::ws, saved.name);
+          for (Probe &probe : probes)
+            if (probe.name == saved.name && probe.origin == saved.origin)
+              probe = saved;
+        }
     }
 
   private:
     struct Probe
     {
       std::string    name;
-      Point<dim>     location;
+      Point<dim>     origin, location; ///< at t = 0, at the start of the step
       Tensor<1, dim> displacement;
+      /** Added at a restart: still where it was at t = 0. */
+      bool is_new = false;
     };
+
+    /**
+     * Where a probe of the undeformed body is now: as its nearest material
+     * point X_p (by places at t = 0), x = x_p + F_p (X - X_p).
+     */
+    static void
+    place_in_moved_body(const StepResult<dim> &result, Probe &probe)
+    {
+      const MPI_Comm     comm = result.step.grid.communicator();
+      const PointLayout &l    = result.points.layout();
+      double             best = std::numeric_limits<double>::max();
+      std::array<double, dim> place{};
+      for (const auto &particle : result.points.handler())
+        {
+          const double *properties = particle.get_properties().data();
+          Point<dim>    X          = particle.get_location();
+          for (unsigned int d = 0; d < dim; ++d)
+            X[d] -= properties[l.displacement + d];
+          const Tensor<1, dim> distance = probe.origin - X;
+          if (distance.norm() >= best)
+            continue;
+          best = distance.norm();
+          const Point<dim> x =
+            particle.get_location() +
+            deformation_gradient<dim>(properties, l) * distance;
+          for (unsigned int d = 0; d < dim; ++d)
+            place[d] = x[d];
+        }
+      const double       nearest = Utilities::MPI::min(best, comm);
+      const unsigned int rank    = Utilities::MPI::this_mpi_process(comm);
+      const unsigned int owner   = Utilities::MPI::min(
+        best == nearest ? rank : numbers::invalid_unsigned_int, comm);
+      if (rank != owner)
+        place.fill(0.);
+      sum_over_ranks(place, comm);
+      for (unsigned int d = 0; d < dim; ++d)
+        probe.location[d] = place[d];
+      probe.displacement = probe.location - probe.origin;
+      probe.is_new       = false;
+    }
 
     /**
      * Displacement increment, pressure and the number of ranks that found the

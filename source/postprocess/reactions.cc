@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/mpi_sums.h>
 #include <isochor/postprocessor.h>
+#include <isochor/scene_checks.h>
 
 #include <set>
 
@@ -51,6 +52,18 @@ namespace isochor
     }
 
     void
+    check_scene(const StepContext<dim> &step) const override
+    {
+      const std::string parameter = "Postprocess/Reactions";
+      for (const std::string &name : names)
+        warn_if_untouched(step,
+                          parameter,
+                          name,
+                          step.grid.boundary_id(name, parameter),
+                          Contact::node);
+    }
+
+    void
     evaluate_nodes(const StepResult<dim> &result,
                    Statistics            &statistics) override
     {
@@ -58,6 +71,7 @@ namespace isochor
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           std::array<double, dim> force{};
+          bool                    held = false;
           for (const unsigned int vertex : vertices[i])
             {
               const unsigned int node = step.nodes.node(vertex);
@@ -68,10 +82,15 @@ namespace isochor
                   const unsigned int entry = node * step.n_components + a;
                   if (result.system.equation(entry) ==
                       numbers::invalid_unsigned_int)
-                    force[a] += result.system.residual.local_element(entry);
+                    {
+                      force[a] += result.system.residual.local_element(entry);
+                      held = true;
+                    }
                 }
             }
           sum_over_ranks(force, step.grid.communicator());
+          if (result.time.step == 0)
+            warn_if_free(step, names[i], held);
           for (unsigned int a = 0; a < dim; ++a)
             statistics.set(std::string("Reaction ") + "xyz"[a] + " on " +
                              names[i] + " (N)",
@@ -80,6 +99,20 @@ namespace isochor
     }
 
   private:
+    static void
+    warn_if_free(const StepContext<dim> &step,
+                 const std::string      &name,
+                 const bool              held)
+    {
+      if (Utilities::MPI::max(static_cast<int>(held),
+                              step.grid.communicator()) == 0)
+        step.warnings.add("no reaction on <" + name + ">",
+                          "The reaction on <" + name +
+                            "> of the parameter <Postprocess/Reactions> is 0: "
+                            "no displacement of nodes that the material "
+                            "touches is prescribed there.");
+    }
+
     std::vector<std::string>            names;
     std::vector<std::set<unsigned int>> vertices;
   };

@@ -1,0 +1,39 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_mesh_reader_h
+#define isochor_mesh_reader_h
+
+#include <deal.II/grid/tria.h>
+
+#include <map>
+#include <string>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /** The names of the physical groups of a gmsh mesh and the ids that its
+   * faces (boundary_id) and cells (material_id) carry. */
+  struct MeshGroups
+  {
+    std::map<std::string, types::boundary_id> faces;
+    std::map<std::string, types::material_id> cells;
+  };
+
+  /**
+   * Read a gmsh .msh file (text, format 2 or 4.1, triangles in 2D, tetrahedra
+   * in 3D, of first order) into the empty @p tria. Each rank reads it.
+   * @p parameter says in messages where the name comes from.
+   * @throws ExcMessage if the file is missing, binary, of another version, of
+   * second order, or holds no cells or other cells than simplices.
+   */
+  template <int dim>
+  MeshGroups
+  read_mesh(const std::string  &file_name,
+            const std::string  &parameter,
+            Triangulation<dim> &tria);
+} // namespace isochor
+
+#endif

@@ -1,0 +1,51 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_scene_checks_h
+#define isochor_scene_checks_h
+
+#include <isochor/equation_term.h>
+#include <isochor/sparse_system.h>
+
+#include <set>
+#include <string>
+
+namespace isochor
+{
+  /** What of a boundary of the grid the material has to touch for a condition
+   * there to act. */
+  enum class Contact
+  {
+    node,         ///< a node of the boundary is active
+    occupied_face ///< a face of the boundary belongs to an occupied cell
+  };
+
+  /**
+   * Warn if the material doesn't touch the boundary called @p name, whose id is
+   * @p id (any if @p everywhere), so that the entry of @p parameter for it has
+   * no effect now. A wall that the body reaches later is a case in which it may
+   * be meant. Collective.
+   */
+  template <int dim>
+  void
+  warn_if_untouched(const StepContext<dim>  &step,
+                    const std::string       &parameter,
+                    const std::string       &name,
+                    const types::boundary_id id,
+                    const Contact            contact,
+                    const bool               everywhere = false);
+
+  /** Warn of a body that is much smaller than the cells it is in, and of
+   * materials that no point is made of. At the start. Collective. */
+  template <int dim>
+  void
+  check_body(const StepContext<dim> &step);
+
+  /** Warn of bodies that nothing holds, with the matrix of the first iteration
+   * of a static scene. Collective. */
+  void
+  check_supports(const SparseSystem &matrix, Warnings &warnings);
+} // namespace isochor
+
+#endif

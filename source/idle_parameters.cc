@@ -1,0 +1,190 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/idle_parameters.h>
+#include <isochor/parameter_list.h>
+
+#include <algorithm>
+#include <string>
+
+namespace isochor
+{
+  namespace
+  {
+    using Path = ParameterList::Path;
+
+    /** Looks into a list of parameters and warns. */
+    class Inspector
+    {
+    public:
+      Inspector(const ParameterList &list, Warnings &warnings)
+        : list(list)
+        , warnings(warnings)
+      {}
+
+      /** The value of a parameter, empty if there is none. */
+      std::string
+      value(const Path &path) const
+      {
+        const auto entry = list.entries.find(path);
+        return entry == list.entries.end() ? "" : entry->second.value;
+      }
+
+      double
+      number(const Path &path) const
+      {
+        const std::string text = value(path);
+        return text.empty() ? 0. : std::stod(text);
+      }
+
+      /** Warn if the parameter is changed; @p why completes "has no effect". */
+      void
+      idle(const Path &path, const std::string &why) const
+      {
+        const auto entry = list.entries.find(path);
+        if (entry == list.entries.end() || !entry->second.is_changed())
+          return;
+        const std::string name = join_path(path);
+        warnings.add("no effect of <" + name + ">",
+                     "The parameter <" + name + " = " + entry->second.value +
+                       "> has no effect " + why + ".");
+      }
+
+      /** The same for all parameters whose path starts with @p start, but for
+       * the one called @p except there. */
+      void
+      idle_section(const Path        &start,
+                   const std::string &why,
+                   const std::string &except = "") const
+      {
+        for (const auto &entry : list.entries)
+          if (entry.first.size() > start.size() &&
+              std::equal(start.begin(), start.end(), entry.first.begin()) &&
+              entry.first.back() != except)
+            idle(entry.first, why);
+      }
+
+      /** In @p section, the subsections are those of the plugins among which
+       * @p selector chooses: warn of those of the others. */
+      void
+      idle_plugins(const std::string &section, const std::string &selector) const
+      {
+        const std::string chosen = value({section, selector});
+        for (const Path &path : list.subsections)
+          if (path.size() == 2 && path[0] == section && path[1] != chosen)
+            idle_section(path,
+                         "with <" + section + "/" + selector + " = " + chosen +
+                           ">");
+      }
+
+    private:
+      const ParameterList &list;
+      Warnings            &warnings;
+    };
+
+
+
+    void
+    inspect_grid(const Inspector &inspect)
+    {
+      const std::string type = inspect.value({"Grid", "Type"});
+      const std::string with = "with <Grid/Type = " + type + ">";
+      if (type != "box")
+        for (const char *name : {"Lower corner", "Upper corner"})
+          inspect.idle({"Grid", name}, with);
+      if (type != "trapezoid")
+        for (const char *name : {"Corners", "Depth"})
+          inspect.idle({"Grid", name}, with);
+      else if (inspect.value({"Dimension"}) == "2")
+        inspect.idle({"Grid", "Depth"}, "in 2D");
+      if (type == "gmsh")
+        for (const char *name : {"Subdivisions", "Diagonals"})
+          inspect.idle({"Grid", name}, with);
+      else
+        inspect.idle({"Grid", "File"}, with + "; a mesh needs 'gmsh'");
+      if (inspect.number({"Grid reset", "Steps between resets"}) == 1)
+        inspect.idle({"Grid reset", "Smallest element quality"},
+                     "with <Grid reset/Steps between resets = 1>: the grid is "
+                     "reset after each step");
+    }
+
+
+
+    void
+    inspect_equations(const Inspector &inspect)
+    {
+      if (inspect.value({"Formulation", "Type"}) == "u")
+        for (const char *name : {"Stabilisation", "PPP coefficient"})
+          inspect.idle({"Formulation", name}, "with <Formulation/Type = u>");
+      else if (inspect.value({"Formulation", "Stabilisation"}) == "none")
+        inspect.idle({"Formulation", "PPP coefficient"},
+                     "with <Formulation/Stabilisation = none>");
+      const std::string inertia = inspect.value({"Dynamics", "Inertia"});
+      if (inertia == "false" || inertia == "no")
+        inspect.idle_section({"Dynamics"},
+                             "with <Dynamics/Inertia = false>",
+                             "Inertia");
+    }
+
+
+
+    void
+    inspect_surfaces(const Inspector &inspect)
+    {
+      const std::string section = "Boundary conditions";
+      if (inspect.value({section, "Surfaces of body"}).empty())
+        for (const char *name :
+             {"Boundary points per face", "Mesh of body surfaces"})
+          inspect.idle({section, name},
+                       "without <Boundary conditions/Surfaces of body>");
+      if (inspect.value({section, "Displacement of body"}).empty())
+        inspect.idle({section, "Penalty of body displacement"},
+                     "without <Boundary conditions/Displacement of body>");
+    }
+
+
+
+    void
+    inspect_points(const Inspector &inspect)
+    {
+      if (inspect.number({"Material points", "Lattice spacing"}) > 0)
+        inspect.idle({"Material points", "Points per cell"},
+                     "with <Material points/Lattice spacing>, which sets the "
+                     "density of points");
+    }
+
+
+
+    void
+    inspect_materials(const ParameterList &list, Inspector &inspect)
+    {
+      for (const Path &path : list.subsections)
+        if (path.size() == 1 && path[0].rfind("Material", 0) == 0 &&
+            list.entries.count({path[0], "Model"}) > 0)
+          {
+            inspect.idle_plugins(path[0], "Model");
+            if (inspect.number({path[0], "J2", "Saturation exponent"}) == 0 &&
+                inspect.value({path[0], "Model"}) == "J2")
+              inspect.idle({path[0], "J2", "Saturation stress"},
+                           "with <" + path[0] +
+                             "/J2/Saturation exponent = 0>");
+          }
+    }
+  } // namespace
+
+
+
+  void
+  warn_of_idle_parameters(const ParameterHandler &prm, Warnings &warnings)
+  {
+    const ParameterList list(prm);
+    Inspector           inspect(list, warnings);
+    inspect_grid(inspect);
+    inspect_points(inspect);
+    inspect_equations(inspect);
+    inspect_surfaces(inspect);
+    inspect_materials(list, inspect);
+    inspect.idle_plugins("Linear solver", "Solver");
+  }
+} // namespace isochor

@@ -1,0 +1,172 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// What a run that can't go on tells and leaves behind: a limit load is told
+// from a bad step and from a scene that was never in equilibrium, the last good
+// state and the residual are written, and of points that left the grid it says
+// through which boundary.
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <sys/resource.h>
+
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  const std::string directory = "failure_report";
+
+  /** The error of a scene in one line. */
+  std::string
+  failure(const std::string &settings)
+  {
+    std::filesystem::remove_all(directory);
+    std::filesystem::create_directory(directory);
+    std::ostringstream    errors; // warnings are not looked at here
+    std::streambuf *const original = std::cerr.rdbuf(errors.rdbuf());
+    std::string           message;
+    try
+      {
+        test::run_scene<2>("Output/Directory = " + directory + "\n" + settings);
+      }
+    catch (const std::exception &exc)
+      {
+        message = exc.what();
+      }
+    std::cerr.rdbuf(original);
+    return test::one_line(message);
+  }
+
+  void
+  expect(const std::string              &what,
+         const std::string              &message,
+         const std::vector<std::string> &words)
+  {
+    std::string missing;
+    for (const std::string &word : words)
+      if (message.find(word) == std::string::npos)
+        missing += " <" + word + ">";
+    test::check(what, missing.empty(), "missing" + missing + ": " + message);
+  }
+
+  std::string
+  contents(const std::string &file)
+  {
+    std::ifstream stream(directory + "/" + file);
+    return {std::istreambuf_iterator<char>(stream),
+            std::istreambuf_iterator<char>()};
+  }
+
+  void
+  expect_files(const std::string &what, const bool with_grid)
+  {
+    const std::string points = contents("failure-points-00001.0000.vtu"),
+                      grid   = contents("failure-grid-00001.0000.vtu");
+    test::check(what + ": files",
+                points.find("deformation_gradient") != std::string::npos &&
+                  (!with_grid ||
+                   (grid.find("residual_force") != std::string::npos &&
+                    grid.find("displacement_increment") != std::string::npos)),
+                std::to_string(points.size()) + " and " +
+                  std::to_string(grid.size()) + " bytes");
+  }
+
+  /** A block between smooth walls under a load on its top, Tresca: in plane
+   * strain it bears 2 c, reached at t = 0.5. */
+  const std::string block =
+    "Grid/Subdivisions = 2, 2\n"
+    "Material/Model = Mohr-Coulomb\nMaterial/Young modulus = 1e6\n"
+    "Material/Poisson ratio = 0.49\nMaterial/Mohr-Coulomb/Cohesion = 1000\n"
+    "Boundary conditions/Displacement = bottom: y = 0; left: x = 0\n"
+    "Boundary conditions/Traction = top: 0, -4000*t\n"
+    "Time/Step size = 0.04\nTime/Minimum step size = 0.0025\n";
+
+  void
+  test_limit_load()
+  {
+    const std::string message = failure(block);
+    expect("limit load",
+           message,
+           {"No equilibrium found: limit load near t = 0.",
+            "displacement per load",
+            "% of the volume has yielded",
+            "can't be cut back further",
+            "largest residual force",
+            "failure-grid.pvd",
+            "failure-points.pvd"});
+    expect_files("limit load", true);
+    const auto   place = message.find("near t = ");
+    const double t =
+      place == std::string::npos ? 0. : std::stod(message.substr(place + 9));
+    // the faces of the load don't follow the block as it shortens
+    test::check_error("limit load: its time", std::abs(t - 0.5), 0.02);
+  }
+
+  void
+  test_others()
+  {
+    expect("first step",
+           failure(block + "Boundary conditions/Traction = top: 0, -9000\n"),
+           {"very first step", "Young modulus", "Minimum step size"});
+    expect_files("first step", true);
+    expect("bad step",
+           failure(block +
+                   "Material/Model = Neo-Hookean\nGrid/Stretch = y: 0 -> 0, 1 "
+                   "-> -0.1*t\nBoundary conditions/Traction =\n"
+                   "Boundary conditions/Displacement = bottom: y = 0; left: x "
+                   "= 0; top: y = if(t < 0.1, -0.1*t, -3)\n"),
+           {"hardly a limit load", "Minimum step size"});
+    expect("points that leave the grid",
+           failure("Grid/Subdivisions = 2, 2\nBoundary conditions/Displacement "
+                   "= everywhere: x = 0, y = 2*t\nTime/Step size = 0.5\n"),
+           {"12 material points left the background grid, 12 through <top>",
+            "Enlarge",
+            "failure-points.pvd"});
+    expect_files("points that leave the grid", false);
+    const std::string points = contents("failure-points-00001.0000.vtu");
+    test::check("they are among those written",
+                points.find("NumberOfPoints=\"24\"") != std::string::npos,
+                points.substr(0, 400));
+  }
+
+  /** A disk without room, as far as a program can tell. */
+  void
+  test_full_disk()
+  {
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit;
+    getrlimit(RLIMIT_FSIZE, &limit);
+    const rlim_t unlimited = limit.rlim_cur;
+    std::cout << std::flush;
+    limit.rlim_cur = 100;
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const std::string statistics = failure(
+      block + "Boundary conditions/Traction = top: 0, -100\n");
+    const std::string fields =
+      failure(block + "Boundary conditions/Traction = top: 0, -9000\n");
+    limit.rlim_cur = unlimited;
+    setrlimit(RLIMIT_FSIZE, &limit);
+    expect("full disk", statistics, {"statistics.txt", "Is the disk full"});
+    expect("full disk, failed step",
+           fields,
+           {"very first step", "failure-grid", "Is the disk full"});
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_limit_load();
+  test_others();
+  test_full_disk();
+}

@@ -1,0 +1,414 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// What a user is told of scenes that can't be meant: the warnings and errors
+// name the parameter, the numbers and the remedy. Formulas with commas and
+// without blanks, meshes that can't be read, physical groups.
+
+#include <filesystem>
+#include <fstream>
+
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  /** A scene without a mistake. */
+  const std::string good =
+    "Grid/Subdivisions = 4, 4\n"
+    "Boundary conditions/Displacement = bottom: x = 0, y = 0\n"
+    "Boundary conditions/Gravity = 0, -1\n";
+
+  /** The warnings and the error of a scene, in one line. */
+  template <int dim>
+  std::string
+  messages(const std::string &settings,
+           const bool         validate    = true,
+           const unsigned int n_materials = 1)
+  {
+    ParameterHandler prm;
+    MaterialPointMethod<dim>::declare_parameters(prm, n_materials);
+    test::set_parameters(prm,
+                         "Output/Directory = scene_checks\n"
+                         "Output/Terminal = quiet\n"
+                         "Postprocess/Write grid = false\n"
+                         "Postprocess/Write material points = false\n" +
+                           settings);
+    MaterialPointMethod<dim> problem(MPI_COMM_WORLD);
+    std::string              text;
+    std::ostringstream       errors; // where warnings are printed, too
+    std::streambuf *const    original = std::cerr.rdbuf(errors.rdbuf());
+    try
+      {
+        problem.parse_parameters(prm);
+        validate ? problem.validate() : problem.run();
+      }
+    catch (const std::exception &exc)
+      {
+        text = std::string("ERROR ") + exc.what() + ' ';
+      }
+    std::cerr.rdbuf(original);
+    for (const auto &warning : problem.all_warnings().all())
+      text += "WARNING " + warning.subject + " | " + warning.text + ' ';
+    return test::one_line(text);
+  }
+
+  /** The message has all @p words, and there is none but this one. */
+  void
+  expect(const std::string              &what,
+         const std::string              &message,
+         const std::vector<std::string> &words)
+  {
+    std::string missing;
+    for (const std::string &word : words)
+      if (message.find(word) == std::string::npos)
+        missing += " <" + word + ">";
+    unsigned int n = 0;
+    for (const std::string word : {"WARNING", "ERROR"})
+      for (auto place = message.find(word); place != std::string::npos;
+           place      = message.find(word, place + 1))
+        ++n;
+    test::check(what,
+                missing.empty() && n == (words.empty() ? 0 : 1),
+                std::to_string(n) + " messages, missing" + missing + ": " +
+                  message);
+  }
+
+  void
+  test_touch()
+  {
+    const std::string low = good + "Material points/Region = y < 0.5\n";
+    expect("displacement where no material is",
+           messages<2>(low + "Boundary conditions/Displacement = bottom: x = "
+                             "0, y = 0; top: y = 0\n"),
+           {"WARNING",
+            "<top>",
+            "Boundary conditions/Displacement",
+            "[0, 1] x [0, 0.5]",
+            "[0, 1] x [1, 1]",
+            "reaches later",
+            "Material points"});
+    expect("traction where no material is",
+           messages<2>(low + "Boundary conditions/Traction = top: 0, -1\n"),
+           {"WARNING", "<top>", "Boundary conditions/Traction"});
+    expect("reaction where no material is",
+           messages<2>(low + "Postprocess/Reactions = bottom, top\n"),
+           {"WARNING", "<top>", "Postprocess/Reactions"});
+    expect("surface without a condition",
+           messages<2>(good + "Boundary conditions/Surfaces of body = roof: y > "
+                              "0.9\n"),
+           {"WARNING", "<roof>", "Surfaces of body", "Traction on body"});
+    expect("no mistake", messages<2>(good), {});
+    expect("no mistake, in a run", messages<2>(good, false), {});
+  }
+
+  void
+  test_supports()
+  {
+    const std::string no_load = "Grid/Subdivisions = 4, 4\n";
+    expect("a body that nothing holds",
+           messages<2>(no_load),
+           {"WARNING",
+            "Nothing holds a body",
+            "translation in x, translation in y, rotation",
+            "Boundary conditions/Displacement",
+            "Dynamics/Inertia"});
+    expect("... in u", messages<2>(no_load + "Formulation/Type = u\n"), {
+             "translation in x, translation in y, rotation"});
+    expect("... may move in dynamics",
+           messages<2>(no_load + "Dynamics/Inertia = true\n"),
+           {});
+    const std::string held =
+      no_load + "Boundary conditions/Displacement = bottom: ";
+    expect("free to slide",
+           messages<2>(held + "y = 0\n"),
+           {"against: translation in x (the one"});
+    expect("free to slide behind a one-sided wall",
+           messages<2>(held + "y >= 0\n"),
+           {"against: translation in x (the one"});
+    expect("free to turn about a node",
+           messages<2>("Grid/Subdivisions = 1, 1\n"
+                       "Material points/Region = y > x\n"
+                       "Boundary conditions/Displacement = bottom: x = 0, y = "
+                       "0\n"),
+           {"against: rotation about (0, 0) (the one"});
+    expect("one of two bodies",
+           messages<2>(held + "x = 0, y = 0\n"
+                              "Material points/Region = (y-0.25)*(y-0.75) > "
+                              "0\n"),
+           {"Nothing holds a body", "rotation (the one around (0.5, 0.875)"});
+    expect("held by boundary points",
+           messages<2>(no_load +
+                       "Boundary conditions/Surfaces of body = foot: bottom\n"
+                       "Boundary conditions/Displacement of body = foot: x = "
+                       "0, y = 0.01*t\n"),
+           {});
+    expect("far away and small",
+           messages<2>("Grid/Lower corner = 1e4, 1e4\n"
+                       "Grid/Upper corner = 10000.01, 10000.01\n"
+                       "Boundary conditions/Displacement = bottom: y = 0\n"),
+           {"against: translation in x (the one"});
+    expect("CPDI, cut cells",
+           messages<2>(held + "y = 0\nQuadrature/Type = CPDI\n"
+                              "Material points/Points per cell = 4\n"
+                              "Material points/Region = y < 0.55\n"),
+           {"against: translation in x (the one"});
+    expect("in 3D",
+           messages<3>("Grid/Subdivisions = 2, 2, 2\n"
+                       "Boundary conditions/Displacement = bottom: y = 0\n"),
+           {"against: translation in x, translation in z, rotation about an "
+            "axis in y (the one"});
+    const std::string end =
+      messages<2>(no_load + "Boundary conditions/Gravity = 0, -1\n", false);
+    test::check("loaded and not held: the run ends in the first step",
+                end.find("very first step") != std::string::npos &&
+                  end.find("Nothing holds a body") != std::string::npos,
+                end);
+  }
+
+  void
+  test_loads()
+  {
+    expect("weight without density",
+           messages<2>(good + "Material/Density = 0\n"),
+           {"WARNING", "Boundary conditions/Gravity", "<Material/Density> is 0"});
+    expect("nothing loads the scene",
+           messages<2>(good + "Boundary conditions/Gravity = 0, 0\n", false),
+           {"WARNING", "no iteration", "Boundary conditions", "Time/Step size"});
+    expect("body much smaller than a cell",
+           messages<2>("Grid/Upper corner = 10, 10\nGrid/Subdivisions = 4, 4\n"
+                       "Material points/Lattice spacing = 0.02\n"
+                       "Material points/Region = x < 0.06 && y < 0.06\n"
+                       "Boundary conditions/Displacement = bottom: x = 0, y = "
+                       "0\n"),
+           {"WARNING", "smaller than a cell", "0.0036", "Grid/Subdivisions"});
+    expect("material without points",
+           messages<2>(good, true, 2),
+           {"WARNING", "<Material 2>", "Materials in zones"});
+    expect("gravity that depends on the place",
+           messages<2>(good + "Boundary conditions/Gravity = 0, -9.81*x\n"),
+           {"ERROR", "-9.81*x", "Boundary conditions/Gravity", "depends on x"});
+    expect("region that depends on time",
+           messages<2>(good + "Material points/Region = y < t\n"),
+           {"ERROR", "Material points/Region", "depends on t"});
+    expect("stretch that depends on the place",
+           messages<2>(good + "Grid/Stretch = y: 0 -> 0, 1 -> 0.1*x\n"),
+           {"ERROR", "Grid/Stretch", "depends on x"});
+    expect("initial velocity that depends on time",
+           messages<2>(good + "Dynamics/Inertia = true\n"
+                              "Dynamics/Initial velocity = t, 0\n"),
+           {"ERROR", "Dynamics/Initial velocity", "depends on t"});
+    expect("what only looks like a variable",
+           messages<2>(good + "Boundary conditions/Gravity = 0, "
+                              "-max(1e-3, exp(t))\n"),
+           {});
+  }
+
+  void
+  test_idle()
+  {
+    const std::vector<std::array<std::string, 3>> cases = {
+      {{"Formulation/PPP coefficient = 8",
+        "Formulation/Type = u",
+        "Formulation/PPP coefficient"}},
+      {{"Formulation/PPP coefficient = 8",
+        "Formulation/Stabilisation = none",
+        "Formulation/PPP coefficient"}},
+      {{"Grid/Depth = 2", "", "Grid/Depth"}},
+      {{"Grid/File = a.msh", "", "Grid/File"}},
+      {{"Grid reset/Smallest element quality = 0.1",
+        "",
+        "Grid reset/Smallest element quality"}},
+      {{"Dynamics/Newmark gamma = 0.6", "", "Dynamics/Newmark gamma"}},
+      {{"Material/J2/Yield stress = 1", "", "Material/J2/Yield stress"}},
+      {{"Linear solver/Block FGMRES/Basis size = 50",
+        "",
+        "Linear solver/Block FGMRES/Basis size"}},
+      {{"Boundary conditions/Penalty of body displacement = 10",
+        "",
+        "Boundary conditions/Penalty of body displacement"}},
+      {{"Boundary conditions/Boundary points per face = 1",
+        "",
+        "Boundary conditions/Boundary points per face"}},
+      {{"Material points/Points per cell = 4",
+        "Material points/Lattice spacing = 0.125",
+        "Material points/Points per cell"}}};
+    for (const auto &c : cases)
+      {
+        expect("without effect: " + c[0] + (c[1].empty() ? "" : ", ") + c[1],
+               messages<2>(good + c[1] + "\n" + c[0] + "\n"),
+               {"WARNING", "no effect", c[2]});
+      }
+    expect("the default in other words",
+           messages<2>(good + "Formulation/Type = u\n"
+                              "Formulation/PPP coefficient = 1.0\n"),
+           {});
+    expect("zones of a lattice",
+           messages<2>(good + "Material points/Lattice spacing = 0.1\n"
+                              "Material points/Points per cell in zones = 6: "
+                              "1\n"),
+           {"ERROR",
+            "Material points/Points per cell in zones",
+            "Material points/Lattice spacing"});
+    expect("lattice and mesh",
+           messages<2>(good + "Material points/Lattice spacing = 0.1\n"
+                              "Material points/Body mesh = body.msh\n"),
+           {"ERROR", "Material points/Body mesh"});
+    expect("too fine a lattice",
+           messages<2>(good + "Material points/Lattice spacing = 1e-6\n"),
+           {"ERROR", "Material points/Lattice spacing", "1e+12"});
+  }
+
+  void
+  test_formulas()
+  {
+    const auto top_reaction = [](const std::string &settings) {
+      return test::run_scene<2>(good + "Postprocess/Reactions = bottom\n" +
+                                settings)
+        ->last_statistics()
+        .get("Reaction y on bottom (N)");
+    };
+    // weight of the unit square
+    test::check_error("commas in a load",
+                      std::abs(top_reaction("Boundary conditions/Gravity = "
+                                            "if(t>0.5,0,1),max(-1,-2)\n") -
+                               1000),
+                      1e-6);
+    test::check_error("commas in a prescribed displacement",
+                      std::abs(
+                        top_reaction(
+                          "Boundary conditions/Displacement=bottom:x=min(0,1),"
+                          "y=if(t>=0,if(x>2,1,0),1);top:y=min(-0.01*t,0)\n") /
+                          top_reaction(
+                            "Boundary conditions/Displacement = bottom: x = 0, "
+                            "y = 0; top: y = -0.01*t\n") -
+                        1),
+                      1e-12);
+    const double half = test::run_scene<2>(
+                          good + "Material points/Region=x<0.5&&y<0.5||x<0\n")
+                          ->last_statistics()
+                          .get("Mass (kg)");
+    test::check_error("conditions without blanks", std::abs(half - 250), 1e-9);
+    const auto parts =
+      split_named_list("a:if(x>1;2;3),b(:);c: x ? 1 : 2 ;", "test");
+    test::check("lists split outside of parentheses only",
+                parts.size() == 2 && parts[0].first == "a" &&
+                  parts[0].second == "if(x>1;2;3),b(:)" &&
+                  parts[1].second == "x ? 1 : 2",
+                std::to_string(parts.size()));
+    expect("parentheses that don't match",
+           messages<2>(good + "Boundary conditions/Gravity = 0, -(1\n"),
+           {"ERROR", "Boundary conditions/Gravity", "parentheses"});
+  }
+
+  /** A square of two triangles with the middle of each edge. */
+  const char *const second_order =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n1 0 0 0\n2 1 0 0\n"
+    "3 1 1 0\n4 0 1 0\n5 0.5 0 0\n6 1 0.5 0\n7 0.5 1 0\n8 0 0.5 0\n"
+    "9 0.5 0.5 0\n$EndNodes\n$Elements\n2\n1 9 2 1 1 1 2 3 5 6 9\n"
+    "2 9 2 1 1 1 3 4 9 7 8\n$EndElements\n";
+
+  void
+  test_meshes()
+  {
+    std::ofstream("second.msh") << second_order;
+    std::ofstream("binary.msh", std::ios::binary)
+      << "$MeshFormat\n4.1 1 8\n" << std::string("\1\0\0\0", 4)
+      << "\n$EndMeshFormat\n";
+    std::ofstream("old.msh") << "$NOD\n1\n1 0 0 0\n$ENDNOD\n";
+    std::ofstream("lines.msh")
+      << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\n2 1 0 0\n"
+         "$EndNodes\n$Elements\n1\n1 1 2 1 1 1 2\n$EndElements\n";
+    std::ofstream("quads.msh")
+      << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n"
+         "3 1 1 0\n4 0 1 0\n$EndNodes\n$Elements\n1\n1 3 2 1 1 1 2 3 4\n"
+         "$EndElements\n";
+    const std::string grid = "Grid/Type = gmsh\nGrid/File = ";
+    const std::vector<std::pair<std::string, std::string>> cases = {
+      {"second.msh", "second or higher order"},
+      {"binary.msh", "is binary"},
+      {"old.msh", "format 1"},
+      {"lines.msh", "no triangles"},
+      {"quads.msh", "other cells than triangles"}};
+    for (const auto &c : cases)
+      {
+        expect("grid from " + c.first,
+               messages<2>(grid + c.first + "\n"),
+               {"ERROR", c.first, "Grid/File", c.second});
+        expect("body from " + c.first,
+               messages<2>(good + "Material points/Body mesh = " + c.first +
+                           "\n"),
+               {"ERROR", c.first, "Material points/Body mesh", c.second});
+      }
+    expect("surfaces from binary.msh",
+           messages<2>(good +
+                       "Boundary conditions/Surfaces of body = roof: y > 0.9\n"
+                       "Boundary conditions/Traction on body = roof: 0, 1\n"
+                       "Boundary conditions/Mesh of body surfaces = "
+                       "binary.msh\n"),
+           {"ERROR", "Mesh of body surfaces", "is binary"});
+
+    const std::string footing = grid + SOURCE_DIR "/footing.msh\n"
+                                                  "Formulation/Type = u\n"
+                                                  "Boundary conditions/"
+                                                  "Displacement = everywhere: "
+                                                  "x = 0, y = 0\n"
+                                                  "Boundary conditions/"
+                                                  "Gravity = 0, -1\n";
+    for (const std::string points :
+         {"Lattice spacing = 0.125",
+          "Lattice spacing = 0",
+          "Body mesh = " SOURCE_DIR "/footing.msh"})
+      {
+        const auto problem = test::run_scene<2>(
+          footing + "Material points/Physical groups = soil\nMaterial points/" +
+          points + "\n");
+        // soil is 12 m wide and 10 m high
+        test::check_error(
+          "the groups of " + points.substr(0, points.find('/')),
+          std::abs(problem->last_statistics().get("Mass (kg)") / 1000 - 120),
+          1e-6);
+      }
+    expect("unknown group",
+           messages<2>(footing + "Material points/Physical groups = clay\n"),
+           {"ERROR", "Material points/Physical groups", "clay", "soil"});
+  }
+
+  void
+  test_validation()
+  {
+    std::filesystem::remove_all("scene_checks");
+    std::filesystem::create_directory("scene_checks");
+    std::ofstream("scene_checks/statistics.txt") << "kept\n";
+    messages<2>(good + "Checkpoint/Interval = 1\n");
+    std::string line;
+    std::getline(std::ifstream("scene_checks/statistics.txt") >> std::ws, line);
+    test::check("validation writes nothing",
+                line == "kept" &&
+                  std::distance(std::filesystem::directory_iterator(
+                                  "scene_checks"),
+                                std::filesystem::directory_iterator()) == 1,
+                line);
+    std::filesystem::remove_all("scene_checks");
+    std::filesystem::create_directory("scene_checks");
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  std::filesystem::create_directory("scene_checks");
+  test_validation();
+  test_touch();
+  test_supports();
+  test_loads();
+  test_idle();
+  test_formulas();
+  test_meshes();
+}
