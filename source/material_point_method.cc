@@ -275,11 +275,10 @@ namespace isochor
   void
   MaterialPointMethod<dim>::print_warning_count()
   {
-    // nobody is to miss them because of 'quiet'
-    if (pcout.is_active())
+    // where the warnings are, too: nobody is to miss them because of 'quiet'
+    if (warnings.all().empty())
       pcout << warnings.summary() << std::endl;
-    else if (!warnings.all().empty() &&
-             Utilities::MPI::this_mpi_process(comm) == 0)
+    else if (Utilities::MPI::this_mpi_process(comm) == 0)
       std::cerr << warnings.summary() << std::endl;
   }
 

@@ -427,7 +427,7 @@ namespace isochor
         zones.emplace_back(number - 1,
                            Expression<dim>(zone.second,
                                            "Material points/Materials in "
-                                           "zones"),
+                                           "zones",
                                            FormulaVariables::space));
       }
 

@@ -77,6 +77,59 @@ namespace
                   message);
   }
 
+  /** A law that wants to remember more than there is room for. */
+  template <int dim>
+  class Hoarder : public MaterialModel<dim>
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &)
+    {}
+    void
+    parse_parameters(ParameterHandler &) override
+    {}
+    StressStatus
+    evaluate(const Kinematics<dim> &,
+             const double *,
+             double *,
+             StressResponse<dim> &) const override
+    {
+      return StressStatus::success;
+    }
+    std::vector<std::string>
+    history_names() const override
+    {
+      return std::vector<std::string>(max_history + 1, "junk");
+    }
+    double
+    shear_modulus() const override
+    {
+      return 1;
+    }
+    double
+    inverse_bulk_modulus() const override
+    {
+      return 1;
+    }
+    double
+    density() const override
+    {
+      return 1;
+    }
+  };
+  ISOCHOR_REGISTER_FOR_DIMENSION(MaterialModel, Hoarder, "Hoarder")
+
+  void
+  test_overflow()
+  {
+    expect("too many history variables",
+           messages<2>(good + "Material/Model = Hoarder\n"),
+           {"ERROR", "Hoarder", "Material/Model", "17 history variables", "16"});
+    expect("too many materials",
+           messages<2>(good, true, 257),
+           {"ERROR", "256 materials", "<Material 256>"});
+  }
+
   void
   test_touch()
   {
@@ -405,6 +458,7 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   std::filesystem::create_directory("scene_checks");
   test_validation();
+  test_overflow();
   test_touch();
   test_supports();
   test_loads();
