@@ -431,8 +431,8 @@ namespace isochor
         const double s = a / (a - b);
         const auto   lambda =
           geometry.barycentric(face.cell, Point<dim>(start + s * (x - start)));
-        if (s < first &&
-            *std::min_element(lambda.begin(), lambda.end()) > -tolerance)
+        if (s<first && * std::min_element(lambda.begin(), lambda.end())> -
+            tolerance)
           {
             first = s;
             id    = face.id;

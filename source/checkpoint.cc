@@ -44,9 +44,9 @@ namespace isochor
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &n_ranks &grid_fingerprint &problem &settings &time &last_motion &grid_reset
-        &boundary_conditions &postprocessors &n_properties &cells &ids
-          &coordinates &properties;
+      archive &n_ranks &grid_fingerprint &problem &settings &time &last_motion
+        &grid_reset &boundary_conditions &postprocessors &n_properties &cells
+          &ids &coordinates &properties;
     }
   };
 

@@ -23,8 +23,8 @@ namespace isochor
       n_files += file.path().extension() == ".pvtu";
     if (n_rows == 0 && n_files == 0)
       return "";
-    return "Replacing the output of an earlier run in <" + directory + ">: " +
-           std::to_string(n_rows) + " rows of statistics.txt, " +
+    return "Replacing the output of an earlier run in <" + directory +
+           ">: " + std::to_string(n_rows) + " rows of statistics.txt, " +
            std::to_string(n_files) +
            " outputs of fields. Of these, files with higher numbers than this "
            "run writes stay.";

@@ -57,15 +57,12 @@ namespace isochor
             std::find(coordinates.begin(), coordinates.end(), name) !=
             coordinates.end();
           AssertThrow(!(in_time ? is_coordinate : name == "t"),
-                      ExcMessage("The formula <" + formula +
-                                 "> of the parameter <" + parameter +
-                                 "> depends on " + name +
-                                 ", but it is evaluated " +
-                                 (in_time ?
-                                    "for all places at once" :
-                                    "at t = 0 only") +
-                                 ": it may depend on " +
-                                 (in_time ? "t" : space) + "."));
+                      ExcMessage(
+                        "The formula <" + formula + "> of the parameter <" +
+                        parameter + "> depends on " + name +
+                        ", but it is evaluated " +
+                        (in_time ? "for all places at once" : "at t = 0 only") +
+                        ": it may depend on " + (in_time ? "t" : space) + "."));
         }
     }
   } // namespace

@@ -56,12 +56,10 @@ namespace isochor
             place[d] =
               step.grid.geometry().vertices()[step.nodes.vertex(node)][d];
         }
-      const double       all  = Utilities::MPI::max(largest, comm);
-      const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
-      const unsigned int winner =
-        Utilities::MPI::min(largest == all ? rank :
-                                             numbers::invalid_unsigned_int,
-                            comm);
+      const double       all    = Utilities::MPI::max(largest, comm);
+      const unsigned int rank   = Utilities::MPI::this_mpi_process(comm);
+      const unsigned int winner = Utilities::MPI::min(
+        largest == all ? rank : numbers::invalid_unsigned_int, comm);
       if (rank != winner)
         place.fill(0.);
       sum_over_ranks(place, comm);
@@ -87,9 +85,8 @@ namespace isochor
       for (const auto &material : kernel.materials)
         {
           const auto names = material->history_names();
-          const auto found = std::find(names.begin(),
-                                       names.end(),
-                                       "equivalent_plastic_strain");
+          const auto found =
+            std::find(names.begin(), names.end(), "equivalent_plastic_strain");
           index.push_back(found == names.end() ? none : found - names.begin());
         }
       if (std::all_of(index.begin(), index.end(), [](const unsigned int i) {
@@ -128,9 +125,9 @@ namespace isochor
 
 
   template <int dim>
-  void
-  FailureReport<dim>::remember(const StepContext<dim> &step,
-                               const NodalField       &unknowns)
+  double
+  FailureReport<dim>::speed(const StepContext<dim> &step,
+                            const NodalField       &unknowns)
   {
     double largest = 0;
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
@@ -141,9 +138,18 @@ namespace isochor
             std::pow(unknowns.local_element(node * step.n_components + a), 2);
         largest = std::max(largest, square);
       }
-    last_speed =
-      std::sqrt(Utilities::MPI::max(largest, step.grid.communicator())) /
-      step.step_size();
+    return std::sqrt(Utilities::MPI::max(largest, step.grid.communicator())) /
+           step.step_size();
+  }
+
+
+
+  template <int dim>
+  void
+  FailureReport<dim>::remember(const StepContext<dim> &step,
+                               const NodalField       &unknowns)
+  {
+    last_speed = speed(step, unknowns);
     if (last_speed > 0)
       slowest = slowest > 0 ? std::min(slowest, last_speed) : last_speed;
   }
@@ -155,7 +161,8 @@ namespace isochor
   FailureReport<dim>::Evidence::has_lost_stiffness() const
   {
     constexpr double significant = 3;
-    return growth > significant || n_negative_pivots > 0;
+    return growth > significant || growth_of_trial > significant ||
+           n_negative_pivots > 0;
   }
 
 
@@ -165,10 +172,14 @@ namespace isochor
   FailureReport<dim>::Evidence::text() const
   {
     std::string text = "the displacement per load was " + as_text(growth) +
-                       " times that of the stiffest step";
+                       " times that of the stiffest step in the last step "
+                       "that converged";
+    if (growth_of_trial >= 0)
+      text += ", " + as_text(growth_of_trial) +
+              " times in the last iterate of the one that failed";
     if (plastic_share >= 0)
-      text += ", " + as_text(100 * plastic_share) +
-              " % of the volume has yielded";
+      text +=
+        ", " + as_text(100 * plastic_share) + " % of the volume has yielded";
     if (n_negative_pivots >= 0)
       text += ", the last matrix has " + std::to_string(n_negative_pivots) +
               " negative pivot(s) of displacements (a stable state has none)";
@@ -183,8 +194,17 @@ namespace isochor
   {
     const MPI_Comm comm = failure.step.grid.communicator();
     Evidence       evidence;
+    double         prescribed = failure.dragged ? 1 : 0;
+    for (const double increment : failure.constraints.increment)
+      prescribed = std::max(prescribed, std::abs(increment));
+    const bool   driven = Utilities::MPI::max(prescribed, comm) > 0;
+    const double trial  = speed(failure.step, failure.unknowns);
     if (slowest > 0)
-      evidence.growth = last_speed / slowest;
+      {
+        evidence.growth = last_speed / slowest;
+        if (!driven && std::isfinite(trial))
+          evidence.growth_of_trial = trial / slowest;
+      }
     evidence.plastic_share =
       isochor::plastic_share(failure.points, failure.step.kernel, comm);
     if (failure.solver.knows_pivots)
@@ -227,8 +247,8 @@ namespace isochor
     const LoadStepping     &time     = failure.time;
     const Evidence          evidence = collect(failure);
 
-    std::string text = "The step from t = " + as_text(time.time) +
-                       " of size " + as_text(time.next_time() - time.time) +
+    std::string text = "The step from t = " + as_text(time.time) + " of size " +
+                       as_text(time.next_time() - time.time) +
                        " failed and can't be cut back further (<Time/Minimum "
                        "step size>): " +
                        failure.newton.failure + ".\n";
@@ -242,10 +262,11 @@ namespace isochor
               "lower <Time/Minimum step size>, or look at the files for what "
               "goes wrong.";
     else if (evidence.has_lost_stiffness())
-      text += "No equilibrium found: limit load near t = " +
-              as_text(time.time) + ". Evidence: " + evidence.text() +
-              ". To follow the body beyond, prescribe displacements instead of "
-              "loads, or give it inertia (<Dynamics/Inertia = true>).";
+      text +=
+        "No equilibrium found: limit load near t = " + as_text(time.time) +
+        ". Evidence: " + evidence.text() +
+        ". To follow the body beyond, prescribe displacements instead of "
+        "loads, or give it inertia (<Dynamics/Inertia = true>).";
     else
       text += "The body has not lost its stiffness (" + evidence.text() +
               "), so that this is hardly a limit load, but a bad step: look "
@@ -253,8 +274,7 @@ namespace isochor
               "grid or more points there, or lower <Time/Minimum step size>.";
 
     return text + "\nThe largest residual force was " +
-           largest_residual(step, failure.system) + ". " +
-           write_files(failure);
+           largest_residual(step, failure.system) + ". " + write_files(failure);
   }
 
 

@@ -53,8 +53,8 @@ namespace isochor
             for (std::size_t k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
               if (is_displacement(A, i) && is_displacement(A, A.column[k]))
                 {
-                  const Label a = root(A.global_equation[i]);
-                  const Label b = root(A.global_equation[A.column[k]]);
+                  const Label a         = root(A.global_equation[i]);
+                  const Label b         = root(A.global_equation[A.column[k]]);
                   label[std::max(a, b)] = std::min(a, b);
                 }
           for (Label i = 0; i < label.size(); ++i)
@@ -72,8 +72,8 @@ namespace isochor
             }
           for (Label i = 0; i < label.size(); ++i)
             label[i] = root(i);
-          changed = Utilities::MPI::max(static_cast<int>(label != before),
-                                        A.comm) != 0;
+          changed =
+            Utilities::MPI::max(static_cast<int>(label != before), A.comm) != 0;
         }
       return label;
     }
@@ -158,8 +158,7 @@ namespace isochor
           }
       for (auto &body : bodies)
         {
-          body.second.radius =
-            Utilities::MPI::max(body.second.radius, A.comm);
+          body.second.radius = Utilities::MPI::max(body.second.radius, A.comm);
           if (body.second.radius == 0) // a single node doesn't rotate
             body.second.radius = 1;
         }
@@ -178,8 +177,8 @@ namespace isochor
         {
           if (!is_displacement(A, i))
             continue;
-          Body      &body  = bodies.at(label[A.global_equation[i]]);
-          const Mode row   = modes_at(A, i, body);
+          Body      &body = bodies.at(label[A.global_equation[i]]);
+          const Mode row  = modes_at(A, i, body);
           for (std::size_t k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
             {
               const unsigned int j = A.column[k];
@@ -194,8 +193,7 @@ namespace isochor
                     body.energy[6 * m + n] +=
                       a * (row[m] * column[n] + column[m] * row[n]);
                     if (i == j)
-                      body.diagonal[6 * m + n] +=
-                        A.values[k] * row[m] * row[n];
+                      body.diagonal[6 * m + n] += A.values[k] * row[m] * row[n];
                   }
             }
         }

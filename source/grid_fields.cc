@@ -39,12 +39,10 @@ namespace isochor
     for (unsigned int k = 0; k < step.points.cell.size(); ++k)
       {
         const auto &vertices = geometry.vertex_indices(step.points.cell[k]);
-        if (std::any_of(vertices.begin(),
-                        vertices.end(),
-                        [&step](const unsigned int v) {
-                          return step.nodes.node(v) ==
-                                 numbers::invalid_unsigned_int;
-                        }))
+        if (std::any_of(
+              vertices.begin(), vertices.end(), [&step](const unsigned int v) {
+                return step.nodes.node(v) == numbers::invalid_unsigned_int;
+              }))
           continue; // the points' domains miss a node of the cell
         for (unsigned int v = 0; v <= dim; ++v)
           corners[v] = step.points.corner(geometry, k, v);

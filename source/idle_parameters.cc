@@ -68,7 +68,8 @@ namespace isochor
       /** In @p section, the subsections are those of the plugins among which
        * @p selector chooses: warn of those of the others. */
       void
-      idle_plugins(const std::string &section, const std::string &selector) const
+      idle_plugins(const std::string &section,
+                   const std::string &selector) const
       {
         const std::string chosen = value({section, selector});
         for (const Path &path : list.subsections)
@@ -167,8 +168,7 @@ namespace isochor
             if (inspect.number({path[0], "J2", "Saturation exponent"}) == 0 &&
                 inspect.value({path[0], "Model"}) == "J2")
               inspect.idle({path[0], "J2", "Saturation stress"},
-                           "with <" + path[0] +
-                             "/J2/Saturation exponent = 0>");
+                           "with <" + path[0] + "/J2/Saturation exponent = 0>");
           }
     }
   } // namespace

@@ -330,7 +330,10 @@ namespace isochor
   std::string
   MaterialPointMethod<dim>::explain_failure(const NewtonReport &newton)
   {
-    const StepContext<dim> step = context();
+    const StepContext<dim> step    = context();
+    bool                   dragged = false;
+    for (const auto &condition : boundary_conditions)
+      dragged = dragged || condition->moves_body(step);
     return failure_report.explain({step,
                                    unknowns,
                                    system,
@@ -338,6 +341,8 @@ namespace isochor
                                    time,
                                    newton,
                                    solver_report,
+                                   constraints,
+                                   dragged,
                                    dynamic,
                                    output_directory});
   }
@@ -370,7 +375,6 @@ namespace isochor
       terms.push_back(&inertia);
     for (auto &condition : boundary_conditions)
       terms.push_back(condition.get());
-
   }
 
 

@@ -166,9 +166,11 @@ namespace isochor
                          point_layout.n_properties);
 
     std::vector<Seed> seeds =
-      !parameters.body_mesh.empty()  ? seeds_in_body_mesh() :
-      parameters.lattice_spacing > 0 ? seeds_on_lattice() :
-                                       seeds_in_cells(grid.geometry(), grid.group_ids());
+      !parameters.body_mesh.empty() ?
+        seeds_in_body_mesh() :
+      parameters.lattice_spacing > 0 ?
+        seeds_on_lattice() :
+        seeds_in_cells(grid.geometry(), grid.group_ids());
     const Expression<dim> in_body(parameters.region, "Material points/Region");
     seeds.erase(std::remove_if(seeds.begin(),
                                seeds.end(),
@@ -369,9 +371,8 @@ namespace isochor
                           (parameters.body_mesh.empty() ? "grid" :
                                                           "body's mesh") +
                           " has " +
-                          (known.empty() ?
-                             "no named group of cells" :
-                             "the groups of cells " + known) +
+                          (known.empty() ? "no named group of cells" :
+                                           "the groups of cells " + known) +
                           "."));
           }
         if (geometry.cell_iterator(cell)->material_id() == group->second)

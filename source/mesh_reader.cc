@@ -52,8 +52,9 @@ namespace isochor
         AssertThrow(false,
                     ExcMessage(subject + "has gmsh's format 1. " + expected));
       AssertThrow(header.compare(0, 11, "$MeshFormat") == 0,
-                  ExcMessage(subject + "can't be read: it does not start with "
-                                       "$MeshFormat. " +
+                  ExcMessage(subject +
+                             "can't be read: it does not start with "
+                             "$MeshFormat. " +
                              expected));
       double version   = 0;
       int    is_binary = 0;

@@ -76,8 +76,7 @@ namespace isochor
         for (unsigned int v = 0; v <= dim; ++v)
           if (v != face.opposite_vertex)
             {
-              const unsigned int vertex =
-                geometry.vertex_indices(face.cell)[v];
+              const unsigned int vertex = geometry.vertex_indices(face.cell)[v];
               boundary.include(geometry.vertices()[vertex]);
               if (contact == Contact::node)
                 touched = touched || step.nodes.node(vertex) !=
@@ -160,16 +159,15 @@ namespace isochor
   void
   check_supports(const SparseSystem &matrix, Warnings &warnings)
   {
-    constexpr unsigned int      most = 3;
+    constexpr unsigned int      most   = 3;
     const std::vector<FreeBody> bodies = find_free_bodies(matrix);
     if (bodies.empty())
       return;
     std::ostringstream text;
     text.precision(4);
     text << "Nothing holds "
-         << (bodies.size() == 1 ?
-               "a body" :
-               std::to_string(bodies.size()) + " bodies")
+         << (bodies.size() == 1 ? "a body" :
+                                  std::to_string(bodies.size()) + " bodies")
          << " against: ";
     for (unsigned int b = 0; b < std::min<std::size_t>(bodies.size(), most);
          ++b)

@@ -316,7 +316,7 @@ test_changed_settings(const MPI_Comm comm)
   const std::string a = "checkpoint-set-a", b = "checkpoint-set-b";
   const std::pair<std::string, std::string> probes = {
     "Postprocess/Point probes", "new: 1.9, 2; centre: 1.7, 1.7"};
-  const std::string name = "Displacement y of new (m)";
+  const std::string name  = "Displacement y of new (m)";
   const Result      whole = run(comm, a, {probes});
   crash_after_step        = 5;
   expect_error("settings, interrupted", run(comm, b), "crash");
@@ -330,8 +330,8 @@ test_changed_settings(const MPI_Comm comm)
                               {"Postprocess/Write grid", "false"},
                               probes});
   // the checkpoint is that after step 4, t = 0.08
-  const auto  sizes = column(b, "Step size (s)");
-  bool        right = sizes.size() == 4 + 8;
+  const auto sizes = column(b, "Step size (s)");
+  bool       right = sizes.size() == 4 + 8;
   for (unsigned int i = 0; i < sizes.size(); ++i)
     right = right && std::abs(sizes[i] - (i < 4 ? 0.02 : 0.01)) < 1e-12;
   report("another step size", resumed.error.empty() && right, resumed.error);

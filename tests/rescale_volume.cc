@@ -48,9 +48,9 @@ namespace
         const double              J      = determinant(point.F);
 
         PointArrays<dim> arrays;
-        arrays.material = {0};
+        arrays.material                  = {0};
         const double          correction = 0.02 * (n % 2 == 0 ? 1 : -1);
-        SymmetricTensor<2, 3> cauchy = before.deviatoric_stress / J;
+        SymmetricTensor<2, 3> cauchy     = before.deviatoric_stress / J;
         kernel.change_volume(
           arrays, 0, correction, point.F, cauchy, point.history_n.data());
         const StressResponse<dim> after = point.evaluate(one);
@@ -59,10 +59,9 @@ namespace
         stress.add((after.deviatoric_stress - before.deviatoric_stress).norm() /
                      G,
                    where);
-        stress.add((determinant(point.F) * cauchy - after.deviatoric_stress)
-                       .norm() /
-                     G,
-                   where + ", stress of the point");
+        stress.add(
+          (determinant(point.F) * cauchy - after.deviatoric_stress).norm() / G,
+          where + ", stress of the point");
         strain.add(std::abs(after.volumetric_strain - before.volumetric_strain -
                             correction),
                    where);

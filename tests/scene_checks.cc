@@ -122,9 +122,10 @@ namespace
   void
   test_overflow()
   {
-    expect("too many history variables",
-           messages<2>(good + "Material/Model = Hoarder\n"),
-           {"ERROR", "Hoarder", "Material/Model", "17 history variables", "16"});
+    expect(
+      "too many history variables",
+      messages<2>(good + "Material/Model = Hoarder\n"),
+      {"ERROR", "Hoarder", "Material/Model", "17 history variables", "16"});
     expect("too many materials",
            messages<2>(good, true, 257),
            {"ERROR", "256 materials", "<Material 256>"});
@@ -151,8 +152,9 @@ namespace
            messages<2>(low + "Postprocess/Reactions = bottom, top\n"),
            {"WARNING", "<top>", "Postprocess/Reactions"});
     expect("surface without a condition",
-           messages<2>(good + "Boundary conditions/Surfaces of body = roof: y > "
-                              "0.9\n"),
+           messages<2>(good +
+                       "Boundary conditions/Surfaces of body = roof: y > "
+                       "0.9\n"),
            {"WARNING", "<roof>", "Surfaces of body", "Traction on body"});
     expect("no mistake", messages<2>(good), {});
     expect("no mistake, in a run", messages<2>(good, false), {});
@@ -169,8 +171,9 @@ namespace
             "translation in x, translation in y, rotation",
             "Boundary conditions/Displacement",
             "Dynamics/Inertia"});
-    expect("... in u", messages<2>(no_load + "Formulation/Type = u\n"), {
-             "translation in x, translation in y, rotation"});
+    expect("... in u",
+           messages<2>(no_load + "Formulation/Type = u\n"),
+           {"translation in x, translation in y, rotation"});
     expect("... may move in dynamics",
            messages<2>(no_load + "Dynamics/Inertia = true\n"),
            {});
@@ -227,10 +230,13 @@ namespace
   {
     expect("weight without density",
            messages<2>(good + "Material/Density = 0\n"),
-           {"WARNING", "Boundary conditions/Gravity", "<Material/Density> is 0"});
-    expect("nothing loads the scene",
-           messages<2>(good + "Boundary conditions/Gravity = 0, 0\n", false),
-           {"WARNING", "no iteration", "Boundary conditions", "Time/Step size"});
+           {"WARNING",
+            "Boundary conditions/Gravity",
+            "<Material/Density> is 0"});
+    expect(
+      "nothing loads the scene",
+      messages<2>(good + "Boundary conditions/Gravity = 0, 0\n", false),
+      {"WARNING", "no iteration", "Boundary conditions", "Time/Step size"});
     expect("body much smaller than a cell",
            messages<2>("Grid/Upper corner = 10, 10\nGrid/Subdivisions = 4, 4\n"
                        "Material points/Lattice spacing = 0.02\n"
@@ -330,20 +336,19 @@ namespace
                                             "if(t>0.5,0,1),max(-1,-2)\n") -
                                1000),
                       1e-6);
-    test::check_error("commas in a prescribed displacement",
-                      std::abs(
-                        top_reaction(
-                          "Boundary conditions/Displacement=bottom:x=min(0,1),"
-                          "y=if(t>=0,if(x>2,1,0),1);top:y=min(-0.01*t,0)\n") /
-                          top_reaction(
-                            "Boundary conditions/Displacement = bottom: x = 0, "
-                            "y = 0; top: y = -0.01*t\n") -
-                        1),
-                      1e-12);
-    const double half = test::run_scene<2>(
-                          good + "Material points/Region=x<0.5&&y<0.5||x<0\n")
-                          ->last_statistics()
-                          .get("Mass (kg)");
+    test::check_error(
+      "commas in a prescribed displacement",
+      std::abs(
+        top_reaction("Boundary conditions/Displacement=bottom:x=min(0,1),"
+                     "y=if(t>=0,if(x>2,1,0),1);top:y=min(-0.01*t,0)\n") /
+          top_reaction("Boundary conditions/Displacement = bottom: x = 0, "
+                       "y = 0; top: y = -0.01*t\n") -
+        1),
+      1e-12);
+    const double half =
+      test::run_scene<2>(good + "Material points/Region=x<0.5&&y<0.5||x<0\n")
+        ->last_statistics()
+        .get("Mass (kg)");
     test::check_error("conditions without blanks", std::abs(half - 250), 1e-9);
     const auto parts =
       split_named_list("a:if(x>1;2;3),b(:);c: x ? 1 : 2 ;", "test");
@@ -369,8 +374,8 @@ namespace
   {
     std::ofstream("second.msh") << second_order;
     std::ofstream("binary.msh", std::ios::binary)
-      << "$MeshFormat\n4.1 1 8\n" << std::string("\1\0\0\0", 4)
-      << "\n$EndMeshFormat\n";
+      << "$MeshFormat\n4.1 1 8\n"
+      << std::string("\1\0\0\0", 4) << "\n$EndMeshFormat\n";
     std::ofstream("old.msh") << "$NOD\n1\n1 0 0 0\n$ENDNOD\n";
     std::ofstream("lines.msh")
       << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\n2 1 0 0\n"
@@ -411,10 +416,9 @@ namespace
                                                   "x = 0, y = 0\n"
                                                   "Boundary conditions/"
                                                   "Gravity = 0, -1\n";
-    for (const std::string points :
-         {"Lattice spacing = 0.125",
-          "Lattice spacing = 0",
-          "Body mesh = " SOURCE_DIR "/footing.msh"})
+    for (const std::string points : {"Lattice spacing = 0.125",
+                                     "Lattice spacing = 0",
+                                     "Body mesh = " SOURCE_DIR "/footing.msh"})
       {
         const auto problem = test::run_scene<2>(
           footing + "Material points/Physical groups = soil\nMaterial points/" +

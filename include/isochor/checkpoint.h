@@ -51,9 +51,10 @@ namespace isochor
     declare_parameters(ParameterHandler &prm);
 
     /** Reads its subsection, and from all others what describes the problem:
-     * @p prm has to be at its top level. A resumed run may change the parameters
-     * whose path ("Section/Entry") starts with one of @p changeable: what says
-     * how to go on, not what the problem is. Their owners know which. */
+     * @p prm has to be at its top level. A resumed run may change the
+     * parameters whose path ("Section/Entry") starts with one of @p changeable:
+     * what says how to go on, not what the problem is. Their owners know which.
+     */
     void
     parse_parameters(ParameterHandler               &prm,
                      const std::vector<std::string> &changeable);

@@ -34,8 +34,11 @@ namespace isochor
       const LoadStepping        &time;
       const NewtonReport        &newton;
       const LinearSolverReport  &solver;
-      bool                       dynamic;
-      const std::string         &directory;
+      const NodalConstraints    &constraints;
+      /** Whether boundary points drag the body. */
+      bool               dragged;
+      bool               dynamic;
+      const std::string &directory;
     };
 
     /** A step has converged: remember how fast it moved the body. Collective.
@@ -59,8 +62,11 @@ namespace isochor
     /** What is known of the loss of stiffness. */
     struct Evidence
     {
-      /** Largest displacement per time, against the slowest step so far. */
-      double growth = 1;
+      /** Largest displacement per time in the last step that converged and in
+       * the last iterate of the one that failed, against the slowest step so
+       * far. The latter is negative where displacements are prescribed: then
+       * an iterate moves as far as it is told. */
+      double growth = 1, growth_of_trial = -1;
       /** Share of the volume whose plastic strain isn't 0, negative if no
        * material yields. */
       double plastic_share = -1;
@@ -81,6 +87,10 @@ namespace isochor
      */
     static std::string
     write_files(const Failure &failure);
+
+    /** The largest displacement per time. Collective. */
+    static double
+    speed(const StepContext<dim> &step, const NodalField &unknowns);
 
     /** In the step that converged last and in the slowest one (m/s). */
     double last_speed = 0, slowest = 0;

@@ -11,9 +11,9 @@
 
 namespace isochor
 {
-  /** The material points of this rank with all they carry, to be written. Values
-   * that a point's material doesn't have, as the history of another one, are
-   * NaN. */
+  /** The material points of this rank with all they carry, to be written.
+   * Values that a point's material doesn't have, as the history of another one,
+   * are NaN. */
   template <int dim>
   FieldPatches<0, dim>
   point_fields(const MaterialPoints<dim> &points,

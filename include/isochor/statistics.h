@@ -15,9 +15,10 @@ namespace isochor
   /**
    * One row of named values per step, appended to `statistics.txt` in the
    * output directory: a comment line per column, then the rows. A column that
-   * comes up later than in the first row, as that of a probe added at a restart,
-   * is appended, the file written anew with nan in the rows before; a value that
-   * isn't set in a row is nan there. Only the rank that calls open() writes.
+   * comes up later than in the first row, as that of a probe added at a
+   * restart, is appended, the file written anew with nan in the rows before; a
+   * value that isn't set in a row is nan there. Only the rank that calls open()
+   * writes.
    */
   class Statistics
   {

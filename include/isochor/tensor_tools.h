@@ -40,8 +40,8 @@ namespace isochor
   }
 
   /** A 3D tensor from its n_symmetric_components<dim> stored components. The
-   * one order of histories, points, checkpoints and output: xx, yy, zz, xy(, xz,
-   * yz), which is deal.II's. */
+   * one order of histories, points, checkpoints and output: xx, yy, zz, xy(,
+   * xz, yz), which is deal.II's. */
   template <int dim>
   inline SymmetricTensor<2, 3>
   load_symmetric(const double *components)

@@ -216,7 +216,7 @@ namespace isochor
       // negative: in millions
       const double n_entries  = entry(id.infog, 29);
       report.n_factor_entries = n_entries < 0 ? -1e6 * n_entries : n_entries;
-      report.memory_in_bytes = 1e6 * entry(id.info, 22);
+      report.memory_in_bytes  = 1e6 * entry(id.info, 22);
       return report;
     }
 

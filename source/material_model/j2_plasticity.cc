@@ -337,8 +337,7 @@ namespace isochor
 
     const SymmetricTensor<2, 3> b_bar =
       kinematics.isochoric_scale *
-      push_forward(kinematics.F_increment,
-                   load_symmetric<dim>(history_n));
+      push_forward(kinematics.F_increment, load_symmetric<dim>(history_n));
 
     TrialState trial;
     trial.mu_bar     = G * trace(b_bar) / 3;
@@ -373,8 +372,8 @@ namespace isochor
         // stress of this step doesn't depend on it; that of the next one does.
         const SymmetricTensor<2, 3> q = response.deviatoric_stress / G;
         store_symmetric<dim>(q + unimodular_mean(q, trace(b_bar) / 3) *
-                                          unit_symmetric_tensor<3>(),
-                                    history);
+                                   unit_symmetric_tensor<3>(),
+                             history);
         history[alpha_index] = alpha;
       }
     // what isn't finite in F or in the history shows in one of these

@@ -613,8 +613,7 @@ namespace isochor
       return StressStatus::return_map_failed;
 
     const SymmetricTensor<2, 3> b_trial =
-      push_forward(kinematics.F_increment,
-                   load_symmetric<dim>(history_n));
+      push_forward(kinematics.F_increment, load_symmetric<dim>(history_n));
     const SpectralDecomposition spectrum = spectral_decomposition<dim>(b_trial);
 
     Vector strain;

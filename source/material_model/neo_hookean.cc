@@ -98,19 +98,19 @@ namespace isochor
   template <int dim>
   StressStatus
   NeoHookean<dim>::evaluate(const Kinematics<dim> &kinematics,
-                            const double        *history_n,
-                            double              *history,
-                            StressResponse<dim> &response) const
+                            const double          *history_n,
+                            double                *history,
+                            StressResponse<dim>   &response) const
   {
-    const double                G = elasticity.shear_modulus;
-    const double                J = kinematics.J;
+    const double          G = elasticity.shear_modulus;
+    const double          J = kinematics.J;
     SymmetricTensor<2, 3> G_b_bar =
       (G / std::cbrt(J * J)) *
       push_forward(kinematics.F, unit_symmetric_tensor<3>());
     if (keeps_factor)
       {
-        const double a         = history[0] = history_n[0];
-        const double out_of_plane = G_b_bar[2][2];
+        const double a = history[0] = history_n[0];
+        const double out_of_plane   = G_b_bar[2][2];
         G_b_bar /= std::cbrt(a);
         G_b_bar[2][2] = out_of_plane * std::cbrt(a * a);
       }

@@ -38,8 +38,8 @@ namespace isochor
       const std::string name = "Postprocess/Point probes";
       for (const auto &entry : split_named_list(prm.get("Point probes"), name))
         {
-          const auto x = Utilities::string_to_double(
-            split_formulas(entry.second, name));
+          const auto x =
+            Utilities::string_to_double(split_formulas(entry.second, name));
           AssertThrow(x.size() == dim,
                       ExcMessage("The probe <" + entry.first +
                                  "> of the parameter <" + name + "> needs " +
@@ -134,9 +134,9 @@ namespace isochor
     static void
     place_in_moved_body(const StepResult<dim> &result, Probe &probe)
     {
-      const MPI_Comm     comm = result.step.grid.communicator();
-      const PointLayout &l    = result.points.layout();
-      double             best = std::numeric_limits<double>::max();
+      const MPI_Comm          comm = result.step.grid.communicator();
+      const PointLayout      &l    = result.points.layout();
+      double                  best = std::numeric_limits<double>::max();
       std::array<double, dim> place{};
       for (const auto &particle : result.points.handler())
         {
