@@ -40,8 +40,8 @@ namespace isochor
     , body(grid, arrays)
     , quadrature(grid)
     , occupancy(grid)
-    , ghost_penalty(grid, occupancy)
-    , grid_reset(arrays, ghost_penalty)
+    , extension(grid, occupancy)
+    , grid_reset(arrays, extension)
   {}
 
 
@@ -58,7 +58,7 @@ namespace isochor
     Checkpoint<dim>::declare_parameters(prm);
     InertiaTerm<dim>::declare_parameters(prm);
     BodyQuadrature<dim>::declare_parameters(prm);
-    GhostPenalty<dim>::declare_parameters(prm);
+    DiscreteExtension<dim>::declare_parameters(prm);
     PointRefinement<dim>::declare_parameters(prm);
     GridReset<dim>::declare_parameters(prm);
     VolumeProjection<dim>::declare_parameters(prm);
@@ -136,7 +136,7 @@ namespace isochor
     checkpoint.parse_parameters(prm);
     dynamic = inertia.parse_parameters(prm);
     quadrature.parse_parameters(prm);
-    ghost_penalty.parse_parameters(prm);
+    extension.parse_parameters(prm);
     refinement.parse_parameters(prm);
     grid_reset.parse_parameters(prm);
     project_volume = volume_projection.parse_parameters(prm);
@@ -258,10 +258,9 @@ namespace isochor
     for (auto &postprocessor : postprocessors)
       postprocessor->initialize(grid);
 
-    terms = {&body};
-    if (ghost_penalty.is_active(quadrature.is_plain()))
-      terms.push_back(&ghost_penalty);
-    needs_occupancy = quadrature.needs_occupancy() || terms.size() > 1;
+    terms           = {&body};
+    extends         = extension.is_active(quadrature.is_plain());
+    needs_occupancy = quadrature.needs_occupancy() || extends;
     if (needs_occupancy)
       find_walls();
     if (dynamic)
@@ -412,6 +411,8 @@ namespace isochor
     grid_reset.touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(grid_reset.touched_vertices);
+    if (extends)
+      extension.update(arrays, grid_reset.touched_vertices);
   }
 
 
@@ -497,6 +498,8 @@ namespace isochor
     constraints.reinit(nodes.n_local() * n_components);
     for (const auto &condition : boundary_conditions)
       condition->constrain(step, constraints);
+    if (extends)
+      extension.constrain(step, constraints);
     return Utilities::MPI::max(static_cast<int>(constraints.constrained !=
                                                 previous),
                                comm) != 0;
@@ -577,6 +580,7 @@ namespace isochor
         unknowns.local_element(i) =
           base_unknowns.local_element(i) + s * correction.local_element(i);
     };
+    system.interpolate_ties(unknowns); // wherever it starts from
     return newton_solver.solve(problem, verbose ? &std::cout : nullptr);
   }
 
@@ -621,8 +625,7 @@ namespace isochor
                                              grid_reset.first_element[t],
                                              with_matrix,
                                              system)));
-    system.finish_assembly();
-    system.residual.add(-1., external_force);
+    system.finish_assembly(external_force);
 
     std::array<double, 4> squares{}; // displacement, pressure, reaction, load
     for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
@@ -709,6 +712,8 @@ namespace isochor
     {
       TimerOutput::Scope scope(timer, "convective phase");
       update_points();
+      if (extends)
+        extension.evaluate(step, unknowns, system, internal_work, statistics);
       last_motion.remember(nodes, n_components, step.step_size(), unknowns);
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);
@@ -736,10 +741,12 @@ namespace isochor
     const PointLayout              &l    = points.layout();
     std::array<double, max_history> history;
     Tensor<2, dim>                  F_increment;
+    SymmetricTensor<2, dim>         strain_increment;
     std::vector<unsigned int>       node;
     unsigned int                    last_cell = numbers::invalid_unsigned_int;
     if (project_volume)
       volume_projection.start(step);
+    internal_work = 0;
 
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
@@ -758,6 +765,9 @@ namespace isochor
                   unknowns.local_element(node[I] * n_components + a) *
                   stencil.gradient[I];
             }
+          if (extends)
+            strain_increment =
+              symmetrize(unit_symmetric_tensor<dim>() - invert(F_increment));
           last_cell = k;
         }
 
@@ -787,6 +797,15 @@ namespace isochor
             properties[l.F + a * dim + b] = state.F[a][b];
         }
       store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
+      if (extends)
+        {
+          double work = 0;
+          for (unsigned int a = 0; a < dim; ++a)
+            for (unsigned int b = 0; b < dim; ++b)
+              work += state.cauchy_stress[a][b] * strain_increment[a][b];
+          internal_work +=
+            std::abs(work) * determinant(state.F) * properties[l.volume];
+        }
       std::copy_n(history.begin(), l.n_history, &properties[l.history]);
       if (project_volume)
         volume_projection.set_excess(
