@@ -131,6 +131,7 @@ namespace isochor
   {
     grid.parse_parameters(prm);
     points.parse_parameters(prm);
+    shape.parse_parameters(prm);
     newton_solver.parse_parameters(prm);
     time.parse_parameters(prm);
     checkpoint.parse_parameters(prm);
@@ -253,8 +254,12 @@ namespace isochor
                 dynamic,
                 inertia.initial_velocity,
                 quadrature.needs_domains());
+    shape.initialize(grid, quadrature.needs_domains());
     for (auto &condition : boundary_conditions)
-      condition->initialize(grid);
+      {
+        condition->set_body(shape, arrays);
+        condition->initialize(grid);
+      }
     for (auto &postprocessor : postprocessors)
       postprocessor->initialize(grid);
 
@@ -456,6 +461,7 @@ namespace isochor
     unknowns.zero_out_ghost_values();
     unknowns = 0.;
     set_initial_pressure();
+    start_contact(false);
   }
 
 
@@ -477,14 +483,25 @@ namespace isochor
           }
       }
     for (const auto &condition : boundary_conditions)
-      {
-        condition->start_contact();
-        condition->add_external_force(step, external_force);
-      }
+      condition->add_external_force(step, external_force);
     external_force.compress(VectorOperation::add);
+    start_contact(nodes_changed);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::start_contact(const bool with_other_nodes)
+  {
+    for (const auto &condition : boundary_conditions)
+      condition->start_contact();
     constrain_nodes();
-    system.reinit(
-      nodes_changed, n_components, grid_reset.elements, constraints, symmetric);
+    system.reinit(with_other_nodes,
+                  n_components,
+                  grid_reset.elements,
+                  constraints,
+                  symmetric);
   }
 
 
@@ -538,17 +555,8 @@ namespace isochor
 
     at_start            = true;
     NewtonReport report = find_equilibrium();
-    while (report.converged)
+    while (report.converged && change_contact(report))
       {
-        // one-sided boundaries: hold and release nodes until none objects
-        const double tolerance = newton_solver.tolerance * report.force_scale;
-        for (const auto &condition : boundary_conditions)
-          condition->check_contact(context(),
-                                   unknowns,
-                                   system.residual,
-                                   tolerance);
-        if (!constrain_nodes())
-          break;
         system.reinit(
           false, n_components, grid_reset.elements, constraints, symmetric);
         if (verbose)
@@ -556,6 +564,30 @@ namespace isochor
         report.continue_with(find_equilibrium());
       }
     return report;
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialPointMethod<dim>::change_contact(NewtonReport &report)
+  {
+    const typename BoundaryCondition<dim>::ContactTolerance tolerance{
+      newton_solver.tolerance * report.force_scale, newton_solver.tolerance};
+    for (const auto &condition : boundary_conditions)
+      {
+        const std::string failure = condition->check_contact(context(),
+                                                             unknowns,
+                                                             system.residual,
+                                                             tolerance);
+        if (!failure.empty())
+          {
+            report.converged = false;
+            report.failure   = failure;
+            return false;
+          }
+      }
+    return constrain_nodes();
   }
 
 

@@ -114,6 +114,15 @@ namespace isochor
      * load that is there from the start would act on half of the first step. */
     void
     prepare_system();
+    /** Begin the search for the nodes in contact, with those of the last step,
+     * and lay out the system for it. */
+    void
+    start_contact(const bool with_other_nodes);
+    /** One-sided boundaries: hold and release nodes where Newton's result,
+     * that of @p report, violates a condition. Whether there is something to
+     * solve again; a search that does not settle makes the report a failure. */
+    bool
+    change_contact(NewtonReport &report);
     /** Constrain the nodes anew; whether that made a difference on any rank. */
     bool
     constrain_nodes();
@@ -134,6 +143,7 @@ namespace isochor
 
     BackgroundGrid<dim>                grid;
     MaterialPoints<dim>                points;
+    BodyShape<dim>                     shape;
     std::unique_ptr<PointLocator<dim>> locator;
 
     /** The state of one step. */
