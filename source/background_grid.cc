@@ -68,8 +68,10 @@ namespace isochor
                       "box",
                       Patterns::Selection("box|trapezoid|gmsh"),
                       "How the background grid is made. Boxes and trapezoids "
-                      "are structured simplex meshes with the boundaries left, "
-                      "right, bottom, top (and front, back in 3D); a gmsh file "
+                      "are structured simplex meshes with the boundaries left "
+                      "and right (least and largest x), bottom and top (y) "
+                      "and, in 3D, front and back (z); of a trapezoid its "
+                      "sides as they are before it is distorted. A gmsh file "
                       "brings its physical groups as boundary names.");
     prm.declare_entry("Lower corner",
                       dim == 2 ? "0, 0" : "0, 0, 0",

@@ -5,62 +5,75 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/boundary_points.h>
-#include <isochor/mesh_reader.h>
-#include <isochor/seeding.h>
+#include <isochor/nearest_cells.h>
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <sstream>
 
 namespace isochor
 {
-  namespace
+  /** The cells that boundary points may act on. */
+  template <int dim>
+  class BoundaryPoints<dim>::Candidates
   {
-    /** The occupied cells of all ranks, ascending. */
-    std::vector<unsigned int>
-    all_occupied(const std::vector<unsigned int> &mine, const MPI_Comm comm)
+  public:
+    Candidates(const BackgroundGrid<dim> &grid, const PointArrays<dim> &body)
+      : geometry(grid.geometry())
+      , by_nodes(body.has_stencils())
     {
-      if (Utilities::MPI::n_mpi_processes(comm) == 1)
-        return mine;
+      if (by_nodes)
+        members = body.stencil_vertex;
+      else
+        members.assign(body.cell.begin(),
+                       body.cell.begin() + body.n_occupied_cells);
+      make_unique();
+      if (Utilities::MPI::n_mpi_processes(grid.communicator()) == 1)
+        return;
       std::vector<unsigned int> all;
-      for (const auto &cells : Utilities::MPI::all_gather(comm, mine))
-        all.insert(all.end(), cells.begin(), cells.end());
-      std::sort(all.begin(), all.end());
-      return all;
+      for (const auto &of_rank :
+           Utilities::MPI::all_gather(grid.communicator(), members))
+        all.insert(all.end(), of_rank.begin(), of_rank.end());
+      members.swap(all);
+      make_unique();
     }
-
-
 
     bool
-    contains(const std::vector<unsigned int> &ascending,
-             const unsigned int               cell)
+    contain(const unsigned int cell) const
     {
-      return std::binary_search(ascending.begin(), ascending.end(), cell);
+      if (!by_nodes)
+        return is_member(cell);
+      const auto &vertices = geometry.vertex_indices(cell);
+      return std::all_of(vertices.begin(),
+                         vertices.end(),
+                         [this](const unsigned int v) { return is_member(v); });
     }
 
-
-
-    /** Places in a face and fractions of its area. */
-    template <int dim>
-    Quadrature<dim - 1>
-    face_rule(const unsigned int n_points)
+  private:
+    bool
+    is_member(const unsigned int i) const
     {
-      if constexpr (dim == 2)
-        {
-          std::vector<Point<1>> places;
-          for (unsigned int i = 0; i < n_points; ++i)
-            places.emplace_back((i + 0.5) / n_points);
-          return Quadrature<1>(places,
-                               std::vector<double>(n_points, 1. / n_points));
-        }
-      else
-        return material_point_rule<dim - 1>(n_points);
+      return std::binary_search(members.begin(), members.end(), i);
     }
 
+    void
+    make_unique()
+    {
+      std::sort(members.begin(), members.end());
+      members.erase(std::unique(members.begin(), members.end()), members.end());
+    }
+
+    const SimplexGeometry<dim> &geometry;
+    const bool                  by_nodes;
+    /** Occupied cells or active vertices, of all ranks. */
+    std::vector<unsigned int> members;
+  };
 
 
+
+  namespace
+  {
     template <int dim>
     PointRecords<dim>
     sorted_by_id(const PointRecords<dim> &records)
@@ -87,133 +100,32 @@ namespace isochor
     : grid(grid)
     , locator(std::make_unique<PointLocator<dim>>(grid.geometry()))
     , records(n_entries)
-  {}
+  {
+    clear_stencils();
+  }
 
 
 
   template <int dim>
   void
-  BoundaryPoints<dim>::seed(const PointArrays<dim>              &body,
-                            const std::vector<BodySurface<dim>> &surfaces,
-                            const unsigned int points_per_face,
-                            const std::string &body_mesh)
+  BoundaryPoints<dim>::seed(const std::vector<SurfacePoint<dim>> &seeds)
   {
-    const MPI_Comm            comm = grid.communicator();
-    std::vector<unsigned int> n_faces;
-    if (body_mesh.empty())
-      n_faces = seed_faces_of(grid.geometry(),
-                              all_occupied(body.cell, comm),
-                              surfaces,
-                              points_per_face,
-                              true);
-    else
-      {
-        Triangulation<dim> mesh;
-        read_mesh<dim>(body_mesh,
-                       "Boundary conditions/Mesh of body surfaces",
-                       mesh);
-        const SimplexGeometry<dim> geometry(mesh);
-        std::vector<unsigned int>  all_cells(geometry.n_cells());
-        std::iota(all_cells.begin(), all_cells.end(), 0);
-        n_faces =
-          seed_faces_of(geometry, all_cells, surfaces, points_per_face, false);
-      }
-    for (unsigned int s = 0; s < surfaces.size(); ++s)
-      AssertThrow(n_faces[s] > 0,
-                  ExcMessage("The body's surface <" + surfaces[s].name +
-                             "> of the parameter <Boundary conditions/Surfaces "
-                             "of body> has no face. Its condition must hold at "
-                             "the centres of faces of the cells that the body "
-                             "fills at t = 0."));
+    records = PointRecords<dim>(n_entries);
     // one rank hands them to the others when they are located
-    if (Utilities::MPI::this_mpi_process(comm) != 0)
-      records = PointRecords<dim>(n_entries);
-  }
-
-
-
-  template <int dim>
-  std::vector<unsigned int>
-  BoundaryPoints<dim>::seed_faces_of(
-    const SimplexGeometry<dim>          &geometry,
-    const std::vector<unsigned int>     &occupied,
-    const std::vector<BodySurface<dim>> &surfaces,
-    const unsigned int                   points_per_face,
-    const bool                           of_grid)
-  {
-    std::vector<Expression<dim>> conditions;
-    for (const auto &surface : surfaces)
-      conditions.emplace_back(surface.on_grid_boundary ? "0" :
-                                                         surface.condition,
-                              "Boundary conditions/Surfaces of body",
-                              FormulaVariables::space);
-    std::map<std::pair<unsigned int, unsigned int>, types::boundary_id>
-      boundary_id;
-    if (of_grid)
-      for (const BoundaryFace &face : grid.boundary_faces())
-        boundary_id[{face.cell, face.opposite_vertex}] = face.id;
-
-    std::vector<unsigned int> n_faces(surfaces.size(), 0);
-    for (const unsigned int cell : occupied)
-      for (unsigned int v = 0; v <= dim; ++v)
-        {
-          const unsigned int behind = geometry.neighbours(cell)[v];
-          if (behind != SimplexGeometry<dim>::no_cell &&
-              contains(occupied, behind))
-            continue;
-          std::array<Point<dim>, dim> corners;
-          Point<dim>                  centre;
-          for (unsigned int i = 0; i < dim; ++i)
-            {
-              corners[i] =
-                geometry
-                  .vertices()[geometry.vertex_indices(cell)[i < v ? i : i + 1]];
-              centre += corners[i] / static_cast<double>(dim);
-            }
-          // |face| = dim |cell| |∇λ_v|, and ∇λ_v points inwards
-          const Tensor<1, dim> area =
-            -(dim * geometry.measure(cell)) * geometry.gradients(cell)[v];
-          const auto side = boundary_id.find({cell, v});
-          for (unsigned int s = 0; s < surfaces.size(); ++s)
-            if (surfaces[s].on_grid_boundary ?
-                  (side != boundary_id.end() &&
-                   side->second == surfaces[s].id) :
-                  conditions[s](centre, 0.) > 0)
-              {
-                ++n_faces[s];
-                seed_face(
-                  corners, area, s, points_per_face, of_grid ? cell : 0);
-              }
-        }
-    return n_faces;
-  }
-
-
-
-  template <int dim>
-  void
-  BoundaryPoints<dim>::seed_face(const std::array<Point<dim>, dim> &corners,
-                                 const Tensor<1, dim>              &area,
-                                 const unsigned int                 surface,
-                                 const unsigned int points_per_face,
-                                 const unsigned int cell)
-  {
-    const Quadrature<dim - 1> rule = face_rule<dim>(points_per_face);
-    for (unsigned int q = 0; q < rule.size(); ++q)
+    if (Utilities::MPI::this_mpi_process(grid.communicator()) != 0)
+      return;
+    for (const SurfacePoint<dim> &point : seeds)
       {
-        Point<dim> location = corners[0];
-        for (unsigned int d = 0; d + 1 < dim; ++d)
-          location += rule.point(q)[d] * (corners[d + 1] - corners[0]);
         std::array<double, n_entries> payload{};
-        payload[surface_entry] = surface;
+        payload[surface_entry] = point.surface;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            payload[area_entry + d]        = rule.weight(q) * area[d];
+            payload[area_entry + d]        = point.area[d];
             payload[F_entry + d * dim + d] = 1.;
           }
-        records.push_back(cell,
+        records.push_back(point.cell,
                           records.size(),
-                          location,
+                          point.location,
                           ArrayView<const double>(payload.data(), n_entries));
       }
   }
@@ -222,85 +134,126 @@ namespace isochor
 
   template <int dim>
   void
-  BoundaryPoints<dim>::locate(const StepContext<dim> &step)
+  BoundaryPoints<dim>::locate(const PointArrays<dim> &body)
   {
-    const SimplexGeometry<dim>     &geometry = grid.geometry();
-    const std::vector<unsigned int> occupied =
-      all_occupied({step.points.cell.begin(),
-                    step.points.cell.begin() + step.points.n_occupied_cells},
-                   grid.communicator());
+    const Candidates candidates(grid, body);
+    if (Utilities::MPI::n_mpi_processes(grid.communicator()) > 1)
+      {
+        for (unsigned int b = 0; b < size(); ++b)
+          records.cells[b] = find_cells(b, candidates).front();
+        std::size_t n_shipped;
+        // in an order that does not depend on how the points came here
+        records =
+          sorted_by_id(exchange_points(records, grid.geometry(), n_shipped));
+      }
+    clear_stencils();
     for (unsigned int b = 0; b < size(); ++b)
       {
-        const Point<dim>  &x     = records.locations[b];
-        const auto         place = locator->locate(x, records.cells[b]);
-        const unsigned int cell  = place.found ? place.cell : records.cells[b];
-        records.cells[b]         = place.found && contains(occupied, cell) ?
-                                     cell :
-                                     nearest_occupied(x, cell, occupied);
+        const auto cells = find_cells(b, candidates);
+        records.cells[b] = cells.front();
+        add_stencil(b, cells);
       }
-    std::size_t n_shipped;
-    // in an order that does not depend on how the points came here
-    records = sorted_by_id(exchange_points(records, geometry, n_shipped));
-    shapes.resize(size());
-    for (unsigned int b = 0; b < size(); ++b)
-      shapes[b] = geometry.barycentric(records.cells[b], records.locations[b]);
   }
 
 
 
   template <int dim>
-  unsigned int
-  BoundaryPoints<dim>::nearest_occupied(
-    const Point<dim>                &x,
-    const unsigned int               start,
-    const std::vector<unsigned int> &occupied) const
+  std::vector<unsigned int>
+  BoundaryPoints<dim>::find_cells(const unsigned int b,
+                                  const Candidates  &candidates) const
   {
-    // Rings of face neighbours around the start. After the first ring that
-    // holds an occupied cell a few more are searched: the distance decides.
-    constexpr unsigned int      max_rings = 30, more_rings = 3;
-    const SimplexGeometry<dim> &geometry = grid.geometry();
-    std::set<unsigned int>      seen     = {start};
-    std::vector<unsigned int>   ring     = {start};
-    unsigned int                best     = SimplexGeometry<dim>::no_cell;
-    double       best_distance           = std::numeric_limits<double>::max();
-    unsigned int last                    = max_rings;
-    for (unsigned int r = 0; r <= last && !ring.empty(); ++r)
+    constexpr unsigned int no_cell  = SimplexGeometry<dim>::no_cell;
+    constexpr double       on_face  = 1e-7;
+    constexpr double       furthest = 30; // sizes of a cell
+    const auto            &geometry = grid.geometry();
+    const Point<dim>      &x        = records.locations[b];
+    const auto             place    = locator->locate(x, records.cells[b]);
+    const unsigned int     start = place.found ? place.cell : records.cells[b];
+    if (place.found && candidates.contain(start))
       {
-        std::vector<unsigned int> next;
-        for (const unsigned int cell : ring)
-          {
-            if (contains(occupied, cell))
-              {
-                const auto lambda   = geometry.barycentric(cell, x);
-                double     distance = 0;
-                for (unsigned int v = 0; v <= dim; ++v)
-                  distance =
-                    std::max(distance,
-                             -lambda[v] / geometry.gradients(cell)[v].norm());
-                if (best == SimplexGeometry<dim>::no_cell)
-                  last = std::min(max_rings, r + more_rings);
-                if (distance < best_distance ||
-                    (distance == best_distance && cell < best))
-                  {
-                    best          = cell;
-                    best_distance = distance;
-                  }
-              }
-            for (const unsigned int other : geometry.neighbours(cell))
-              if (other != SimplexGeometry<dim>::no_cell &&
-                  seen.insert(other).second)
-                next.push_back(other);
-          }
-        ring.swap(next);
+        bool is_inside = true;
+        for (unsigned int v = 0; v <= dim; ++v)
+          is_inside = is_inside && (place.barycentric[v] > on_face ||
+                                    geometry.neighbours(start)[v] == no_cell);
+        if (is_inside)
+          return {start};
       }
-    std::ostringstream place;
-    place << x;
-    AssertThrow(best != SimplexGeometry<dim>::no_cell,
-                ExcMessage(
-                  "A boundary point at (" + place.str() + ") is " +
-                  std::to_string(max_rings) +
-                  " cells away from the body whose surface it marks."));
-    return best;
+    const auto cells = nearest_cells<dim>(
+      geometry,
+      x,
+      start,
+      [&](const unsigned int cell) { return candidates.contain(cell); },
+      std::numeric_limits<double>::max());
+    std::ostringstream where;
+    where << x;
+    AssertThrow(
+      !cells.empty() && distance_to_cell(geometry, cells.front(), x) <=
+                          furthest * cell_size(geometry, cells.front()),
+      ExcMessage("A boundary point at (" + where.str() +
+                 ") is more than 30 cells away from the body whose surface it "
+                 "marks. Check <Boundary conditions/Surfaces of body> and "
+                 "<Boundary conditions/Mesh of body surfaces>."));
+    return cells;
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryPoints<dim>::clear_stencils()
+  {
+    stencil_start.assign(1, 0);
+    stencil_vertex.clear();
+    stencil_shape.clear();
+    stencil_gradient.clear();
+    cell_sizes.clear();
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryPoints<dim>::add_stencil(const unsigned int               b,
+                                   const std::vector<unsigned int> &cells)
+  {
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    const std::size_t           begin    = stencil_start.back();
+    double                      size     = 0;
+    for (const unsigned int cell : cells)
+      {
+        const auto lambda = geometry.barycentric(cell, records.locations[b]);
+        size += cell_size(geometry, cell) / cells.size();
+        for (unsigned int v = 0; v <= dim; ++v)
+          {
+            const unsigned int vertex = geometry.vertex_indices(cell)[v];
+            const std::size_t  i = std::find(stencil_vertex.begin() + begin,
+                                            stencil_vertex.end(),
+                                            vertex) -
+                                  stencil_vertex.begin();
+            if (i == stencil_vertex.size())
+              {
+                stencil_vertex.push_back(vertex);
+                stencil_shape.push_back(0);
+                stencil_gradient.emplace_back();
+              }
+            stencil_shape[i] += lambda[v] / cells.size();
+            stencil_gradient[i] +=
+              geometry.gradients(cell)[v] / static_cast<double>(cells.size());
+          }
+      }
+    stencil_start.push_back(stencil_vertex.size());
+    cell_sizes.push_back(size);
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryPoints<dim>::touch_vertices(std::vector<unsigned int> &vertices) const
+  {
+    vertices.insert(vertices.end(),
+                    stencil_vertex.begin(),
+                    stencil_vertex.end());
   }
 
 
@@ -310,24 +263,27 @@ namespace isochor
   BoundaryPoints<dim>::advance(const StepContext<dim> &step,
                                const NodalField       &unknowns)
   {
-    const SimplexGeometry<dim> &geometry = grid.geometry();
     for (unsigned int b = 0; b < size(); ++b)
       {
-        const unsigned int cell = records.cells[b];
-        const auto        &gradients =
-          step.points.gradients(geometry, step.points.position(cell));
         Tensor<1, dim> increment;
         Tensor<2, dim> F_increment = unit_symmetric_tensor<dim>();
-        for (unsigned int I = 0; I <= dim; ++I)
+        for (std::size_t i = stencil_start[b]; i < stencil_start[b + 1]; ++i)
           {
             const unsigned int entry =
-              step.nodes.node(geometry.vertex_indices(cell)[I]) *
-              step.n_components;
+              step.nodes.node(stencil_vertex[i]) * step.n_components;
             Tensor<1, dim> nodal;
             for (unsigned int a = 0; a < dim; ++a)
               nodal[a] = unknowns.local_element(entry + a);
-            increment += shapes[b][I] * nodal;
-            F_increment += outer_product(nodal, gradients[I]);
+            increment += stencil_shape[i] * nodal;
+            F_increment += outer_product(nodal, stencil_gradient[i]);
+          }
+        // for a step on the grid as it is then; see GridReset
+        if (determinant(F_increment) > 0)
+          {
+            const Tensor<2, dim> inverse = invert(F_increment);
+            for (std::size_t i = stencil_start[b]; i < stencil_start[b + 1];
+                 ++i)
+              stencil_gradient[i] = stencil_gradient[i] * inverse;
           }
         const Tensor<2, dim> new_F = F_increment * F(b);
         records.locations[b] += increment;
@@ -393,8 +349,11 @@ namespace isochor
              << records.locations[b];
         for (const double value : records.payload(b))
           line << ' ' << value;
-        for (const double value : shapes[b])
-          line << ' ' << value;
+        const Stencil nodes = stencil(b);
+        line << ' ' << cell_sizes[b] << ' ' << nodes.n_nodes;
+        for (unsigned int I = 0; I < nodes.n_nodes; ++I)
+          line << ' ' << nodes.vertex[I] << ' ' << nodes.shape[I] << ' '
+               << nodes.gradient[I];
         lines[records.ids[b]] = line.str();
       }
     std::map<types::particle_index, std::string> all_lines;
@@ -414,7 +373,7 @@ namespace isochor
   BoundaryPoints<dim>::load_state(const std::string &state)
   {
     records = PointRecords<dim>(n_entries);
-    shapes.clear();
+    clear_stencils();
     const unsigned int rank =
       Utilities::MPI::this_mpi_process(grid.communicator());
     std::istringstream text(state);
@@ -422,24 +381,41 @@ namespace isochor
     text >> n;
     for (std::size_t b = 0; b < n; ++b)
       {
-        types::particle_index                      id;
-        unsigned int                               cell;
-        Point<dim>                                 location;
-        std::array<double, n_entries>              payload;
-        typename SimplexGeometry<dim>::Barycentric shape;
+        types::particle_index         id;
+        unsigned int                  cell, n_nodes = 0;
+        Point<dim>                    location;
+        std::array<double, n_entries> payload;
+        double                        size;
         text >> id >> cell;
         for (unsigned int d = 0; d < dim; ++d)
           text >> location[d];
         for (double &value : payload)
           text >> value;
-        for (double &value : shape)
-          text >> value;
+        text >> size >> n_nodes;
+        for (unsigned int I = 0; I < n_nodes && text; ++I)
+          {
+            unsigned int   vertex;
+            double         shape;
+            Tensor<1, dim> gradient;
+            text >> vertex >> shape;
+            for (unsigned int d = 0; d < dim; ++d)
+              text >> gradient[d];
+            stencil_vertex.push_back(vertex);
+            stencil_shape.push_back(shape);
+            stencil_gradient.push_back(gradient);
+          }
         AssertThrow(text,
                     ExcMessage("The saved state of the boundary points is "
                                "damaged."));
         if (grid.geometry().owner(cell) != rank)
-          continue;
-        shapes.push_back(shape);
+          {
+            stencil_vertex.resize(stencil_start.back());
+            stencil_shape.resize(stencil_start.back());
+            stencil_gradient.resize(stencil_start.back());
+            continue;
+          }
+        stencil_start.push_back(stencil_vertex.size());
+        cell_sizes.push_back(size);
         records.push_back(cell,
                           id,
                           location,

@@ -194,11 +194,17 @@ namespace isochor
   {
     const MPI_Comm comm = failure.step.grid.communicator();
     Evidence       evidence;
-    double         prescribed = failure.dragged ? 1 : 0;
+    // where displacements are prescribed, a node moves as far as it is told;
+    // what holds a node in place may be rounding
+    constexpr double negligible = 0.01;
+    double           prescribed = 0;
     for (const double increment : failure.constraints.increment)
       prescribed = std::max(prescribed, std::abs(increment));
-    const bool   driven = Utilities::MPI::max(prescribed, comm) > 0;
-    const double trial  = speed(failure.step, failure.unknowns);
+    const double trial = speed(failure.step, failure.unknowns);
+    const bool   driven =
+      Utilities::MPI::max(prescribed, comm) >
+        negligible * trial * failure.step.step_size() ||
+      Utilities::MPI::max(static_cast<int>(failure.dragged), comm) != 0;
     if (slowest > 0)
       {
         evidence.growth = last_speed / slowest;

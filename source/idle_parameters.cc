@@ -131,6 +131,21 @@ namespace isochor
 
 
     void
+    inspect_cut_cells(const Inspector &inspect)
+    {
+      const std::string use = inspect.value({"Cut cells", "Extension"});
+      const bool points     = inspect.value({"Quadrature", "Type"}) == "points";
+      if (use == "never" || (use == "auto" && points))
+        inspect.idle({"Cut cells", "Smallest support"},
+                     use == "never" ?
+                       "with <Cut cells/Extension = never>" :
+                       "with <Cut cells/Extension = auto> and <Quadrature/Type "
+                       "= points>");
+    }
+
+
+
+    void
     inspect_surfaces(const Inspector &inspect)
     {
       const std::string section = "Boundary conditions";
@@ -183,6 +198,7 @@ namespace isochor
     inspect_grid(inspect);
     inspect_points(inspect);
     inspect_equations(inspect);
+    inspect_cut_cells(inspect);
     inspect_surfaces(inspect);
     inspect_materials(list, inspect);
     inspect.idle_plugins("Linear solver", "Solver");

@@ -44,8 +44,8 @@ namespace isochor
     , body(grid, arrays)
     , quadrature(grid)
     , occupancy(grid)
-    , ghost_penalty(grid, occupancy)
-    , grid_reset(arrays, ghost_penalty)
+    , extension(grid, occupancy)
+    , grid_reset(arrays, extension)
   {}
 
 
@@ -62,7 +62,7 @@ namespace isochor
     Checkpoint<dim>::declare_parameters(prm);
     InertiaTerm<dim>::declare_parameters(prm);
     BodyQuadrature<dim>::declare_parameters(prm);
-    GhostPenalty<dim>::declare_parameters(prm);
+    DiscreteExtension<dim>::declare_parameters(prm);
     PointRefinement<dim>::declare_parameters(prm);
     GridReset<dim>::declare_parameters(prm);
     VolumeProjection<dim>::declare_parameters(prm);
@@ -136,6 +136,7 @@ namespace isochor
   {
     grid.parse_parameters(prm);
     points.parse_parameters(prm);
+    shape.parse_parameters(prm);
     newton_solver.parse_parameters(prm);
     time.parse_parameters(prm);
     std::vector<std::string> changeable = {"Output/"};
@@ -148,7 +149,7 @@ namespace isochor
     checkpoint.parse_parameters(prm, changeable);
     dynamic = inertia.parse_parameters(prm);
     quadrature.parse_parameters(prm);
-    ghost_penalty.parse_parameters(prm);
+    extension.parse_parameters(prm);
     refinement.parse_parameters(prm);
     grid_reset.parse_parameters(prm);
     project_volume = volume_projection.parse_parameters(prm);
@@ -360,15 +361,18 @@ namespace isochor
                 dynamic,
                 inertia.initial_velocity,
                 quadrature.needs_domains());
+    shape.initialize(grid, quadrature.needs_domains());
     for (auto &condition : boundary_conditions)
-      condition->initialize(grid);
+      {
+        condition->set_body(shape, arrays);
+        condition->initialize(grid);
+      }
     for (auto &postprocessor : postprocessors)
       postprocessor->initialize(grid);
 
-    terms = {&body};
-    if (ghost_penalty.is_active(quadrature.is_plain()))
-      terms.push_back(&ghost_penalty);
-    needs_occupancy = quadrature.needs_occupancy() || terms.size() > 1;
+    terms           = {&body};
+    extends         = extension.is_active(quadrature.is_plain());
+    needs_occupancy = quadrature.needs_occupancy() || extends;
     if (needs_occupancy)
       find_walls();
     if (dynamic)
@@ -549,6 +553,8 @@ namespace isochor
     grid_reset.touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(grid_reset.touched_vertices);
+    if (extends)
+      extension.update(arrays, grid_reset.touched_vertices);
   }
 
 
@@ -592,6 +598,7 @@ namespace isochor
     unknowns.zero_out_ghost_values();
     unknowns = 0.;
     set_initial_pressure();
+    start_contact(false);
   }
 
 
@@ -613,14 +620,25 @@ namespace isochor
           }
       }
     for (const auto &condition : boundary_conditions)
-      {
-        condition->start_contact();
-        condition->add_external_force(step, external_force);
-      }
+      condition->add_external_force(step, external_force);
     external_force.compress(VectorOperation::add);
+    start_contact(nodes_changed);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::start_contact(const bool with_other_nodes)
+  {
+    for (const auto &condition : boundary_conditions)
+      condition->start_contact();
     constrain_nodes();
-    system.reinit(
-      nodes_changed, n_components, grid_reset.elements, constraints, symmetric);
+    system.reinit(with_other_nodes,
+                  n_components,
+                  grid_reset.elements,
+                  constraints,
+                  symmetric);
   }
 
 
@@ -634,6 +652,8 @@ namespace isochor
     constraints.reinit(nodes.n_local() * n_components);
     for (const auto &condition : boundary_conditions)
       condition->constrain(step, constraints);
+    if (extends)
+      extension.constrain(step, constraints);
     return Utilities::MPI::max(static_cast<int>(constraints.constrained !=
                                                 previous),
                                comm) != 0;
@@ -672,17 +692,8 @@ namespace isochor
 
     at_start            = true;
     NewtonReport report = find_equilibrium();
-    while (report.converged)
+    while (report.converged && change_contact(report))
       {
-        // one-sided boundaries: hold and release nodes until none objects
-        const double tolerance = newton_solver.tolerance * report.force_scale;
-        for (const auto &condition : boundary_conditions)
-          condition->check_contact(context(),
-                                   unknowns,
-                                   system.residual,
-                                   tolerance);
-        if (!constrain_nodes())
-          break;
         system.reinit(
           false, n_components, grid_reset.elements, constraints, symmetric);
         if (verbose)
@@ -690,6 +701,30 @@ namespace isochor
         report.continue_with(find_equilibrium());
       }
     return report;
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialPointMethod<dim>::change_contact(NewtonReport &report)
+  {
+    const typename BoundaryCondition<dim>::ContactTolerance tolerance{
+      newton_solver.tolerance * report.force_scale, newton_solver.tolerance};
+    for (const auto &condition : boundary_conditions)
+      {
+        const std::string failure = condition->check_contact(context(),
+                                                             unknowns,
+                                                             system.residual,
+                                                             tolerance);
+        if (!failure.empty())
+          {
+            report.converged = false;
+            report.failure   = failure;
+            return false;
+          }
+      }
+    return constrain_nodes();
   }
 
 
@@ -714,6 +749,7 @@ namespace isochor
         unknowns.local_element(i) =
           base_unknowns.local_element(i) + s * correction.local_element(i);
     };
+    system.interpolate_ties(unknowns); // wherever it starts from
     return newton_solver.solve(problem, verbose ? &std::cout : nullptr);
   }
 
@@ -758,8 +794,7 @@ namespace isochor
                                              grid_reset.first_element[t],
                                              with_matrix,
                                              system)));
-    system.finish_assembly();
-    system.residual.add(-1., external_force);
+    system.finish_assembly(external_force);
 
     std::array<double, 4> squares{}; // displacement, pressure, reaction, load
     for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
@@ -868,6 +903,8 @@ namespace isochor
     {
       TimerOutput::Scope scope(timer, "convective phase");
       update_points();
+      if (extends)
+        extension.evaluate(step, unknowns, system, internal_work, statistics);
       last_motion.remember(nodes, n_components, step.step_size(), unknowns);
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);
@@ -927,10 +964,12 @@ namespace isochor
     const PointLayout              &l    = points.layout();
     std::array<double, max_history> history;
     Tensor<2, dim>                  F_increment;
+    SymmetricTensor<2, dim>         strain_increment;
     std::vector<unsigned int>       node;
     unsigned int                    last_cell = numbers::invalid_unsigned_int;
     if (project_volume)
       volume_projection.start(step);
+    internal_work = 0;
 
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
@@ -949,6 +988,9 @@ namespace isochor
                   unknowns.local_element(node[I] * n_components + a) *
                   stencil.gradient[I];
             }
+          if (extends)
+            strain_increment =
+              symmetrize(unit_symmetric_tensor<dim>() - invert(F_increment));
           last_cell = k;
         }
 
@@ -978,6 +1020,15 @@ namespace isochor
             properties[l.F + a * dim + b] = state.F[a][b];
         }
       store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
+      if (extends)
+        {
+          double work = 0;
+          for (unsigned int a = 0; a < dim; ++a)
+            for (unsigned int b = 0; b < dim; ++b)
+              work += state.cauchy_stress[a][b] * strain_increment[a][b];
+          internal_work +=
+            std::abs(work) * determinant(state.F) * properties[l.volume];
+        }
       std::copy_n(history.begin(), l.n_history, &properties[l.history]);
       if (project_volume)
         volume_projection.set_excess(

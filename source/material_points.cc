@@ -220,7 +220,9 @@ namespace isochor
     std::vector<Seed> seeds;
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       {
-        if (!in_groups(geometry, group_ids, cell))
+        if (!in_groups(geometry.cell_iterator(cell)->material_id(),
+                       parameters.groups,
+                       group_ids))
           continue;
         std::array<Point<dim>, dim + 1> corners;
         Point<dim>                      centre;
@@ -338,47 +340,14 @@ namespace isochor
     seeds.erase(std::remove_if(seeds.begin(),
                                seeds.end(),
                                [&](const Seed &seed) {
-                                 return !in_groups(grid.geometry(),
-                                                   grid.group_ids(),
-                                                   seed.cell);
+                                 return !in_groups(grid.geometry()
+                                                     .cell_iterator(seed.cell)
+                                                     ->material_id(),
+                                                   parameters.groups,
+                                                   grid.group_ids());
                                }),
                 seeds.end());
     return seeds;
-  }
-
-
-
-  template <int dim>
-  bool
-  MaterialPoints<dim>::in_groups(
-    const SimplexGeometry<dim>                      &geometry,
-    const std::map<std::string, types::material_id> &group_ids,
-    const unsigned int                               cell) const
-  {
-    for (const std::string &name : parameters.groups)
-      {
-        const auto group = group_ids.find(name);
-        if (group == group_ids.end())
-          {
-            std::string known;
-            for (const auto &entry : group_ids)
-              known += (known.empty() ? "" : ", ") + entry.first;
-            AssertThrow(false,
-                        ExcMessage(
-                          "The parameter <Material points/Physical groups> "
-                          "names <" +
-                          name + ">, but the " +
-                          (parameters.body_mesh.empty() ? "grid" :
-                                                          "body's mesh") +
-                          " has " +
-                          (known.empty() ? "no named group of cells" :
-                                           "the groups of cells " + known) +
-                          "."));
-          }
-        if (geometry.cell_iterator(cell)->material_id() == group->second)
-          return true;
-      }
-    return parameters.groups.empty();
   }
 
 

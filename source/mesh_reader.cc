@@ -178,6 +178,36 @@ namespace isochor
 
 
 
+  bool
+  in_groups(const types::material_id                         id,
+            const std::vector<std::string>                  &wanted,
+            const std::map<std::string, types::material_id> &ids)
+  {
+    for (const std::string &name : wanted)
+      {
+        const auto group = ids.find(name);
+        if (group == ids.end())
+          {
+            std::string known;
+            for (const auto &entry : ids)
+              known += (known.empty() ? "" : ", ") + entry.first;
+            AssertThrow(false,
+                        ExcMessage(
+                          "The parameter <Material points/Physical groups> "
+                          "names <" +
+                          name + ">, but the mesh has " +
+                          (known.empty() ? "no named group of cells" :
+                                           "the groups of cells " + known) +
+                          "."));
+          }
+        if (id == group->second)
+          return true;
+      }
+    return wanted.empty();
+  }
+
+
+
   template <int dim>
   MeshGroups
   read_mesh(const std::string  &file_name,

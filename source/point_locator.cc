@@ -23,6 +23,9 @@ namespace isochor
      * the points that are clamped) and of the coordinates (rounding). */
     constexpr double box_margin      = 1e-8;
     constexpr double rounding_margin = 1e-14;
+    /** Coordinates so far from the origin that rounding() is more than this are
+     * not served. */
+    constexpr double largest_rounding = 1e-6;
 
 
 
@@ -48,6 +51,24 @@ namespace isochor
     minimum(const std::array<double, n> &lambda)
     {
       return *std::min_element(lambda.begin(), lambda.end());
+    }
+
+
+
+    /** How much barycentric coordinates of @p x, far from the origin, may be
+     * wrong by rounding, with a margin: coordinates carry it from their sums,
+     * and ∇λ enlarges it. */
+    template <int dim>
+    double
+    rounding(const SimplexGeometry<dim> &geometry,
+             const unsigned int          cell,
+             const Point<dim>           &x)
+    {
+      double steepest = 0;
+      for (const auto &gradient : geometry.gradients(cell))
+        steepest = std::max(steepest, gradient.norm());
+      return 16 * std::numeric_limits<double>::epsilon() * steepest *
+             Tensor<1, dim>(x).norm();
     }
 
 
@@ -148,7 +169,9 @@ namespace isochor
       {
         const auto lambda = simplices.barycentric(cell, x);
         const auto lowest = minimum(lambda);
-        if (lowest >= -inside_tolerance)
+        if (lowest >= -inside_tolerance ||
+            (lowest > -largest_rounding &&
+             lowest >= -rounding(simplices, cell, x)))
           return accept<dim>(cell, lambda);
 
         unsigned int next   = no_cell;
@@ -164,7 +187,8 @@ namespace isochor
         // across a face whose two sides disagree by rounding.
         if (next == no_cell || next == previous)
           {
-            if (lowest >= -clamp_tolerance)
+            if (lowest >=
+                -std::max(clamp_tolerance, rounding(simplices, cell, x)))
               return accept<dim>(cell, lambda);
             break;
           }
@@ -198,14 +222,20 @@ namespace isochor
         return best;
 
     namespace bgi      = boost::geometry::index;
-    double best_lowest = -clamp_tolerance;
+    double best_lowest = std::numeric_limits<double>::lowest();
     for (const auto &leaf :
          tree->get(simplices) | bgi::adaptors::queried(bgi::intersects(x)))
       {
         const unsigned int cell   = leaf.second;
         const auto         lambda = simplices.barycentric(cell, x);
-        const double       lowest = minimum(lambda);
-        // Ties are decided by the cells' numbers, not by the tree's order.
+        const double       error  = rounding(simplices, cell, x);
+        double             lowest = minimum(lambda);
+        if (lowest < -std::max(clamp_tolerance, error))
+          continue;
+        // Ties are decided by the cells' numbers, not by the tree's order, nor
+        // by rounding.
+        if (std::abs(lowest) <= std::max(inside_tolerance, error))
+          lowest = 0;
         if (lowest > best_lowest || (lowest == best_lowest && cell < best.cell))
           {
             best.cell        = cell;

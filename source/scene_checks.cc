@@ -61,7 +61,6 @@ namespace isochor
                     const std::string       &parameter,
                     const std::string       &name,
                     const types::boundary_id id,
-                    const Contact            contact,
                     const bool               everywhere)
   {
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
@@ -71,16 +70,13 @@ namespace isochor
       {
         if (!everywhere && face.id != id)
           continue;
-        if (contact == Contact::occupied_face)
-          touched = touched || step.points.contains_cell(face.cell);
         for (unsigned int v = 0; v <= dim; ++v)
           if (v != face.opposite_vertex)
             {
               const unsigned int vertex = geometry.vertex_indices(face.cell)[v];
               boundary.include(geometry.vertices()[vertex]);
-              if (contact == Contact::node)
-                touched = touched || step.nodes.node(vertex) !=
-                                       numbers::invalid_unsigned_int;
+              touched = touched || step.nodes.node(vertex) !=
+                                     numbers::invalid_unsigned_int;
             }
       }
     const MPI_Comm comm = step.grid.communicator();
@@ -197,14 +193,12 @@ namespace isochor
                        const std::string &,
                        const std::string &,
                        const types::boundary_id,
-                       const Contact,
                        const bool);
   template void
   warn_if_untouched<3>(const StepContext<3> &,
                        const std::string &,
                        const std::string &,
                        const types::boundary_id,
-                       const Contact,
                        const bool);
   template void
   check_body<2>(const StepContext<2> &);

@@ -224,16 +224,14 @@ test_kept_grid(const MPI_Comm comm)
 {
   for (const std::string type : {"cell-filled", "CPDI"})
     {
-      // loads on the surface of the body, which CPDI can't have at cut cells
-      const bool surface = type != "CPDI";
       const std::vector<std::pair<std::string, std::string>> lazy = {
         {"Grid reset/Steps between resets", "3"},
         {"Grid reset/Smallest element quality", "0"},
         {"Quadrature/Type", type},
         {"Material points/Points per cell", "4"},
-        {"Boundary conditions/Surfaces of body", surface ? "all: 1" : ""},
-        {"Boundary conditions/Traction on body", surface ? "all: 500, 0" : ""},
-        {"Boundary conditions/Pressure on body", surface ? "all: 200*t" : ""}};
+        {"Boundary conditions/Surfaces of body", "all: 1"},
+        {"Boundary conditions/Traction on body", "all: 500, 0"},
+        {"Boundary conditions/Pressure on body", "all: 200*t"}};
       const std::string a = "checkpoint-kept-a", b = "checkpoint-kept-b";
       const Result      whole = run(comm, a, lazy);
       report("kept grid, uninterrupted, " + type,
@@ -248,6 +246,29 @@ test_kept_grid(const MPI_Comm comm)
       again.emplace_back("Checkpoint/Resume", "true");
       compare("kept grid, resumed, " + type, run(comm, b, again), b, whole, a);
     }
+}
+
+
+
+/** A body falls on a wall below it and touches it, one side after the other,
+ * before and after the interruption: distances and contact must go on. */
+void
+test_contact(const MPI_Comm comm)
+{
+  const std::vector<std::pair<std::string, std::string>> falling = {
+    {"Material points/Region", "y < 1"},
+    {"Dynamics/Initial velocity", "0, -0.1"},
+    {"Boundary conditions/Displacement",
+     "left: x=0; right: x=0; bottom: y >= -0.005*(1+x)"}};
+  const std::string a = "checkpoint-contact-a", b = "checkpoint-contact-b";
+  const Result      whole = run(comm, a, falling);
+  report("contact, uninterrupted", whole.error.empty(), whole.error);
+  crash_after_step = 5;
+  expect_error("contact, interrupted", run(comm, b, falling), "crash");
+  crash_after_step = numbers::invalid_unsigned_int;
+  auto again       = falling;
+  again.emplace_back("Checkpoint/Resume", "true");
+  compare("contact, resumed", run(comm, b, again), b, whole, a);
 }
 
 
@@ -429,6 +450,7 @@ main(int argc, char **argv)
 
   test_changed_settings(comm);
   test_kept_grid(comm);
+  test_contact(comm);
   test_split_points(comm);
 
   if (Utilities::MPI::n_mpi_processes(comm) > 1)

@@ -147,7 +147,7 @@ namespace
             "Material points"});
     expect("traction where no material is",
            messages<2>(low + "Boundary conditions/Traction = top: 0, -1\n"),
-           {"WARNING", "<top>", "Boundary conditions/Traction"});
+           {"ERROR", "<top>", "Boundary conditions/Traction"});
     expect("reaction where no material is",
            messages<2>(low + "Postprocess/Reactions = bottom, top\n"),
            {"WARNING", "<top>", "Postprocess/Reactions"});
@@ -350,6 +350,9 @@ namespace
         ->last_statistics()
         .get("Mass (kg)");
     test::check_error("conditions without blanks", std::abs(half - 250), 1e-9);
+    expect("a stretch with commas, without blanks",
+           messages<2>(good + "Grid/Stretch=y:0->0,1->if(t>0,-0.1*t,0)\n"),
+           {});
     const auto parts =
       split_named_list("a:if(x>1;2;3),b(:);c: x ? 1 : 2 ;", "test");
     test::check("lists split outside of parentheses only",

@@ -105,13 +105,15 @@ namespace isochor
     add_hole_points(PointArrays<dim>         &points,
                     const CellOccupancy<dim> &occupancy) const;
 
-    void
+    /** Returns the part of its corner for each entry of corner_cells. */
+    std::vector<double>
     build_stencils(PointArrays<dim>        &points,
                    const PointLocator<dim> &locator) const;
     void
-    collect_overlapped_cells(PointArrays<dim>         &points,
-                             const CellOccupancy<dim> &occupancy,
-                             const MixedKernel<dim>   &kernel) const;
+    collect_overlapped_cells(PointArrays<dim>          &points,
+                             const std::vector<double> &corner_shares,
+                             const CellOccupancy<dim>  &occupancy,
+                             const MixedKernel<dim>    &kernel) const;
     Point<dim>
     location(const PointArrays<dim> &points,
              const unsigned int      k,

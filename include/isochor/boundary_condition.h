@@ -5,6 +5,7 @@
 #ifndef isochor_boundary_condition_h
 #define isochor_boundary_condition_h
 
+#include <isochor/body_shape.h>
 #include <isochor/equation_term.h>
 #include <isochor/plugin_registry.h>
 #include <isochor/statistics.h>
@@ -36,6 +37,14 @@ namespace isochor
     initialize(const BackgroundGrid<dim> & /*grid*/)
     {}
 
+    /** For conditions on the body: where it is at t = 0, and its points, which
+     * are set up anew before touch_vertices() is called. Both outlive this
+     * object. Once, before initialize(). */
+    virtual void
+    set_body(const BodyShape<dim> & /*shape*/,
+             const PointArrays<dim> & /*points*/)
+    {}
+
     /** The first step is set up: warn of what can't be meant, as parts of the
      * parameters that act on nothing. See scene_checks.h. Collective. */
     virtual void
@@ -48,21 +57,32 @@ namespace isochor
               NodalConstraints & /*constraints*/) const
     {}
 
-    /** The search for the contact nodes of a step begins. */
+    /** The search for the contact nodes of a step begins, or begins again
+     * after a failure: with those of the last step that was accepted. */
     virtual void
     start_contact()
     {}
 
+    /** What check_contact() compares with zero. */
+    struct ContactTolerance
+    {
+      double force;    ///< N
+      double relative; ///< of penetrations to displacements of the step
+    };
+
     /** Newton's method has converged: change what constrain() will prescribe
      * where a one-sided condition is violated. @p reaction is the force of the
-     * boundary on the body at constrained unknowns (N); smaller ones than
-     * @p tolerance are zero. Collective. */
-    virtual void
+     * boundary on the body at constrained unknowns (N). Returns why the search
+     * is to be given up, nothing as long as it goes on or if it has ended.
+     * Collective. */
+    virtual std::string
     check_contact(const StepContext<dim> & /*step*/,
                   const NodalField & /*unknowns*/,
                   const NodalField & /*reaction*/,
-                  const double /*tolerance*/)
-    {}
+                  const ContactTolerance & /*tolerance*/)
+    {
+      return {};
+    }
 
     /** Add the dead loads at the end of the step (N) from this rank's cells,
      * entry n_components * node + component. */

@@ -6,8 +6,8 @@
 #define isochor_boundary_points_h
 
 #include <isochor/equation_term.h>
-#include <isochor/expression.h>
 #include <isochor/relocation.h>
+#include <isochor/surface_seeding.h>
 
 #include <memory>
 #include <string>
@@ -15,19 +15,6 @@
 
 namespace isochor
 {
-  /** A named part of the body's surface at t = 0. */
-  template <int dim>
-  struct BodySurface
-  {
-    std::string name;
-    /** Either a boundary of the grid, ... */
-    bool               on_grid_boundary = false;
-    types::boundary_id id               = 0;
-    /** ... or where this formula in x, y(, z) is positive at the centre of a
-     * face. */
-    std::string condition;
-  };
-
   /**
    * Boundary material points: massless points that lie on the surface of the
    * body and follow it through the grid. Each carries a piece of the surface as
@@ -35,10 +22,15 @@ namespace isochor
    * configuration; the present one is Nanson's a = det F F^{-T} A_0 with the
    * deformation gradient F of the body at the point.
    *
-   * A point acts on the nodes of the occupied cell it lies in. On the surface
-   * it may as well lie in an empty cell: it then acts on the nearest occupied
-   * one, with the shape functions extrapolated. Each rank holds the points of
-   * its cells.
+   * A point acts on the nodes of the cell it lies in, if that is occupied. On
+   * the surface it may as well lie in an empty cell: it then acts on the
+   * nearest occupied one, with the shape functions extrapolated. Where several
+   * cells are equally near (a point on a face, or next to a vertex) it acts on
+   * all of them, N_I and ∇N_I being the means; so that the choice depends
+   * neither on numbering nor on rounding. With points whose domains reach
+   * beyond their cells (CPDI), what counts is not whether a cell is occupied
+   * but whether all of its nodes are active. Each rank holds the points of its
+   * cells.
    */
   template <int dim>
   class BoundaryPoints
@@ -47,24 +39,21 @@ namespace isochor
     /** @p grid must outlive this object. */
     explicit BoundaryPoints(const BackgroundGrid<dim> &grid);
 
-    /**
-     * Seed the faces between the occupied cells of the grid and the rest, as
-     * the body is now (t = 0), or, if @p body_mesh is not empty, the boundary
-     * faces of this gmsh mesh. @p points_per_face in 3D as for
-     * material_point_rule<2>(), in 2D any. Collective.
-     * @throws ExcMessage if a surface has no face.
-     */
-    void
-    seed(const PointArrays<dim>              &body,
-         const std::vector<BodySurface<dim>> &surfaces,
-         const unsigned int                   points_per_face,
-         const std::string                   &body_mesh);
+    const BackgroundGrid<dim> &
+    background_grid() const
+    {
+      return grid;
+    }
 
-    /** Find the points' cells and bring them to the ranks of these. At the
-     * start of a step on a grid that was reset; while the grid is kept (see
-     * GridReset) cells and shape functions stay. Collective. */
+    /** Begin with these points, the same on all ranks, at t = 0. */
     void
-    locate(const StepContext<dim> &step);
+    seed(const std::vector<SurfacePoint<dim>> &seeds);
+
+    /** Find the nodes each point acts on, and bring the points to the ranks
+     * that own their cells. For a step on a grid that was reset; while the grid
+     * is kept (see GridReset) they stay. Collective. */
+    void
+    locate(const PointArrays<dim> &body);
 
     /** Move with the displacement increments in @p unknowns. At the end of a
      * step. */
@@ -102,19 +91,49 @@ namespace isochor
     Tensor<2, dim>
     F(const unsigned int b) const;
 
-    /** The occupied cell point @p b acts on. Valid after locate(). */
-    unsigned int
-    cell(const unsigned int b) const
+    /** The nodes of a point, by vertex, with N_I and, with respect to the grid
+     * at the start of the step, ∇_n N_I. */
+    struct Stencil
     {
-      return records.cells[b];
+      unsigned int          n_nodes;
+      const unsigned int   *vertex;
+      const double         *shape;
+      const Tensor<1, dim> *gradient;
+    };
+
+    /** Valid after locate(). */
+    Stencil
+    stencil(const unsigned int b) const
+    {
+      const std::size_t begin = stencil_start[b];
+      return {static_cast<unsigned int>(stencil_start[b + 1] - begin),
+              &stencil_vertex[begin],
+              &stencil_shape[begin],
+              &stencil_gradient[begin]};
     }
 
-    /** The cell's N_I at point @p b. Valid after locate(). */
-    const typename SimplexGeometry<dim>::Barycentric &
-    shape(const unsigned int b) const
+    /** The size of the cells that point @p b acts on (m), see cell_size(). */
+    double
+    size_of_cells(const unsigned int b) const
     {
-      return shapes[b];
+      return cell_sizes[b];
     }
+
+    /** Of the body around the point (Pa), as it was last set. */
+    double
+    shear_modulus(const unsigned int b) const
+    {
+      return records.payload(b)[modulus_entry];
+    }
+    void
+    set_shear_modulus(const unsigned int b, const double G)
+    {
+      records.payloads[b * n_entries + modulus_entry] = G;
+    }
+
+    /** Append the vertices of all points' nodes. */
+    void
+    touch_vertices(std::vector<unsigned int> &vertices) const;
 
     /** All points of all ranks as text. Collective. */
     std::string
@@ -129,29 +148,27 @@ namespace isochor
     static constexpr unsigned int displacement_entry = 1;
     static constexpr unsigned int area_entry         = 1 + dim;
     static constexpr unsigned int F_entry            = 1 + 2 * dim;
-    static constexpr unsigned int n_entries          = 1 + 2 * dim + dim * dim;
+    static constexpr unsigned int modulus_entry      = 1 + 2 * dim + dim * dim;
+    static constexpr unsigned int n_entries          = 1 + modulus_entry;
 
-    void
-    seed_face(const std::array<Point<dim>, dim> &corners,
-              const Tensor<1, dim>              &area,
-              const unsigned int                 surface,
-              const unsigned int                 points_per_face,
-              const unsigned int                 cell);
+    class Candidates;
+
     std::vector<unsigned int>
-    seed_faces_of(const SimplexGeometry<dim>          &geometry,
-                  const std::vector<unsigned int>     &occupied,
-                  const std::vector<BodySurface<dim>> &surfaces,
-                  const unsigned int                   points_per_face,
-                  const bool                           of_grid);
-    unsigned int
-    nearest_occupied(const Point<dim>                &x,
-                     const unsigned int               start,
-                     const std::vector<unsigned int> &occupied) const;
+    find_cells(const unsigned int b, const Candidates &candidates) const;
+    void
+    clear_stencils();
+    void
+    add_stencil(const unsigned int b, const std::vector<unsigned int> &cells);
 
-    const BackgroundGrid<dim>                              &grid;
-    std::unique_ptr<PointLocator<dim>>                      locator;
-    PointRecords<dim>                                       records;
-    std::vector<typename SimplexGeometry<dim>::Barycentric> shapes;
+    const BackgroundGrid<dim>         &grid;
+    std::unique_ptr<PointLocator<dim>> locator;
+    PointRecords<dim>                  records;
+
+    std::vector<std::size_t>    stencil_start;
+    std::vector<unsigned int>   stencil_vertex;
+    std::vector<double>         stencil_shape;
+    std::vector<Tensor<1, dim>> stencil_gradient;
+    std::vector<double>         cell_sizes;
   };
 } // namespace isochor
 

@@ -12,8 +12,8 @@
 #include <isochor/body_term.h>
 #include <isochor/boundary_condition.h>
 #include <isochor/checkpoint.h>
+#include <isochor/discrete_extension.h>
 #include <isochor/failure_report.h>
-#include <isochor/ghost_penalty.h>
 #include <isochor/grid_reset.h>
 #include <isochor/inertia_term.h>
 #include <isochor/linear_solver.h>
@@ -142,6 +142,15 @@ namespace isochor
      * load that is there from the start would act on half of the first step. */
     void
     prepare_system();
+    /** Begin the search for the nodes in contact, with those of the last step,
+     * and lay out the system for it. */
+    void
+    start_contact(const bool with_other_nodes);
+    /** One-sided boundaries: hold and release nodes where Newton's result,
+     * that of @p report, violates a condition. Whether there is something to
+     * solve again; a search that does not settle makes the report a failure. */
+    bool
+    change_contact(NewtonReport &report);
     /** Constrain the nodes anew; whether that made a difference on any rank. */
     bool
     constrain_nodes();
@@ -162,6 +171,7 @@ namespace isochor
 
     BackgroundGrid<dim>                grid;
     MaterialPoints<dim>                points;
+    BodyShape<dim>                     shape;
     std::unique_ptr<PointLocator<dim>> locator;
 
     /** The state of one step. */
@@ -186,18 +196,22 @@ namespace isochor
     /** The terms of the equations, in the order of their elements. */
     std::vector<EquationTerm<dim> *> terms;
 
-    MixedKernel<dim>      kernel;
-    BodyTerm<dim>         body;
-    BodyQuadrature<dim>   quadrature;
-    CellOccupancy<dim>    occupancy;
-    PointRefinement<dim>  refinement;
-    GhostPenalty<dim>     ghost_penalty;
-    bool                  needs_occupancy = false;
-    VolumeProjection<dim> volume_projection;
-    bool                  project_volume = false;
-    InertiaTerm<dim>      inertia;
-    bool                  dynamic = false;
-    GridReset<dim>        grid_reset;
+    MixedKernel<dim>     kernel;
+    BodyTerm<dim>        body;
+    BodyQuadrature<dim>  quadrature;
+    CellOccupancy<dim>   occupancy;
+    PointRefinement<dim> refinement;
+    /** Whether it is used, see DiscreteExtension::is_active(). */
+    bool                   extends = false;
+    DiscreteExtension<dim> extension;
+    bool                   needs_occupancy = false;
+    /** This rank's Σ_p |V_p τ:Δε| of the step. */
+    double                                               internal_work = 0;
+    VolumeProjection<dim>                                volume_projection;
+    bool                                                 project_volume = false;
+    InertiaTerm<dim>                                     inertia;
+    bool                                                 dynamic = false;
+    GridReset<dim>                                       grid_reset;
     std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
     std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;
     std::unique_ptr<LinearSolver>                        linear_solver;

@@ -376,12 +376,6 @@ namespace isochor
     /** Throw for parameters that exclude each other. */
     void
     check_combinations() const;
-    /** Whether a cell belongs to one of the groups asked for, @p group_ids
-     * being those of its mesh. */
-    bool
-    in_groups(const SimplexGeometry<dim>                      &geometry,
-              const std::map<std::string, types::material_id> &group_ids,
-              const unsigned int                               cell) const;
     std::vector<Seed>
     seeds_in_cells(
       const SimplexGeometry<dim>                      &geometry,

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace isochor
 {
@@ -21,6 +22,17 @@ namespace isochor
     std::map<std::string, types::boundary_id> faces;
     std::map<std::string, types::material_id> cells;
   };
+
+  /**
+   * Whether the cells with @p id belong to one of the groups @p wanted; true if
+   * none is. @p ids are the groups of their mesh.
+   * @throws ExcMessage for a name of <Material points/Physical groups> that the
+   * mesh doesn't have.
+   */
+  bool
+  in_groups(const types::material_id                         id,
+            const std::vector<std::string>                  &wanted,
+            const std::map<std::string, types::material_id> &ids);
 
   /**
    * Read a gmsh .msh file (text, format 2 or 4.1, triangles in 2D, tetrahedra

@@ -13,16 +13,8 @@
 
 namespace isochor
 {
-  /** What of a boundary of the grid the material has to touch for a condition
-   * there to act. */
-  enum class Contact
-  {
-    node,         ///< a node of the boundary is active
-    occupied_face ///< a face of the boundary belongs to an occupied cell
-  };
-
   /**
-   * Warn if the material doesn't touch the boundary called @p name, whose id is
+   * Warn if no active node is on the boundary called @p name, whose id is
    * @p id (any if @p everywhere), so that the entry of @p parameter for it has
    * no effect now. A wall that the body reaches later is a case in which it may
    * be meant. Collective.
@@ -33,7 +25,6 @@ namespace isochor
                     const std::string       &parameter,
                     const std::string       &name,
                     const types::boundary_id id,
-                    const Contact            contact,
                     const bool               everywhere = false);
 
   /** Warn of a body that is much smaller than the cells it is in, and of

@@ -58,14 +58,15 @@ namespace isochor
                                   const bool               with_occupancy,
                                   CellOccupancy<dim>      &occupancy) const
   {
+    std::vector<double> corner_shares;
     if (type == Type::cpdi)
-      build_stencils(points, locator);
+      corner_shares = build_stencils(points, locator);
     const bool fill =
       type == Type::cell_filled || type == Type::cell_filled_with_boundary;
     if (with_occupancy)
       occupancy.update(points, kernel, fill);
     if (type == Type::cpdi)
-      collect_overlapped_cells(points, occupancy, kernel);
+      collect_overlapped_cells(points, corner_shares, occupancy, kernel);
     if (fill)
       {
         fill_interior_cells(points, occupancy);

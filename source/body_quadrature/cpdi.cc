@@ -3,8 +3,10 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/body_quadrature.h>
+#include <isochor/nearest_cells.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace isochor
 {
@@ -37,6 +39,47 @@ namespace isochor
         }
       r *= inside;
       return place;
+    }
+
+    /**
+     * The cells that the corner at x + r shares its part of the domain among:
+     * the one it lies in, @p place, or, if it is on a face or vertex, those
+     * that the domain fills next to it. They are found slightly within the
+     * domain, so that rounding has no say; there are several only if an edge of
+     * the domain lies in a face, or the like.
+     */
+    template <int dim>
+    void
+    find_corner_cells(const PointLocator<dim>   &locator,
+                      const Point<dim>          &x,
+                      const Tensor<1, dim>      &r,
+                      const LocateResult<dim>   &place,
+                      std::vector<unsigned int> &cells)
+    {
+      constexpr double near_face = 1e-6, within = 1e-3;
+      const auto       is_near_face = [&](const LocateResult<dim> &at) {
+        for (unsigned int v = 0; v <= dim; ++v)
+          if (at.barycentric[v] < near_face &&
+              locator.geometry().neighbours(at.cell)[v] !=
+                SimplexGeometry<dim>::no_cell)
+            return true;
+        return false;
+      };
+      cells.assign(1, place.cell);
+      if (!is_near_face(place))
+        return;
+      const Point<dim> inside = x + (1 - within) * r;
+      const auto       at     = locator.locate(inside, place.cell);
+      if (!at.found)
+        return;
+      cells.assign(1, at.cell);
+      if (is_near_face(at))
+        cells = nearest_cells<dim>(
+          locator.geometry(),
+          inside,
+          at.cell,
+          [](const unsigned int) { return true; },
+          std::numeric_limits<double>::max());
     }
 
     /** The nodes of one domain, and sums over its corners. */
@@ -118,10 +161,12 @@ namespace isochor
 
 
   template <int dim>
-  void
+  std::vector<double>
   BodyQuadrature<dim>::build_stencils(PointArrays<dim>        &points,
                                       const PointLocator<dim> &locator) const
   {
+    std::vector<double>       corner_shares;
+    std::vector<unsigned int> cells;
     points.stencil_start.assign(1, 0);
     points.stencil_vertex.clear();
     points.stencil_shape.clear();
@@ -139,7 +184,12 @@ namespace isochor
             {
               corners[c] = points.F[q] * points.domain[q][c];
               places[c] = locate_corner(locator, x, points.cell[k], corners[c]);
-              points.corner_cells.emplace_back(q, places[c].cell);
+              find_corner_cells(locator, x, corners[c], places[c], cells);
+              for (const unsigned int cell : cells)
+                {
+                  points.corner_cells.emplace_back(q, cell);
+                  corner_shares.push_back(1. / cells.size());
+                }
             }
           const auto gradients = barycentric_gradients<dim>(corners);
           stencil.clear();
@@ -160,6 +210,7 @@ namespace isochor
             }
           stencil.append_to(points);
         }
+    return corner_shares;
   }
 
 
@@ -167,17 +218,21 @@ namespace isochor
   template <int dim>
   void
   BodyQuadrature<dim>::collect_overlapped_cells(
-    PointArrays<dim>         &points,
-    const CellOccupancy<dim> &occupancy,
-    const MixedKernel<dim>   &kernel) const
+    PointArrays<dim>          &points,
+    const std::vector<double> &corner_shares,
+    const CellOccupancy<dim>  &occupancy,
+    const MixedKernel<dim>    &kernel) const
   {
     // a corner stands for its part of the domain
     std::map<unsigned int, double> volume_over_G;
-    for (const auto &corner : points.corner_cells)
-      if (occupancy.is_closed(corner.second))
-        volume_over_G[corner.second] +=
-          points.weight[corner.first] / (dim + 1) /
-          kernel.materials[points.material[corner.first]]->shear_modulus();
+    for (unsigned int i = 0; i < corner_shares.size(); ++i)
+      {
+        const auto &[q, cell] = points.corner_cells[i];
+        if (occupancy.is_closed(cell))
+          volume_over_G[cell] +=
+            corner_shares[i] * points.weight[q] / (dim + 1) /
+            kernel.materials[points.material[q]]->shear_modulus();
+      }
     points.overlapped_cells.assign(volume_over_G.begin(), volume_over_G.end());
   }
 

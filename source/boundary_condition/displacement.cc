@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/boundary_condition.h>
-#include <isochor/expression.h>
+#include <isochor/prescribed_motion.h>
 #include <isochor/scene_checks.h>
 
 #include <algorithm>
@@ -15,17 +15,27 @@ namespace isochor
 {
   /**
    * Prescribed displacement of the grid nodes on named boundaries, component by
-   * component: Δu = u(x, t_{n+1}) - u(x, t_n) with x where the node was
-   * generated. With a grid that follows the motion (Grid/Stretch) this is an
-   * exact condition on a moving side of the body.
+   * component. A formula u(x, t) gives the displacement since t = 0, with x
+   * where the node was generated: Δu = u(x, t_{n+1}) - u(x, t_n), and in the
+   * first step u(x, t_1), as nothing has been displaced before. Material that
+   * reaches the boundary later takes part in what the boundary does from then
+   * on. With a grid that follows the motion (Grid/Stretch) this is an exact
+   * condition on a moving side of the body.
    *
-   * A one-sided condition, Δu >= or <= the prescribed increment, is contact
-   * with a frictionless wall: a set of nodes is held, Newton's method converges
-   * with it, and check_contact() changes it until no held node pulls and no
-   * free one penetrates (the active set method, Hintermüller, Ito & Kunisch
-   * 2003). The set is kept from step to step. Nodes start a step at the wall;
-   * on a grid that is kept (see GridReset), those that left it start where they
-   * are.
+   * A one-sided condition, u >= or <= a formula, is contact with a frictionless
+   * wall that stands in the distance u(x, t) from where the node was generated:
+   * a set of nodes is held, Newton's method converges with it, and
+   * check_contact() changes it until no held node pulls and no free one
+   * penetrates: the active set method (Hintermüller, Ito & Kunisch 2003), with
+   * the safeguard of Júdice & Pires (Computers Ops Res. 21 (1994) 587-596): if
+   * changing all nodes that object does not make them fewer, they are changed
+   * one by one, which can't cycle in a linear problem with a positive definite
+   * matrix. The set is kept from step to step.
+   *
+   * A node that has not yet touched the wall remembers its distance. One that
+   * has starts each step on a reset grid at the wall; on a grid that is kept
+   * (see GridReset), where the last one left it. So does material that comes to
+   * the boundary later.
    */
   template <int dim>
   class PrescribedDisplacement : public BoundaryCondition<dim>
@@ -38,13 +48,15 @@ namespace isochor
         "Displacement",
         "",
         Patterns::Anything(),
-        "Prescribed displacements (m) on boundaries of the grid, formulas in "
-        "x, y(, z), t: 'boundary: x = formula, y = formula; boundary: ...'. "
-        "Components not named are free. A later entry overrides an earlier "
-        "one at common nodes. 'everywhere' names all nodes of the boundary. "
-        "With 'x >= formula' or 'x <= formula' the boundary only pushes: a "
-        "node that would have to be pulled leaves it, and is held again when "
-        "it comes back.");
+        "Prescribed displacements (m) since t = 0 on boundaries of the grid, "
+        "formulas in x, y(, z), t: 'boundary: x = formula, y = formula; "
+        "boundary: ...'. What a formula gives at the first step is applied in "
+        "that step, a constant, too. Components not named are free. A later "
+        "entry overrides an earlier one at common nodes. 'everywhere' names "
+        "all nodes of the boundary. With 'x >= formula' or 'x <= formula' the "
+        "boundary only pushes: it is a smooth wall in this distance from where "
+        "the grid's boundary is at t = 0, a node that would have to be pulled "
+        "leaves it, and is held again when it comes back.");
     }
 
     void
@@ -53,35 +65,7 @@ namespace isochor
       const std::string name = "Boundary conditions/Displacement";
       for (const auto &entry : split_named_list(prm.get("Displacement"), name))
         for (const auto &item : split_formulas(entry.second, name))
-          {
-            const std::string axes   = std::string("xyz").substr(0, dim);
-            const auto        equals = item.find('=');
-            std::string       axis =
-              Utilities::trim(item.substr(0, std::min(equals, item.size())));
-            int side = 0;
-            if (!axis.empty() && (axis.back() == '>' || axis.back() == '<'))
-              {
-                side = (axis.back() == '>' ? 1 : -1);
-                axis = Utilities::trim(axis.substr(0, axis.size() - 1));
-              }
-            AssertThrow(equals != std::string::npos && axis.size() == 1 &&
-                          axes.find(axis) != std::string::npos,
-                        ExcMessage("The entry <" + item +
-                                   "> of the parameter <" + name +
-                                   "> must have the form <x = formula>, <x >= "
-                                   "formula> or <x <= formula>, with a "
-                                   "component out of " +
-                                   axes + "."));
-            conditions.push_back(
-              {entry.first,
-               static_cast<unsigned int>(axes.find(axis)),
-               side,
-               Expression<dim>(item.substr(equals + 1), name),
-               {},
-               {},
-               {},
-               {}});
-          }
+          parse_item(entry.first, item, name);
     }
 
     void
@@ -102,13 +86,11 @@ namespace isochor
                 if (v != face.opposite_vertex)
                   vertices.insert(grid.geometry().vertex_indices(face.cell)[v]);
           condition.vertices.assign(vertices.begin(), vertices.end());
-          if (condition.side != 0)
-            {
-              condition.released.assign(vertices.size(), 0);
-              condition.n_changes.assign(vertices.size(), 0);
-              condition.gap.assign(vertices.size(), 0.);
-            }
         }
+      leave_nodes_to_later_entries();
+      for (auto &condition : conditions)
+        if (condition.side != 0)
+          place_walls(condition);
     }
 
     void
@@ -127,7 +109,6 @@ namespace isochor
                                 0 :
                                 step.grid.boundary_id(condition.boundary,
                                                       parameter),
-                              Contact::node,
                               everywhere);
           }
     }
@@ -139,10 +120,9 @@ namespace isochor
       for (const auto &condition : conditions)
         for (unsigned int i = 0; i < condition.vertices.size(); ++i)
           {
-            if (condition.side != 0 && condition.released[i])
+            if (condition.side != 0 && condition.wall[i].released)
               continue;
-            const unsigned int vertex = condition.vertices[i];
-            const unsigned int node   = step.nodes.node(vertex);
+            const unsigned int node = step.nodes.node(condition.vertices[i]);
             if (node != numbers::invalid_unsigned_int)
               constraints.constrain(node * step.n_components +
                                       condition.component,
@@ -155,26 +135,30 @@ namespace isochor
     {
       for (auto &condition : conditions)
         if (condition.side != 0)
-          update_gaps(condition, step, unknowns);
+          {
+            update_gaps(condition, step, unknowns);
+            for (WallNode &node : condition.wall)
+              node.was_released = node.released;
+          }
     }
 
     void
     start_contact() override
     {
       for (auto &condition : conditions)
-        std::fill(condition.n_changes.begin(), condition.n_changes.end(), 0);
+        for (WallNode &node : condition.wall)
+          node.released = node.was_released;
+      n_sets          = 0;
+      fewest_objected = std::numeric_limits<unsigned int>::max();
+      n_patience      = most_patience;
     }
 
-    void
+    std::string
     check_contact(const StepContext<dim> &step,
                   const NodalField       &unknowns,
                   const NodalField       &reaction,
-                  const double            tolerance) override
-    {
-      for (auto &condition : conditions)
-        if (condition.side != 0)
-          check_contact(condition, step, unknowns, reaction, tolerance);
-    }
+                  const typename BoundaryCondition<dim>::ContactTolerance
+                    &tolerance) override;
 
     std::string
     save_state() const override
@@ -182,8 +166,9 @@ namespace isochor
       std::ostringstream state;
       state.precision(std::numeric_limits<double>::max_digits10);
       for (const auto &condition : conditions)
-        for (unsigned int i = 0; i < condition.released.size(); ++i)
-          state << int(condition.released[i]) << ' ' << condition.gap[i] << ' ';
+        for (const WallNode &node : condition.wall)
+          state << node.released << ' ' << node.touched << ' ' << node.gap
+                << ' ';
       return state.str();
     }
 
@@ -192,15 +177,24 @@ namespace isochor
     {
       std::istringstream state(text);
       for (auto &condition : conditions)
-        for (unsigned int i = 0; i < condition.released.size(); ++i)
+        for (WallNode &node : condition.wall)
           {
-            int released = 0;
-            state >> released >> condition.gap[i];
-            condition.released[i] = (released != 0);
+            state >> node.released >> node.touched >> node.gap;
+            node.was_released = node.released;
           }
     }
 
   private:
+    /** A node at a one-sided boundary; the same on all ranks. */
+    struct WallNode
+    {
+      bool released     = false; ///< it has left the wall
+      bool was_released = false; ///< when the last step was accepted
+      bool touched      = true;  ///< it has been at the wall
+      /** Its place minus the wall's, at the start of the step (m). */
+      double gap = 0;
+    };
+
     struct Condition
     {
       std::string  boundary;
@@ -209,25 +203,98 @@ namespace isochor
       int                       side;
       Expression<dim>           displacement;
       std::vector<unsigned int> vertices;
-      /** Of a one-sided condition, by vertex, the same on all ranks: whether
-       * the node has left it, and how often that changed in this step. */
-      std::vector<unsigned char> released, n_changes;
-      /** And how far it is from the wall on a grid that is kept. */
-      std::vector<double> gap;
+      std::vector<WallNode>     wall; ///< by vertex, if one-sided
     };
 
-    /** The prescribed increment of vertex i of the condition. */
+    void
+    parse_item(const std::string &boundary,
+               const std::string &item,
+               const std::string &name)
+    {
+      const std::string axes   = std::string("xyz").substr(0, dim);
+      const auto        equals = item.find('=');
+      std::string       axis =
+        Utilities::trim(item.substr(0, std::min(equals, item.size())));
+      int side = 0;
+      if (!axis.empty() && (axis.back() == '>' || axis.back() == '<'))
+        {
+          side = (axis.back() == '>' ? 1 : -1);
+          axis = Utilities::trim(axis.substr(0, axis.size() - 1));
+        }
+      AssertThrow(equals != std::string::npos && axis.size() == 1 &&
+                    axes.find(axis) != std::string::npos,
+                  ExcMessage("The entry <" + item + "> of the parameter <" +
+                             name +
+                             "> must have the form <x = formula>, <x >= "
+                             "formula> or <x <= formula>, with a "
+                             "component out of " +
+                             axes + "."));
+      const unsigned int component = axes.find(axis);
+      for (const auto &condition : conditions)
+        AssertThrow(condition.boundary != boundary ||
+                      condition.component != component,
+                    ExcMessage("The parameter <" + name +
+                               "> prescribes the component " + axis +
+                               " on the boundary <" + boundary + "> twice."));
+      conditions.push_back({boundary,
+                            component,
+                            side,
+                            Expression<dim>(item.substr(equals + 1), name),
+                            {},
+                            {}});
+    }
+
+    void
+    leave_nodes_to_later_entries()
+    {
+      std::array<std::set<unsigned int>, dim> taken;
+      for (auto condition = conditions.rbegin(); condition != conditions.rend();
+           ++condition)
+        {
+          auto &vertices = condition->vertices;
+          auto &by_later = taken[condition->component];
+          vertices.erase(std::remove_if(vertices.begin(),
+                                        vertices.end(),
+                                        [&](const unsigned int v) {
+                                          return by_later.count(v) != 0;
+                                        }),
+                         vertices.end());
+          by_later.insert(vertices.begin(), vertices.end());
+        }
+    }
+
+    /** The walls at t = 0. A node in one is pushed out by the first step. */
+    void
+    place_walls(Condition &condition) const
+    {
+      condition.wall.assign(condition.vertices.size(), WallNode());
+      for (unsigned int i = 0; i < condition.vertices.size(); ++i)
+        {
+          WallNode &node = condition.wall[i];
+          node.gap =
+            -condition.displacement(reference[condition.vertices[i]], 0.);
+          node.touched  = (node.gap == 0);
+          node.released = node.was_released = (condition.side * node.gap > 0);
+        }
+    }
+
+    /** The increment that vertex i of the condition is held at, or that its
+     * wall allows. */
     double
     increment(const Condition        &condition,
               const unsigned int      i,
               const StepContext<dim> &step) const
     {
-      const Point<dim> &x         = reference[condition.vertices[i]];
-      const double      increment = condition.displacement(x, step.time) -
-                               condition.displacement(x, step.old_time);
-      return condition.side != 0 && step.grid_is_kept ?
-               increment - condition.gap[i] :
-               increment;
+      const Point<dim> &x = reference[condition.vertices[i]];
+      if (condition.side == 0)
+        return prescribed_increment(condition.displacement,
+                                    x,
+                                    step.old_time,
+                                    step.time);
+      const double motion = condition.displacement(x, step.time) -
+                            condition.displacement(x, step.old_time);
+      const WallNode &node = condition.wall[i];
+      return step.grid_is_kept || !node.touched ? motion - node.gap : motion;
     }
 
     void
@@ -235,65 +302,141 @@ namespace isochor
                 const StepContext<dim> &step,
                 const NodalField       &unknowns) const
     {
-      // the owner of a node knows; side * gap > 0
+      // the owner of a node knows
       constexpr double    unknown = std::numeric_limits<double>::lowest();
-      std::vector<double> gap(condition.vertices.size(), unknown);
-      for (unsigned int i = 0; i < gap.size(); ++i)
+      std::vector<double> gaps(condition.vertices.size(), unknown);
+      for (unsigned int i = 0; i < gaps.size(); ++i)
         {
           const unsigned int node = step.nodes.node(condition.vertices[i]);
-          if (node >= step.nodes.n_owned())
-            continue;
-          gap[i] = condition.released[i] ?
-                     condition.side *
-                       (unknowns.local_element(node * step.n_components +
-                                               condition.component) -
-                        increment(condition, i, step)) :
-                     0.;
+          if (node < step.nodes.n_owned())
+            gaps[i] = unknowns.local_element(node * step.n_components +
+                                             condition.component) -
+                      increment(condition, i, step);
         }
-      Utilities::MPI::max(gap, step.grid.communicator(), gap);
-      for (unsigned int i = 0; i < gap.size(); ++i)
-        condition.gap[i] = gap[i] == unknown ? 0. : condition.side * gap[i];
+      Utilities::MPI::max(gaps, step.grid.communicator(), gaps);
+      for (unsigned int i = 0; i < gaps.size(); ++i)
+        {
+          WallNode  &node       = condition.wall[i];
+          const bool is_at_wall = gaps[i] == unknown || !node.released;
+          node.gap              = is_at_wall ? 0. : gaps[i];
+          node.touched          = node.touched || is_at_wall;
+        }
     }
 
-    void
-    check_contact(Condition              &condition,
-                  const StepContext<dim> &step,
-                  const NodalField       &unknowns,
-                  const NodalField       &reaction,
-                  const double            tolerance) const
-    {
-      // A node may leave and come back once in a step, so that this ends.
-      constexpr unsigned char   most_changes = 2;
-      std::vector<unsigned int> changes(condition.vertices.size(), 0);
-      for (unsigned int i = 0; i < condition.vertices.size(); ++i)
-        {
-          const unsigned int vertex = condition.vertices[i];
-          const unsigned int node   = step.nodes.node(vertex);
-          if (node >= step.nodes.n_owned() ||
-              condition.n_changes[i] == most_changes)
-            continue;
-          const unsigned int entry =
-            node * step.n_components + condition.component;
-          if (condition.released[i])
-            changes[i] = condition.side * (unknowns.local_element(entry) -
-                                           increment(condition, i, step)) <
-                         0;
-          else
-            changes[i] =
-              condition.side * reaction.local_element(entry) < -tolerance;
-        }
-      Utilities::MPI::max(changes, step.grid.communicator(), changes);
-      for (unsigned int i = 0; i < changes.size(); ++i)
-        if (changes[i])
-          {
-            condition.released[i] = !condition.released[i];
-            ++condition.n_changes[i];
-          }
-    }
+    /** 1 for nodes that pull at the wall, 2 for those that went through it, by
+     * conditions and vertices one after the other. Collective. */
+    std::vector<unsigned int>
+    find_objections(
+      const StepContext<dim>                                  &step,
+      const NodalField                                        &unknowns,
+      const NodalField                                        &reaction,
+      const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const;
+
+    /** Sets with which the search is given up, and how often it may not get
+     * better before nodes are changed one by one. */
+    static constexpr unsigned int most_sets = 60, most_patience = 4;
 
     std::vector<Condition>  conditions;
     std::vector<Point<dim>> reference;
+    /** Of the search for the set of a step. */
+    unsigned int n_sets = 0, fewest_objected = 0, n_patience = 0;
   };
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  PrescribedDisplacement<dim>::find_objections(
+    const StepContext<dim>                                  &step,
+    const NodalField                                        &unknowns,
+    const NodalField                                        &reaction,
+    const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const
+  {
+    double largest = 0;
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      for (unsigned int a = 0; a < dim; ++a)
+        largest = std::max(largest,
+                           std::abs(unknowns.local_element(
+                             node * step.n_components + a)));
+    const double penetration =
+      tolerance.relative *
+      Utilities::MPI::max(largest, step.grid.communicator());
+
+    std::vector<unsigned int> objections;
+    for (const auto &condition : conditions)
+      for (unsigned int i = 0; i < condition.wall.size(); ++i)
+        {
+          objections.push_back(0);
+          const unsigned int node = step.nodes.node(condition.vertices[i]);
+          if (node >= step.nodes.n_owned())
+            continue;
+          const unsigned int entry =
+            node * step.n_components + condition.component;
+          if (!condition.wall[i].released)
+            objections.back() =
+              condition.side * reaction.local_element(entry) < -tolerance.force;
+          else if (condition.side * (unknowns.local_element(entry) -
+                                     increment(condition, i, step)) <
+                   -penetration)
+            objections.back() = 2;
+        }
+    Utilities::MPI::max(objections, step.grid.communicator(), objections);
+    return objections;
+  }
+
+
+
+  template <int dim>
+  std::string
+  PrescribedDisplacement<dim>::check_contact(
+    const StepContext<dim>                                  &step,
+    const NodalField                                        &unknowns,
+    const NodalField                                        &reaction,
+    const typename BoundaryCondition<dim>::ContactTolerance &tolerance)
+  {
+    if (std::none_of(conditions.begin(),
+                     conditions.end(),
+                     [](const auto &condition) { return condition.side != 0; }))
+      return {};
+    const auto objections =
+      find_objections(step, unknowns, reaction, tolerance);
+    const unsigned int n_pull =
+      std::count(objections.begin(), objections.end(), 1);
+    const unsigned int n_penetrate =
+      std::count(objections.begin(), objections.end(), 2);
+    const unsigned int n_object = n_pull + n_penetrate;
+    if (n_object == 0)
+      return {};
+    if (++n_sets > most_sets)
+      return "the contact of <Boundary conditions/Displacement> does not "
+             "settle: with the last of " +
+             std::to_string(most_sets) + " sets of held nodes " +
+             std::to_string(n_pull) + " pull at their wall and " +
+             std::to_string(n_penetrate) + " went through it";
+
+    bool all_at_once = true;
+    if (n_object < fewest_objected)
+      {
+        fewest_objected = n_object;
+        n_patience      = most_patience;
+      }
+    else if (n_patience > 0)
+      --n_patience;
+    else
+      all_at_once = false;
+    std::size_t last = objections.size() - 1;
+    while (objections[last] == 0)
+      --last;
+    std::size_t k = 0;
+    for (auto &condition : conditions)
+      for (WallNode &node : condition.wall)
+        {
+          if (objections[k] != 0 && (all_at_once || k == last))
+            node.released = !node.released;
+          ++k;
+        }
+    return {};
+  }
 
   ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition,
                                  PrescribedDisplacement,

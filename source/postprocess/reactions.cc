@@ -13,7 +13,8 @@ namespace isochor
   /**
    * Reaction of named boundaries: the sum of the constraint forces at their
    * constrained nodes, the force that the boundary exerts on the body (N, per
-   * metre of thickness in plane strain).
+   * metre of thickness in plane strain). A node counts for each boundary it is
+   * on.
    */
   template <int dim>
   class Reactions : public Postprocessor<dim>
@@ -25,7 +26,12 @@ namespace isochor
       prm.declare_entry("Reactions",
                         "",
                         Patterns::List(Patterns::Anything()),
-                        "Boundaries whose reaction goes into the statistics.");
+                        "Boundaries of the grid whose reaction goes into the "
+                        "statistics: the sum of the constraint forces at all "
+                        "of their nodes. Nodes that two boundaries share, as "
+                        "at corners, count in both, whichever of them holds "
+                        "the node: the sum over boundaries that meet is not "
+                        "the whole force.");
     }
 
     void
@@ -59,8 +65,7 @@ namespace isochor
         warn_if_untouched(step,
                           parameter,
                           name,
-                          step.grid.boundary_id(name, parameter),
-                          Contact::node);
+                          step.grid.boundary_id(name, parameter));
     }
 
     void

@@ -1,0 +1,343 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Loads and displacements on the surface of the body: they follow it, act on
+// what it covers of faces, and depend neither on the numbering of cells nor on
+// where the origin is.
+
+#include <isochor/nearest_cells.h>
+
+#include <random>
+
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  std::map<std::string, std::vector<double>> history;
+}
+
+namespace isochor
+{
+  template <int dim>
+  class Watch : public Postprocessor<dim>
+  {
+  public:
+    void
+    evaluate_points(const StepResult<dim> &, Statistics &statistics) override
+    {
+      for (auto &column : history)
+        column.second.push_back(statistics.get(column.first));
+    }
+  };
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Watch, "Z: after all others")
+} // namespace isochor
+
+const std::vector<std::string> quadratures = {"points",
+                                              "cell-filled",
+                                              "cell-filled + boundary",
+                                              "CPDI"};
+
+/** What the simplex is away from x, by samples of it: an upper bound that is
+ * too large by a small part of its size. */
+template <int dim>
+double
+sampled_distance(const SimplexGeometry<dim> &geometry,
+                 const unsigned int          cell,
+                 const Point<dim>           &x)
+{
+  const unsigned int n    = 40;
+  double             best = 1e300;
+  for (unsigned int i = 0; i <= n; ++i)
+    for (unsigned int j = 0; i + j <= n; ++j)
+      for (unsigned int k = 0; i + j + k <= n; ++k)
+        {
+          if (dim == 2 && k > 0)
+            break;
+          const std::array<unsigned int, 4> part = {{n - i - j - k, i, j, k}};
+          Point<dim>                        y;
+          for (unsigned int v = 0; v <= dim; ++v)
+            y += geometry.vertices()[geometry.vertex_indices(cell)[v]] *
+                 (part[v] / static_cast<double>(n));
+          best = std::min(best, (y - x).norm());
+        }
+  return best;
+}
+
+template <int dim>
+void
+test_distance(const std::string &size)
+{
+  BackgroundGrid<dim> grid(MPI_COMM_SELF);
+  ParameterHandler    prm;
+  BackgroundGrid<dim>::declare_parameters(prm);
+  test::set_parameters(prm, "Grid/Subdivisions = " + size);
+  grid.parse_parameters(prm);
+  grid.create(false);
+  std::mt19937                           random(1);
+  std::uniform_real_distribution<double> coordinate(-0.5, 1.5);
+  double                                 below = 0, above = 0;
+  bool                                   nearest = true;
+  for (unsigned int i = 0; i < 40; ++i)
+    {
+      Point<dim> x;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = coordinate(random);
+      double least = 1e300;
+      for (unsigned int cell = 0; cell < grid.geometry().n_cells(); ++cell)
+        {
+          const double d = distance_to_cell(grid.geometry(), cell, x);
+          const double s = sampled_distance(grid.geometry(), cell, x);
+          least          = std::min(least, d);
+          below          = std::max(below, d - s);
+          above          = std::max(above, s - d);
+        }
+      for (const unsigned int cell : nearest_cells<dim>(
+             grid.geometry(),
+             x,
+             i % grid.geometry().n_cells(),
+             [](const unsigned int) { return true; },
+             1e300))
+        nearest =
+          nearest && distance_to_cell(grid.geometry(), cell, x) <= least + 1e-8;
+    }
+  const std::string where = " in " + std::to_string(dim) + "D";
+  test::check_error("no sample of a cell is nearer than the cell" + where,
+                    below,
+                    1e-14);
+  test::check_error("but nearly as near" + where, above, 0.03);
+  test::check("the search finds the nearest cells" + where, nearest, "");
+}
+
+/** The load stays with the body when its points leave the cells at the
+ * boundary: the column is pressed to half of its height. */
+void
+test_load_follows()
+{
+  const std::string scene =
+    "Grid/Subdivisions = 4, 10\nMaterial points/Points per cell = 4\n"
+    "Formulation/Type = u\nMaterial/Young modulus = 1e4\n"
+    "Material/Poisson ratio = 0\nBoundary conditions/Displacement = left: x=0; "
+    "right: x=0; bottom: y=0\n"
+    "Boundary conditions/Traction = top: 0, -4000*t\n"
+    "Time/Step size = 0.05\nPostprocess/Reactions = bottom\n";
+  for (const std::string &type : quadratures)
+    {
+      const std::string column = "Reaction y on bottom (N)";
+      history                  = {{column, {}}};
+      test::run_scene<2>(scene + "Quadrature/Type = " + type + '\n');
+      double worst = 0;
+      for (unsigned int i = 0; i < history[column].size(); ++i)
+        test::add_error(worst,
+                        std::abs(history[column][i] / (200. * (i + 1)) - 1));
+      test::check("the column's load is carried to the end, " + type,
+                  history[column].size() == 20,
+                  std::to_string(history[column].size()));
+      test::check_error("and none is lost on the way, " + type, worst, 1e-7);
+    }
+}
+
+double
+reaction_under_load(const std::string &settings)
+{
+  return test::run_scene<2>(
+           "Grid/Subdivisions = 5, 10\nFormulation/Type = u\n"
+           "Material/Young modulus = 1e4\nMaterial/Poisson ratio = 0\n"
+           "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
+           "Boundary conditions/Traction = top: 0, -10*t\n"
+           "Postprocess/Reactions = bottom\n" +
+           settings)
+    ->last_statistics()
+    .get("Reaction y on bottom (N)");
+}
+
+void
+test_partly_covered_faces()
+{
+  for (const std::string &type : quadratures)
+    test::check_error("a body of 0.45 in cells of 0.2, lattice, " + type,
+                      std::abs(reaction_under_load(
+                                 "Material points/Lattice spacing = 0.05\n"
+                                 "Material points/Region = x < 0.45\n"
+                                 "Quadrature/Type = " +
+                                 type + '\n') /
+                                 4.5 -
+                               1),
+                      1e-7);
+  test::check_error("a body of 0.53, points in cells",
+                    std::abs(reaction_under_load(
+                               "Material points/Points per cell = 16\n"
+                               "Material points/Region = x < 0.53\n") /
+                               5.3 -
+                             1),
+                    1e-7);
+  test::check_error("a hole of 0.1 in the loaded surface",
+                    std::abs(
+                      reaction_under_load(
+                        "Material points/Points per cell = 16\n"
+                        "Material points/Region = x < 0.33 || x > 0.43\n") /
+                        9 -
+                      1),
+                    1e-7);
+  test::check_error("boundary name as the place of a surface",
+                    std::abs(
+                      reaction_under_load(
+                        "Material points/Lattice spacing = 0.05\n"
+                        "Material points/Region = x < 0.45\n"
+                        "Boundary conditions/Traction =\n"
+                        "Boundary conditions/Surfaces of body = up: top\n"
+                        "Boundary conditions/Traction on body = up: 0, "
+                        "-10*t\n") /
+                        4.5 -
+                      1),
+                    1e-7);
+  const auto in_space = [](const std::string &region) {
+    return test::run_scene<3>(
+             "Grid/Subdivisions = 5, 2, 5\nFormulation/Type = u\n"
+             "Material/Young modulus = 1e4\nMaterial/Poisson ratio = 0\n"
+             "Material points/Points per cell = 8\nMaterial points/Region = " +
+             region +
+             "\nBoundary conditions/Displacement = bottom: x=0, y=0, z=0\n"
+             "Boundary conditions/Traction = top: 0, -10*t, 0\n"
+             "Postprocess/Reactions = bottom\n")
+      ->last_statistics()
+      .get("Reaction y on bottom (N)");
+  };
+  test::check_error("a prism of 0.53 in space",
+                    std::abs(in_space("x < 0.53") / 5.3 - 1),
+                    1e-7);
+  test::check_error("a quarter of a cylinder in space",
+                    std::abs(
+                      in_space("x^2 + z^2 < 0.5") / (10 * numbers::PI / 8) - 1),
+                    2e-3);
+  std::string message;
+  try
+    {
+      reaction_under_load("Material points/Region = y < 0.5\n");
+    }
+  catch (const ExceptionBase &exc)
+    {
+      std::ostringstream text;
+      exc.print_info(text);
+      message = test::one_line(text.str());
+    }
+  test::check("a load where there is no body is an error",
+              message.find("does not touch the boundary <top>") !=
+                std::string::npos,
+              message);
+}
+
+/** The block of 'lower', 'side' at the origin, moved by (@p X, @p Y), or with x
+ * and y exchanged; the forces on 'lower', along it and across. */
+std::array<double, 2>
+forces_on_block(const std::string &type,
+                const double       X,
+                const double       Y,
+                const bool         exchanged)
+{
+  const auto number = [](const double value) {
+    return '(' + Utilities::to_string(value, 17) + ')';
+  };
+  const std::string  x = "(x-" + number(X) + ')', y = "(y-" + number(Y) + ')';
+  const std::string &along = exchanged ? y : x, &across = exchanged ? x : y;
+  const std::string  region =
+    along + ">0 && " + along + "<1 && " + across + ">0 && " + across + "<1";
+  const auto corner = [&](const double value) {
+    return Utilities::to_string(X + value, 17) + ", " +
+           Utilities::to_string(Y + value, 17) + '\n';
+  };
+  const auto problem = test::run_scene<2>(
+    "Grid/Lower corner = " + corner(-0.5) +
+    "Grid/Upper corner = " + corner(1.5) +
+    "Grid/Subdivisions = 12, 12\nMaterial/Young modulus = 100\n"
+    "Material/Poisson ratio = 0.45\nTime/Step size = 0.2\n"
+    "Newton/Tolerance = 1e-12\n"
+    "Material points/Points per cell = 4\nQuadrature/Type = " +
+    type + "\nMaterial points/Region = " + region +
+    "\nBoundary conditions/Surfaces of body = lower: " + across +
+    "<0.01; side: " + along +
+    ">0.99\nBoundary conditions/Displacement of body = lower: x=0, y=0\n"
+    "Boundary conditions/Pressure on body = side: 10*t*(1+" +
+    across + ")\n");
+  const auto       &statistics = problem->last_statistics();
+  const std::string lower      = " on lower by boundary points (N)";
+  const double      fx         = statistics.get("Reaction x" + lower);
+  const double      fy         = statistics.get("Reaction y" + lower);
+  return exchanged ? std::array<double, 2>{{fy, fx}} :
+                     std::array<double, 2>{{fx, fy}};
+}
+
+void
+test_ties()
+{
+  for (const std::string &type : quadratures)
+    {
+      const auto reference = forces_on_block(type, 0, 0, false);
+      const auto error     = [&](const std::array<double, 2> &forces) {
+        double worst = 0;
+        for (unsigned int d = 0; d < 2; ++d)
+          test::add_error(worst,
+                          std::abs(forces[d] - reference[d]) /
+                            std::abs(reference[0]));
+        return worst;
+      };
+      test::check("the pressure is carried, " + type,
+                  reference[0] > 10,
+                  std::to_string(reference[0]));
+      test::check_error("moved by 1e3, " + type,
+                        error(forces_on_block(type, 1000, -2000, false)),
+                        1e-10);
+      test::check_error("x and y exchanged, " + type,
+                        error(forces_on_block(type, 0, 0, true)),
+                        1e-10);
+    }
+}
+
+/** Cells of two materials under a penalty: in the mirrored scene the points of
+ * these cells come in another order. */
+void
+test_mixed_cells()
+{
+  const auto force = [](const std::string &stiff) {
+    ParameterHandler prm;
+    MaterialPointMethod<2>::declare_parameters(prm, 2);
+    test::set_parameters(
+      prm,
+      "Output/Directory = .\nOutput/Terminal = quiet\n"
+      "Postprocess/Write grid = false\n"
+      "Postprocess/Write material points = false\n"
+      "Grid/Subdivisions = 8, 8\nGrid/Diagonals = alternating\n"
+      "Formulation/Type = u\nMaterial points/Points per cell = 16\n"
+      "Material points/Materials in zones = 2: " +
+        stiff +
+        "\nMaterial/Young modulus = 1\nMaterial 2/Young modulus = 100\n"
+        "Newton/Tolerance = 1e-12\n"
+        "Boundary conditions/Displacement = bottom: x=0, y=0\n"
+        "Boundary conditions/Surfaces of body = up: top\n"
+        "Boundary conditions/Displacement of body = up: y = 0.1*t\n"
+        "Boundary conditions/Penalty of body displacement = 0.1\n");
+    MaterialPointMethod<2> problem(MPI_COMM_WORLD);
+    problem.parse_parameters(prm);
+    problem.run();
+    return problem.last_statistics().get(
+      "Reaction y on up by boundary points (N)");
+  };
+  test::check_error("a penalty on cells of two materials, mirrored",
+                    std::abs(force("x < 0.45") / force("x > 0.55") - 1),
+                    1e-9);
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_distance<2>("2, 2");
+  test_distance<3>("1, 1, 2");
+  test_load_follows();
+  test_partly_covered_faces();
+  test_ties();
+  test_mixed_cells();
+}
