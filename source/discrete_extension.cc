@@ -40,7 +40,7 @@ namespace isochor
                       "body fills. auto: with every 'Quadrature/Type' but "
                       "'points'.");
     prm.declare_entry("Smallest support",
-                      "0.05",
+                      "0.02",
                       Patterns::Double(0, 0.5),
                       "Which nodes these are: those around which the body "
                       "fills less than this part of the cells, weighted with "
@@ -294,11 +294,11 @@ namespace isochor
   DiscreteExtension<dim>::evaluate(const StepContext<dim> &step,
                                    const NodalField       &unknowns,
                                    const MixedSystem<dim> &system,
-                                   const double            internal_work,
+                                   const double            energy,
                                    Statistics             &statistics) const
   {
     // number of ties, of free nodes; work of the extension and of the body
-    std::array<double, 4> sums{{0, double(n_free), 0, internal_work}};
+    std::array<double, 4> sums{{0, double(n_free), 0, energy}};
     for (unsigned int k = 0; k < found.size(); ++k)
       if (step.nodes.node(found[k].vertex) < step.nodes.n_owned())
         {

@@ -904,7 +904,7 @@ namespace isochor
       TimerOutput::Scope scope(timer, "convective phase");
       update_points();
       if (extends)
-        extension.evaluate(step, unknowns, system, internal_work, statistics);
+        extension.evaluate(step, unknowns, system, step_energy, statistics);
       last_motion.remember(nodes, n_components, step.step_size(), unknowns);
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);
@@ -969,7 +969,7 @@ namespace isochor
     unsigned int                    last_cell = numbers::invalid_unsigned_int;
     if (project_volume)
       volume_projection.start(step);
-    internal_work = 0;
+    step_energy = 0;
 
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
@@ -1026,7 +1026,7 @@ namespace isochor
           for (unsigned int a = 0; a < dim; ++a)
             for (unsigned int b = 0; b < dim; ++b)
               work += state.cauchy_stress[a][b] * strain_increment[a][b];
-          internal_work +=
+          step_energy +=
             std::abs(work) * determinant(state.F) * properties[l.volume];
         }
       std::copy_n(history.begin(), l.n_history, &properties[l.history]);
@@ -1047,6 +1047,8 @@ namespace isochor
               properties[l.velocity + a]     = velocity[a];
               properties[l.acceleration + a] = acceleration[a];
             }
+          if (extends)
+            step_energy += properties[l.mass] / 2 * velocity.norm_square();
         }
     });
   }

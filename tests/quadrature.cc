@@ -101,10 +101,38 @@ namespace
                 details.str());
   }
 
+  /** Write a mesh of the body 0 < x < 0.8, 0 < y < 0.75 with a layer all over
+   * its top. */
+  void
+  write_layered_body(const std::string &file_name, const double height)
+  {
+    constexpr unsigned int nx = 16, ny = 13;
+    std::ofstream          file(file_name);
+    file.precision(16);
+    file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
+         << (nx + 1) * (ny + 1) << '\n';
+    for (unsigned int j = 0; j <= ny; ++j)
+      for (unsigned int i = 0; i <= nx; ++i)
+        file << j * (nx + 1) + i + 1 << ' ' << 0.05 * i << ' '
+             << (j == ny ? 0.75 + height : 0.0625 * j) << " 0\n";
+    file << "$EndNodes\n$Elements\n" << 2 * nx * ny << '\n';
+    unsigned int element = 0;
+    for (unsigned int j = 0; j < ny; ++j)
+      for (unsigned int i = 0; i < nx; ++i)
+        {
+          const unsigned int v = j * (nx + 1) + i + 1, w = v + nx + 1;
+          file << ++element << " 2 2 0 1 " << v << ' ' << v + 1 << ' ' << w + 1
+               << '\n';
+          file << ++element << " 2 2 0 1 " << v << ' ' << w + 1 << ' ' << w
+               << '\n';
+        }
+    file << "$EndElements\n";
+  }
+
   /** Write a mesh of the body 0 < x < 0.8, 0 < y < 0.75 with a needle on top,
    * ten times as high as wide. */
   void
-  write_body(const std::string &file_name, const double height)
+  write_needled_body(const std::string &file_name, const double height)
   {
     constexpr unsigned int nx = 16, ny = 12;
     const double           x = 0.3750001, y = 0.75, width = 0.1 * height;
@@ -151,7 +179,7 @@ namespace
   const CutMaterial friction = {"Mohr-Coulomb",
                                 "Material/Mohr-Coulomb/Cohesion = 15\n"
                                 "Material/Mohr-Coulomb/Friction angle = 20\n",
-                                0.04};
+                                0.03};
 
   /** Share of the points with plastic strain. */
   double
@@ -171,19 +199,27 @@ namespace
   }
 
   /** A body that fills one cell more, both of whose upper nodes it alone
-   * holds, by a part of its height from 0.8 to 1e-8: a volume down to 1e-17.
-   */
+   * holds, by a part of its height from 0.8 to 1e-8: a volume down to 1e-17;
+   * or a whole row of cells by such a part. */
   void
   test_cut(const std::string &quadrature,
            const std::string &formulation,
-           const CutMaterial &material)
+           const CutMaterial &material,
+           const bool         layer)
   {
     double             smallest = 1e300, largest = 0, least_plastic = 1;
     unsigned int       fewest = 1000, most = 0;
     std::ostringstream details;
-    for (const double fraction : {0.8, 1e-2, 1e-4, 1e-6, 1e-8})
+    for (const double fraction :
+         layer ?
+           std::vector<double>{
+             0.8, 0.2, 0.1, 0.05, 0.02, 1e-2, 1e-4, 1e-6, 1e-8} :
+           std::vector<double>{0.8, 1e-2, 1e-4, 1e-6, 1e-8})
       {
-        write_body("body.msh", 0.125 * fraction);
+        if (layer)
+          write_layered_body("body.msh", 0.125 * fraction);
+        else
+          write_needled_body("body.msh", 0.125 * fraction);
         std::ostringstream scene;
         scene << common(quadrature, formulation) << "Grid/Subdivisions = 8, 8\n"
               << "Material points/Body mesh = body.msh\n"
@@ -221,7 +257,8 @@ namespace
         details << fraction << ": " << c << " (" << n << ") ";
       }
     details << "plastic share " << least_plastic;
-    test::check("condition number and iterations with small cuts, " +
+    test::check("condition number and iterations with " +
+                  std::string(layer ? "thin layers, " : "small cuts, ") +
                   quadrature + ", " + formulation + ", " + material.name,
                 quadrature == "points" ?
                   largest > 1e3 * smallest :
@@ -285,11 +322,14 @@ main(int argc, char **argv)
   test_tension("CPDI", 3., 205.299981029, 0., 1e-9);
   for (const std::string formulation : {"u", "u-p"})
     {
-      test_cut("points", formulation, elastic);
+      test_cut("points", formulation, elastic, false);
       for (const CutMaterial &material : {elastic, j2, friction})
         {
-          test_cut("cell-filled", formulation, material);
-          test_cut("CPDI", formulation, material);
+          test_cut("cell-filled", formulation, material, false);
+          test_cut("CPDI", formulation, material, false);
         }
+      // a layer makes the body higher: plastic zones would grow with it
+      test_cut("cell-filled", formulation, elastic, true);
+      test_cut("CPDI", formulation, elastic, true);
     }
 }

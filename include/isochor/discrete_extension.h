@@ -104,16 +104,17 @@ namespace isochor
 
     /**
      * The step has converged: set the columns of the statistics, and warn if
-     * ties carry load. @p internal_work is this rank's Σ_p |V_p τ:Δε| of the
-     * step. The work of the extension is that of the forces which it hands on
-     * from unsupported nodes, as these move against the mean of their masters
-     * by the strain of R, Σ_I |f_I · Δε_R (x_I - x_mean)|. Collective.
+     * ties carry load. @p energy is this rank's Σ_p |V_p τ:Δε| of the step and,
+     * in dynamics, the kinetic energy of its points (J). What ties carry is
+     * measured by the work of the forces that they hand on from unsupported
+     * nodes, as these move against the mean of their masters by the strain of
+     * R, Σ_I |f_I · Δε_R (x_I - x_mean)|. Collective.
      */
     void
     evaluate(const StepContext<dim> &step,
              const NodalField       &unknowns,
              const MixedSystem<dim> &system,
-             const double            internal_work,
+             const double            energy,
              Statistics             &statistics) const;
 
     /** The ties found last. */
@@ -157,7 +158,7 @@ namespace isochor
       always,
       never
     } use                   = Use::automatic;
-    double smallest_support = 0.05;
+    double smallest_support = 0.02;
 
     const BackgroundGrid<dim> &grid;
     const CellOccupancy<dim>  &occupancy;

@@ -205,8 +205,8 @@ namespace isochor
     bool                   extends = false;
     DiscreteExtension<dim> extension;
     bool                   needs_occupancy = false;
-    /** This rank's Σ_p |V_p τ:Δε| of the step. */
-    double                                               internal_work = 0;
+    /** What DiscreteExtension::evaluate() compares with. */
+    double                                               step_energy = 0;
     VolumeProjection<dim>                                volume_projection;
     bool                                                 project_volume = false;
     InertiaTerm<dim>                                     inertia;
