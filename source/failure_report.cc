@@ -19,6 +19,11 @@ namespace isochor
 {
   namespace
   {
+    /** By which the displacement per load has grown where a body flows. */
+    constexpr double large_growth = 10;
+
+
+
     std::string
     as_text(const double value)
     {
@@ -152,6 +157,10 @@ namespace isochor
     last_speed = speed(step, unknowns);
     if (last_speed > 0)
       slowest = slowest > 0 ? std::min(slowest, last_speed) : last_speed;
+    if (!(last_speed > large_growth * slowest))
+      soft_since = -1;
+    else if (soft_since < 0)
+      soft_since = step.old_time;
   }
 
 
@@ -174,6 +183,9 @@ namespace isochor
     std::string text = "the displacement per load was " + as_text(growth) +
                        " times that of the stiffest step in the last step "
                        "that converged";
+    if (soft_since >= 0)
+      text += " (more than " + as_text(large_growth) +
+              " times since t = " + as_text(soft_since) + ")";
     if (growth_of_trial >= 0)
       text += ", " + as_text(growth_of_trial) +
               " times in the last iterate of the one that failed";
@@ -207,7 +219,8 @@ namespace isochor
       Utilities::MPI::max(static_cast<int>(failure.dragged), comm) != 0;
     if (slowest > 0)
       {
-        evidence.growth = last_speed / slowest;
+        evidence.growth     = last_speed / slowest;
+        evidence.soft_since = soft_since;
         if (!driven && std::isfinite(trial))
           evidence.growth_of_trial = trial / slowest;
       }

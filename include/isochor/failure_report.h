@@ -67,6 +67,8 @@ namespace isochor
        * far. The latter is negative where displacements are prescribed: then
        * an iterate moves as far as it is told. */
       double growth = 1, growth_of_trial = -1;
+      /** Since when the growth has been large; negative if it isn't. */
+      double soft_since = -1;
       /** Share of the volume whose plastic strain isn't 0, negative if no
        * material yields. */
       double plastic_share = -1;
@@ -94,6 +96,9 @@ namespace isochor
 
     /** In the step that converged last and in the slowest one (m/s). */
     double last_speed = 0, slowest = 0;
+    /** The start of the first of the steps up to the last one that were all
+     * much faster than the slowest; negative if that one wasn't. */
+    double soft_since = -1;
   };
 } // namespace isochor
 
