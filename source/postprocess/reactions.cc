@@ -76,12 +76,13 @@ namespace isochor
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           std::array<double, dim> force{};
-          bool                    held = false;
+          bool                    touched = false, held = false;
           for (const unsigned int vertex : vertices[i])
             {
               const unsigned int node = step.nodes.node(vertex);
               if (node >= step.nodes.n_owned())
                 continue;
+              touched = true;
               for (unsigned int a = 0; a < dim; ++a)
                 {
                   const unsigned int entry = node * step.n_components + a;
@@ -95,7 +96,7 @@ namespace isochor
             }
           sum_over_ranks(force, step.grid.communicator());
           if (result.time.step == 0)
-            warn_if_free(step, names[i], held);
+            warn_if_free(step, names[i], touched, held);
           for (unsigned int a = 0; a < dim; ++a)
             statistics.set(std::string("Reaction ") + "xyz"[a] + " on " +
                              names[i] + " (N)",
@@ -107,10 +108,12 @@ namespace isochor
     static void
     warn_if_free(const StepContext<dim> &step,
                  const std::string      &name,
+                 const bool              touched,
                  const bool              held)
     {
-      if (Utilities::MPI::max(static_cast<int>(held),
-                              step.grid.communicator()) == 0)
+      const MPI_Comm comm = step.grid.communicator();
+      if (Utilities::MPI::max(static_cast<int>(touched), comm) != 0 &&
+          Utilities::MPI::max(static_cast<int>(held), comm) == 0)
         step.warnings.add("no reaction on <" + name + ">",
                           "The reaction on <" + name +
                             "> of the parameter <Postprocess/Reactions> is 0: "
