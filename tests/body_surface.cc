@@ -138,6 +138,7 @@ test_load_follows()
                   std::to_string(history[column].size()));
       test::check_error("and none is lost on the way, " + type, worst, 1e-7);
     }
+  history.clear();
 }
 
 double
