@@ -40,7 +40,7 @@ namespace isochor
                       "body fills. auto: with every 'Quadrature/Type' but "
                       "'points'.");
     prm.declare_entry("Smallest support",
-                      "0.02",
+                      "0.01",
                       Patterns::Double(0, 0.5),
                       "Which nodes these are: those around which the body "
                       "fills less than this part of the cells, weighted with "

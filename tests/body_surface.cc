@@ -138,6 +138,7 @@ test_load_follows()
                   std::to_string(history[column].size()));
       test::check_error("and none is lost on the way, " + type, worst, 1e-7);
     }
+  history.clear();
 }
 
 double
@@ -296,6 +297,38 @@ test_ties()
     }
 }
 
+/** A quarter of a block is pulled at two sides until boundary points are beyond
+ * its corner, equally near to the two cells there. It stays symmetric to the
+ * diagonal. */
+void
+test_corner()
+{
+  for (const std::string &type : quadratures)
+    {
+      const auto problem = test::run_scene<2>(
+        "Grid/Upper corner = 1.5, 1.5\nGrid/Subdivisions = 9, 9\n"
+        "Material/Young modulus = 100\nMaterial/Poisson ratio = 0.3\n"
+        "Formulation/Type = u\nTime/Step size = 0.25\n"
+        "Newton/Tolerance = 1e-12\nMaterial points/Points per cell = 1\n"
+        "Material points/Region = x<1 && y<1\nQuadrature/Type = " +
+        type +
+        "\nBoundary conditions/Displacement = left: x=0; bottom: y=0\n"
+        "Boundary conditions/Surfaces of body = right: x>0.99; up: y>0.99\n"
+        "Boundary conditions/Pressure on body = right: -8*t*y; up: -8*t*x\n"
+        "Postprocess/Point probes = A: 0.95, 0.95\n");
+      const double u =
+        problem->last_statistics().get("Displacement x of A (m)");
+      const double v =
+        problem->last_statistics().get("Displacement y of A (m)");
+      test::check("boundary points leave the corner's cells, " + type,
+                  u > 0.02,
+                  std::to_string(u));
+      test::check_error("symmetric to the diagonal, " + type,
+                        std::abs(u - v) / u,
+                        1e-10);
+    }
+}
+
 /** Cells of two materials under a penalty: in the mirrored scene the points of
  * these cells come in another order. */
 void
@@ -339,5 +372,6 @@ main(int argc, char **argv)
   test_load_follows();
   test_partly_covered_faces();
   test_ties();
+  test_corner();
   test_mixed_cells();
 }

@@ -114,36 +114,37 @@ namespace
                 details.str());
   }
 
-  /** A block in a box, pushed against its right wall, of whose cells it fills
-   * 4 %: the wall carries it. Pulled away, it lets go. */
+  /** A block in a box, pushed against its right wall, where it fills an eighth
+   * of the uppermost cells: the wall carries it. Pulled away, it lets go. */
   template <int dim>
   void
   test_one_sided(const std::string &quadrature, const double push)
   {
-    const std::string third = dim == 2 ? "" : ", 0.5";
-    const auto        problem =
-      run<dim>(std::string("Grid/Subdivisions = 4, 4") +
-               (dim == 2 ? "" : ", 2") + "\nGrid/Upper corner = 1, 1" + third +
-               "\nQuadrature/Type = " + quadrature +
-               "\nMaterial points/Lattice spacing = 0.0625\n"
-               "Material points/Region = y < 0.5 || (y < 0.515 && x > 0.5)\n"
-               "Formulation/Type = u\nMaterial/Young modulus = 1e4\n"
-               "Material/Poisson ratio = 0.3\nMaterial/Density = 1\n"
-               "Boundary conditions/Displacement = bottom: x=0, y=0; "
-               "right: x<=0\nPostprocess/Reactions = bottom, right\n"
-               "Boundary conditions/Gravity = " +
-               std::to_string(push) + ", -1" + (dim == 2 ? "" : ", 0") + '\n');
+    const std::string third   = dim == 2 ? "" : ", 0.5";
+    const auto        problem = run<dim>(
+      std::string("Grid/Subdivisions = 4, 4") + (dim == 2 ? "" : ", 2") +
+      "\nGrid/Upper corner = 1, 1" + third +
+      "\nQuadrature/Type = " + quadrature +
+      "\nMaterial points/Lattice spacing = 0.03125\n"
+             "Material points/Region = y < 0.5 || (y < 0.53125 && x > 0.5)\n"
+             "Formulation/Type = u\nMaterial/Young modulus = 1e4\n"
+             "Material/Poisson ratio = 0.3\nMaterial/Density = 1\n"
+             "Boundary conditions/Displacement = bottom: y=0; " +
+      (push > 0 ? "" : "left: x=0; ") + (dim == 2 ? "" : "front: z=0; ") +
+      "right: x<=0\nPostprocess/Reactions = left, right\n"
+             "Boundary conditions/Gravity = " +
+      std::to_string(push) + ", -1" + (dim == 2 ? "" : ", 0") + '\n');
     const Statistics  &values = problem->last_statistics();
     const double       wall   = values.get("Reaction x on right (N)");
-    const double       sum    = wall + values.get("Reaction x on bottom (N)");
-    const double       mass   = values.get("Mass (kg)");
+    const double       left   = values.get("Reaction x on left (N)");
+    const double       load   = push * values.get("Mass (kg)");
     std::ostringstream details;
-    details << "wall " << wall << ", sum " << sum << ", load " << push * mass
+    details << "wall " << wall << ", left " << left << ", load " << load
             << ", tied " << largest.tied;
     test::check("one-sided wall, " + quadrature + ", " + std::to_string(dim) +
                   "D, push " + Utilities::to_string(push),
-                (push > 0 ? wall < -0.1 * mass : wall == 0) &&
-                  std::abs(sum + push * mass) < 1e-8 * mass && largest.tied > 0,
+                std::abs((push > 0 ? wall : left) + load) < 1e-7 &&
+                  (push > 0 || wall == 0) && largest.tied > 0,
                 details.str());
   }
 
@@ -173,7 +174,8 @@ namespace
 
   /** When the crest of a vertical cut of the height 4 m and the weight γ H/c =
    * 8 t starts to run, faster than ten times its speed at the start. Exact, for
-   * φ = 20°: γ H/c = 5.4 to 5.5, t = 0.68. */
+   * φ = 20°: γ H/c = 5.4 to 5.5, t = 0.68; with eight cells over H the grid
+   * adds some 10 %. */
   double
   collapse(const std::string &quadrature, const bool extends)
   {

@@ -158,7 +158,7 @@ namespace isochor
       always,
       never
     } use                   = Use::automatic;
-    double smallest_support = 0.02;
+    double smallest_support = 0.01;
 
     const BackgroundGrid<dim> &grid;
     const CellOccupancy<dim>  &occupancy;

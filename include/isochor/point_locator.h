@@ -43,8 +43,8 @@ namespace isochor
    * without a hint, to the cell that contains it best, of equals the first. A
    * point outside by rounding, with no barycentric coordinate below
    * -clamp_tolerance, belongs to the cell and gets coordinates clamped to the
-   * cell; its location is left alone. Rounding stays below that tolerance as
-   * long as coordinates are less than 1e5 times the height of a cell.
+   * cell; its location is left alone. Far from the origin, from 1e3 times the
+   * height of a cell on, the tolerances grow with the coordinates' rounding.
    *
    * locate() may be called concurrently.
    */

@@ -408,11 +408,24 @@ namespace isochor
     if (n_object == 0)
       return {};
     if (++n_sets > most_sets)
-      return "the contact of <Boundary conditions/Displacement> does not "
-             "settle: with the last of " +
-             std::to_string(most_sets) + " sets of held nodes " +
-             std::to_string(n_pull) + " pull at their wall and " +
-             std::to_string(n_penetrate) + " went through it";
+      {
+        std::string names;
+        std::size_t k = 0;
+        for (const auto &condition : conditions)
+          {
+            const auto begin = objections.begin() + k;
+            k += condition.wall.size();
+            if (std::any_of(begin,
+                            objections.begin() + k,
+                            [](const unsigned int o) { return o != 0; }))
+              names += (names.empty() ? "" : ", ") + condition.boundary;
+          }
+        return "the contact of <Boundary conditions/Displacement> on <" +
+               names + "> does not settle: with the last of " +
+               std::to_string(most_sets) + " sets of held nodes " +
+               std::to_string(n_pull) + " pull at their wall and " +
+               std::to_string(n_penetrate) + " went through it";
+      }
 
     bool all_at_once = true;
     if (n_object < fewest_objected)
