@@ -83,7 +83,7 @@ namespace
   }
 
   /** Homogeneous tension of a body whose right side fills a column of cells by
-   * 4 %: the nodes beyond are tied, but for the prescribed components of those
+   * 12 %: the nodes beyond are tied, but for the prescribed components of those
    * in the corners. Stress from a root finder on the law's closed form, see
    * quadrature.cc. The grid follows the body. */
   void
@@ -91,12 +91,13 @@ namespace
                     const unsigned int steps_between_resets)
   {
     const auto problem =
-      run<2>("Grid/Subdivisions = 16, 16\nQuadrature/Type = CPDI\n"
+      run<2>("Grid/Upper corner = 1.05, 1\nGrid/Subdivisions = 17, 16\n"
+             "Quadrature/Type = CPDI\n"
              "Formulation/Type = " +
              formulation +
              "\nGrid/Stretch = y: 0 -> 0, 1 -> 0.5*t\n"
              "Material points/Lattice spacing = 0.025\n"
-             "Material points/Region = x < 0.6275\n"
+             "Material points/Region = x < 0.625\n"
              "Material/Young modulus = 70\nMaterial/Poisson ratio = 0.499\n"
              "Boundary conditions/Displacement = left: x=0; bottom: y=0; "
              "top: y=0.5*t\nTime/Step size = 0.1\n"
@@ -221,7 +222,7 @@ namespace
     details << with << ", without extension " << without;
     test::check("collapse of a vertical cut, " + quadrature,
                 std::abs(with - without) < 0.01 * without && with > 0.68 &&
-                  with < 1.1 * 0.68,
+                  with < 1.2 * 0.68,
                 details.str());
   }
 } // namespace
