@@ -256,6 +256,7 @@ test_contact(const MPI_Comm comm)
 {
   const std::vector<std::pair<std::string, std::string>> falling = {
     {"Material points/Region", "y < 1"},
+    {"Postprocess/Point probes", "low: 1.7, 0.1"},
     {"Dynamics/Initial velocity", "0, -0.1"},
     {"Boundary conditions/Displacement",
      "left: x=0; right: x=0; bottom: y >= -0.005*(1+x)"}};
