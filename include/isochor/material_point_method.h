@@ -19,6 +19,7 @@
 #include <isochor/load_stepping.h>
 #include <isochor/newton_solver.h>
 #include <isochor/point_refinement.h>
+#include <isochor/point_spacing.h>
 #include <isochor/postprocessor.h>
 #include <isochor/remaining_time.h>
 #include <isochor/volume_projection.h>
@@ -163,6 +164,7 @@ namespace isochor
     BodyQuadrature<dim>   quadrature;
     CellOccupancy<dim>    occupancy;
     PointRefinement<dim>  refinement;
+    PointSpacing<dim>     spacing;
     GhostPenalty<dim>     ghost_penalty;
     bool                  needs_occupancy = false;
     VolumeProjection<dim> volume_projection;
