@@ -78,8 +78,9 @@ namespace
              "Postprocess/Point probes = P: " +
       (exchanged ? "0.55, 0.25, 0.55" : "0.55, 0.55, 0.25") + '\n');
     const Statistics &s = problem->last_statistics();
-    return {s.get("Reaction x on left (N)"),
-            s.get("Reaction " + y + " on left (N)"),
+    return {s.get("Displacement x of P (m)"),
+            s.get("Pressure at P (Pa)"),
+            s.get("Displacement " + y + " of P (m)"),
             s.get("Smallest J"),
             s.get("Largest J"),
             s.get("Volume in the grid (m^3)")};
