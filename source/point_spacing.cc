@@ -196,8 +196,8 @@ namespace isochor
            ++q)
         add_covered_cells(points, k, q, covered);
     std::set<unsigned int> bare = send_to_owners(covered, geometry);
-    for (const unsigned int cell : points.cell)
-      bare.erase(cell);
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      bare.erase(points.cell[k]);
 
     std::set<unsigned int> with_corners;
     for (const auto &corner : points.corner_cells)

@@ -143,11 +143,26 @@ namespace
     };
     const std::string dense = warned("0.1", "points");
     test::check("no warning for a dense lattice", dense.empty(), dense);
-    const std::string sparse = warned("0.23", "points");
-    test::check("warning for a sparse lattice",
-                sparse.find("<Material points/Lattice spacing>") !=
-                  std::string::npos,
-                sparse);
+    for (const std::string type : {"points", "cell-filled"})
+      {
+        const std::string sparse = warned("0.17", type);
+        test::check("warning for a sparse lattice, " + type,
+                    sparse.find("<Material points/Lattice spacing>") !=
+                      std::string::npos,
+                    sparse);
+      }
+    std::string message;
+    try
+      {
+        warned("0.6", "points");
+      }
+    catch (const std::exception &exc)
+      {
+        message = test::one_line(exc.what());
+      }
+    test::check("a body that falls apart is an error",
+                message.find("falls apart") != std::string::npos,
+                message);
   }
 } // namespace
 

@@ -17,8 +17,8 @@ namespace isochor
   /**
    * Tells whether the material points lie too far apart for the grid, or
    * otherwise than their volume says. A cell inside
-   * of the body that holds no point, and is not integrated otherwise, resists
-   * nothing: the body is too soft, or falls apart.
+   * of the body that holds no point resists nothing, so that the body is too
+   * soft or falls apart; or it is a hole, whose state is a guess.
    *
    * A cell counts as inside if its centroid lies in what a point stands for,
    * the ball of the point's volume at t = 0, deformed by F. A few such cells
