@@ -106,8 +106,8 @@ namespace isochor
       << "At t = " << time
       << " the material points are too far apart for the grid: " << sums[0]
       << " cells inside of the body, " << 100 * sums[1] / sums[2]
-      << " % of its volume, hold none, and resist nothing. The largest point "
-         "has "
+      << " % of its volume, hold none. They resist nothing or, "
+         "as holes, with a guess of the state there. The largest point has "
       << share
       << " times the volume of its cell. Seed more points (<Material "
          "points/Points per cell>, <Material points/Lattice spacing>, or a "
