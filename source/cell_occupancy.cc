@@ -100,7 +100,6 @@ namespace isochor
     for (const unsigned int v : active_list)
       vertex_active[v] = 0;
     contents.clear();
-    histories.clear();
     active_list.clear();
   }
 
@@ -120,19 +119,14 @@ namespace isochor
 
   template <int dim>
   typename CellOccupancy<dim>::Content &
-  CellOccupancy<dim>::entry(const unsigned int cell,
-                            const double      *first_history)
+  CellOccupancy<dim>::entry(const unsigned int cell)
   {
     unsigned int &index = entry_of_cell[cell];
     if (index == numbers::invalid_unsigned_int)
       {
         index = contents.size();
         contents.emplace_back();
-        contents.back().cell    = cell;
-        contents.back().history = histories.size();
-        histories.insert(histories.end(),
-                         first_history,
-                         first_history + n_history);
+        contents.back().cell = cell;
       }
     return contents[index];
   }
@@ -145,7 +139,6 @@ namespace isochor
                              const MixedKernel<dim> &kernel,
                              const bool              find_holes)
   {
-    n_history = points.n_history;
     clear();
     add_own(points, kernel);
     exchange();
@@ -169,31 +162,63 @@ namespace isochor
   {
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       {
-        const unsigned int begin = points.cell_start[k],
-                           end   = points.cell_start[k + 1];
-        Content &content =
-          entry(points.cell[k],
-                points.history.data() + begin * std::size_t(n_history));
-        content.material = points.material[begin];
-        for (unsigned int q = begin; q < end; ++q)
+        Content &content = entry(points.cell[k]);
+        for (unsigned int q = points.cell_start[k];
+             q < points.cell_start[k + 1];
+             ++q)
           {
             const double V0 = points.volume[q];
             content.volume += determinant(points.F[q]) * V0;
             content.reference_volume += V0;
             content.volume_times_G +=
               V0 * kernel.materials[points.material[q]]->shear_modulus();
-            content.volume_times_F += V0 * points.F[q];
             const auto stencil = points.stencil(grid.geometry(), k, q);
             for (unsigned int I = 0; I < stencil.n_nodes; ++I)
               activate(stencil.vertex[I]);
           }
       }
     for (const auto &corner : points.corner_cells)
+      entry(corner.second);
+  }
+
+
+
+  template <int dim>
+  std::set<unsigned int>
+  CellOccupancy<dim>::ranks_near(const unsigned int cell) const
+  {
+    std::set<unsigned int> ranks;
+    for (const unsigned int v : grid.geometry().vertex_indices(cell))
       {
-        const unsigned int q = corner.first;
-        entry(corner.second,
-              points.history.data() + q * std::size_t(n_history));
+        const auto near = near_ranks.find(v);
+        if (near != near_ranks.end())
+          ranks.insert(near->second.begin(), near->second.end());
       }
+    return ranks;
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::share(std::map<unsigned int, double> &values) const
+  {
+    const MPI_Comm comm = grid.communicator();
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return;
+    const unsigned int me = Utilities::MPI::this_mpi_process(comm);
+    std::map<unsigned int, std::vector<std::pair<unsigned int, double>>> sent;
+    for (auto value = values.begin(); value != values.end();)
+      if (grid.geometry().owner(value->first) == me)
+        {
+          for (const unsigned int rank : ranks_near(value->first))
+            sent[rank].push_back(*value);
+          ++value;
+        }
+      else
+        value = values.erase(value);
+    for (const auto &received : Utilities::MPI::some_to_some(comm, sent))
+      values.insert(received.second.begin(), received.second.end());
   }
 
 
@@ -217,29 +242,14 @@ namespace isochor
       }
     for (const Content &content : contents)
       {
-        std::set<unsigned int> ranks;
-        for (const unsigned int v :
-             grid.geometry().vertex_indices(content.cell))
-          {
-            const auto near = near_ranks.find(v);
-            if (near != near_ranks.end())
-              ranks.insert(near->second.begin(), near->second.end());
-          }
-        for (const unsigned int rank : ranks)
+        for (const unsigned int rank : ranks_near(content.cell))
           {
             std::vector<double> &out = cells[rank];
             out.insert(out.end(),
                        {double(content.cell),
                         content.volume,
                         content.reference_volume,
-                        content.volume_times_G,
-                        double(content.material)});
-            for (unsigned int a = 0; a < dim; ++a)
-              for (unsigned int b = 0; b < dim; ++b)
-                out.push_back(content.volume_times_F[a][b]);
-            out.insert(out.end(),
-                       history(content),
-                       history(content) + n_history);
+                        content.volume_times_G});
           }
       }
     for (auto &cell : cells)
@@ -266,21 +276,13 @@ namespace isochor
     const std::size_t n_vertices = message[0];
     for (std::size_t i = 1; i <= n_vertices; ++i)
       activate(static_cast<unsigned int>(message[i]));
-    const std::size_t size = 5 + dim * dim + n_history;
-    for (std::size_t i = 1 + n_vertices; i < message.size(); i += size)
+    for (std::size_t i = 1 + n_vertices; i < message.size(); i += 4)
       {
-        const double *in    = &message[i];
-        const auto    cell  = static_cast<unsigned int>(in[0]);
-        const bool    known = (content(cell) != nullptr);
-        Content      &to    = entry(cell, in + 5 + dim * dim);
-        if (!known || to.reference_volume == 0)
-          to.material = static_cast<unsigned int>(in[4]);
+        const double *in = &message[i];
+        Content      &to = entry(static_cast<unsigned int>(in[0]));
         to.volume += in[1];
         to.reference_volume += in[2];
         to.volume_times_G += in[3];
-        for (unsigned int a = 0; a < dim; ++a)
-          for (unsigned int b = 0; b < dim; ++b)
-            to.volume_times_F[a][b] += in[5 + a * dim + b];
       }
   }
 
@@ -308,8 +310,12 @@ namespace isochor
             candidates.erase(cell);
             if (hole.is_hole)
               {
+                const double measure = grid.geometry().measure(cell);
                 holes.push_back(hole);
-                holes.back().cell = cell;
+                holes.back().cell   = cell;
+                holes.back().volume = measure;
+                holes.back().reference_volume *= measure;
+                holes.back().volume_times_G *= measure;
               }
           }
       }
@@ -353,6 +359,7 @@ namespace isochor
     if (gap.size() > largest_hole)
       return hole;
     unsigned int n_neighbours = 0;
+    double       J = 0, G = 0;
     for (const unsigned int cell : gap)
       for (unsigned int i = 0; i <= dim; ++i)
         {
@@ -371,15 +378,15 @@ namespace isochor
           if (!(neighbour.reference_volume > 0))
             return hole;
           ++n_neighbours;
-          const double weight = 1 / neighbour.reference_volume;
-          hole.volume += weight * neighbour.volume;
-          hole.volume_times_F += weight * neighbour.volume_times_F;
-          hole.volume_times_G += weight * neighbour.volume_times_G;
-          hole.material = neighbour.material;
-          hole.history  = neighbour.history;
+          J += neighbour.volume / neighbour.reference_volume;
+          G += neighbour.volume_times_G / neighbour.reference_volume;
         }
-    hole.reference_volume = n_neighbours;
-    hole.is_hole          = n_neighbours >= dim;
+    hole.is_hole = n_neighbours >= dim;
+    if (hole.is_hole)
+      {
+        hole.reference_volume = n_neighbours / J;
+        hole.volume_times_G   = G / J;
+      }
     return hole;
   }
 

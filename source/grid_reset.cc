@@ -143,17 +143,23 @@ namespace isochor
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          // the pressure only serves to be mapped, by mass or volume, and these
-          // points have none
+          const auto stencil  = points.stencil(step.grid.geometry(), k, q);
+          double     pressure = 0;
+          if (step.mixed())
+            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+              pressure +=
+                stencil.shape[I] *
+                unknowns.local_element(
+                  step.nodes.node(stencil.vertex[I]) * step.n_components + dim);
           const auto state = step.kernel.final_state(
             points,
             q,
-            deformation_increment<dim>(
-              step, unknowns, points.stencil(step.grid.geometry(), k, q)),
+            deformation_increment<dim>(step, unknowns, stencil),
             step.mixed(),
-            0.,
+            pressure,
             history.data());
-          points.F[q] = state.F;
+          points.F[q]        = state.F;
+          points.pressure[q] = state.pressure;
           std::copy(history.begin(),
                     history.end(),
                     points.history.begin() +

@@ -44,6 +44,7 @@ namespace isochor
     , body(grid, arrays)
     , quadrature(grid)
     , occupancy(grid)
+    , spacing(grid)
     , extension(grid, occupancy)
     , grid_reset(arrays, extension)
   {}
@@ -550,6 +551,8 @@ namespace isochor
     refinement.refine(points, grid, *locator);
     points.gather(arrays);
     quadrature.start_step(arrays, *locator, kernel, needs_occupancy, occupancy);
+    spacing.check(arrays, time.time, time.step == 0, warnings);
+    spacing.compare_volumes(arrays, time.time, warnings);
     grid_reset.touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(grid_reset.touched_vertices);

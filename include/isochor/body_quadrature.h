@@ -22,8 +22,9 @@ namespace isochor
    *  - points: ∫ a dv = Σ_p J_p V0_p a_p, the Material Point Method as it is;
    *  - cell-filled: within the step, the points of each interior cell e share
    *    its measure, V0_p ← V0_p |e| / Σ_{q∈e} J_q V0_q with J at t_n. An
-   *    interior cell that lost all its points gets a massless one, with the
-   *    mean F of the face neighbours and the history of one of them. Masses,
+   *    interior cell that lost all its points gets a massless one with the
+   *    state of the points around, in the mean over each vertex and then over
+   *    the vertices; of several materials that with the largest volume. Masses,
    *    and with them external forces, are not scaled;
    *  - cell-filled + boundary: in addition cells at the surface are scaled to
    *    the part of them that the body fills, counted from samples of the
@@ -103,7 +104,8 @@ namespace isochor
                           const PointLocator<dim>  &locator) const;
     void
     add_hole_points(PointArrays<dim>         &points,
-                    const CellOccupancy<dim> &occupancy) const;
+                    const CellOccupancy<dim> &occupancy,
+                    const MixedKernel<dim>   &kernel) const;
 
     /** Returns the part of its corner for each entry of corner_cells. */
     std::vector<double>

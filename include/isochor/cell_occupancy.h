@@ -50,14 +50,13 @@ namespace isochor
     /** The content of an occupied cell, over all ranks. */
     struct Content
     {
-      unsigned int   cell             = 0;
-      double         volume           = 0; ///< Σ J V_0 at t_n
-      double         reference_volume = 0; ///< Σ V_0
-      double         volume_times_G   = 0; ///< Σ V_0 G
-      Tensor<2, dim> volume_times_F;       ///< Σ V_0 F
-      unsigned int   material = 0;         ///< of the first point
-      unsigned int   history  = 0;         ///< of it, see history()
-      bool           is_hole  = false;
+      unsigned int cell             = 0;
+      double       volume           = 0; ///< Σ J V_0 at t_n
+      double       reference_volume = 0; ///< Σ V_0
+      double       volume_times_G   = 0; ///< Σ V_0 G
+      /** Without points: the measure of the cell is its volume, with J and G in
+       * the mean of the cells around the hole. */
+      bool is_hole = false;
     };
 
     /** What @p cell holds; null if it is empty (or far from this rank). */
@@ -73,13 +72,6 @@ namespace isochor
     occupied_cells() const
     {
       return contents;
-    }
-
-    /** The history of the first point of a cell. */
-    const double *
-    history(const Content &content) const
-    {
-      return histories.data() + content.history;
     }
 
     /** Whether some point touches the node at @p vertex. */
@@ -110,6 +102,11 @@ namespace isochor
     /** Whether all nodes of @p cell are active. */
     bool
     is_closed(const unsigned int cell) const;
+
+    /** Send @p values of this rank's cells to the ranks that are near them, and
+     * add those of their cells. Collective. */
+    void
+    share(std::map<unsigned int, double> &values) const;
 
     /** The cells around a vertex. */
     ArrayView<const unsigned int>
@@ -147,11 +144,13 @@ namespace isochor
     void
     activate(const unsigned int vertex);
     Content &
-    entry(const unsigned int cell, const double *first_history);
+    entry(const unsigned int cell);
     void
     add_own(const PointArrays<dim> &points, const MixedKernel<dim> &kernel);
     void
     exchange();
+    std::set<unsigned int>
+    ranks_near(const unsigned int cell) const;
     void
     add_received(const std::vector<double> &message);
     void
@@ -160,8 +159,9 @@ namespace isochor
      * whether they are more than largest_hole. */
     std::set<unsigned int>
     empty_cells_around(const unsigned int cell) const;
-    /** What the cells around a gap hold in the mean; not a hole if the gap is
-     * too large or not enclosed. */
+    /** The content of each cell of a gap, in units of the cell's measure: J and
+     * G in the mean of the cells around. Not a hole if the gap is too large or
+     * not enclosed. */
     Content
     fill_of_gap(const std::set<unsigned int> &gap) const;
 
@@ -176,10 +176,8 @@ namespace isochor
     /** Other ranks with cells within n_near_layers around a vertex; only
      * vertices where there are any. */
     std::map<unsigned int, std::vector<unsigned int>> near_ranks;
-    unsigned int                                      n_history = 0;
 
     std::vector<Content>       contents;
-    std::vector<double>        histories;
     std::vector<unsigned int>  entry_of_cell;
     std::vector<unsigned char> vertex_active;
     std::vector<unsigned int>  active_list;

@@ -165,6 +165,20 @@ namespace isochor
     rescale_volume(const double /*factor*/, double * /*history*/) const
     {}
 
+    /**
+     * The mean state of several points is formed from sums of their history
+     * variables. A variable whose mean would not be a state of the material
+     * (a stress outside of the yield surface, say) is replaced by one that may
+     * be averaged in to_mean_values(), and from_mean_values() leads back. Both
+     * work on one @p history in place.
+     */
+    virtual void
+    to_mean_values(double * /*history*/) const
+    {}
+    virtual void
+    from_mean_values(double * /*history*/) const
+    {}
+
     virtual VolumetricMeasure
     volumetric_measure() const
     {

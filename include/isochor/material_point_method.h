@@ -20,6 +20,7 @@
 #include <isochor/load_stepping.h>
 #include <isochor/newton_solver.h>
 #include <isochor/point_refinement.h>
+#include <isochor/point_spacing.h>
 #include <isochor/postprocessor.h>
 #include <isochor/remaining_time.h>
 #include <isochor/volume_projection.h>
@@ -201,6 +202,7 @@ namespace isochor
     BodyQuadrature<dim>  quadrature;
     CellOccupancy<dim>   occupancy;
     PointRefinement<dim> refinement;
+    PointSpacing<dim>    spacing;
     /** Whether it is used, see DiscreteExtension::is_active(). */
     bool                   extends = false;
     DiscreteExtension<dim> extension;

@@ -72,7 +72,7 @@ namespace isochor
         fill_interior_cells(points, occupancy);
         if (type == Type::cell_filled_with_boundary)
           fill_boundary_cells(points, occupancy, locator);
-        add_hole_points(points, occupancy);
+        add_hole_points(points, occupancy, kernel);
       }
   }
 

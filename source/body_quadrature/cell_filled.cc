@@ -34,6 +34,148 @@ namespace isochor
 
 
 
+  namespace
+  {
+    /** Whether the body fills the occupied @p cell, or a hole is integrated as
+     * if it did. */
+    template <int dim>
+    bool
+    is_full(const unsigned int cell, const CellOccupancy<dim> &occupancy)
+    {
+      return occupancy.is_interior(cell) || occupancy.content(cell)->is_hole;
+    }
+
+    /** Whether an occupied cell at the surface shares a vertex with @p cell. */
+    template <int dim>
+    bool
+    is_next_to_boundary(const unsigned int        cell,
+                        const CellOccupancy<dim> &occupancy)
+    {
+      for (const unsigned int v :
+           occupancy.grid.geometry().vertex_indices(cell))
+        for (const unsigned int other : occupancy.cells_at(v))
+          if (occupancy.content(other) != nullptr && !is_full(other, occupancy))
+            return true;
+      return false;
+    }
+
+    /** The cells that share a vertex with @p cell, each once. */
+    template <int dim>
+    void
+    find_cells_around(const unsigned int         cell,
+                      const CellOccupancy<dim>  &occupancy,
+                      std::vector<unsigned int> &around)
+    {
+      around.clear();
+      for (const unsigned int v :
+           occupancy.grid.geometry().vertex_indices(cell))
+        for (const unsigned int other : occupancy.cells_at(v))
+          if (other != cell)
+            around.push_back(other);
+      std::sort(around.begin(), around.end());
+      around.erase(std::unique(around.begin(), around.end()), around.end());
+    }
+
+    /**
+     * The samples of cells that are full whatever they say, by cell in
+     * @p excess, don't add up to their measures: domains overlap or leave gaps.
+     * What is too much or too little there is too little or too much nearby:
+     * the cells of @p filled around them get it, in proportion to what they
+     * hold.
+     */
+    template <int dim>
+    void
+    pass_on(const CellOccupancy<dim>             &occupancy,
+            const std::map<unsigned int, double> &excess,
+            std::map<unsigned int, double>       &filled)
+    {
+      std::vector<unsigned int>      around;
+      std::map<unsigned int, double> change;
+      for (const auto &from : excess)
+        {
+          double sum = 0;
+          find_cells_around(from.first, occupancy, around);
+          for (const unsigned int cell : around)
+            {
+              const auto to = filled.find(cell);
+              sum += to == filled.end() ? 0. : to->second;
+            }
+          // a cell gives at most half of what it holds
+          const double factor =
+            sum > 0 ? std::max(from.second / sum, -0.5) : 0.;
+          for (const unsigned int cell : around)
+            {
+              const auto to = filled.find(cell);
+              if (to != filled.end())
+                change[cell] += factor * to->second;
+            }
+        }
+      for (const auto &cell : change)
+        filled[cell.first] =
+          std::max(filled[cell.first] + cell.second, 0.5 * filled[cell.first]);
+    }
+
+    /**
+     * What the cells of @p filled hold beyond their measure goes to those
+     * around them that have room, in proportion to the room; what finds none
+     * stays. Domains that overlap in one place leave gaps nearby: cutting off
+     * what is too much without filling the gaps would lose volume in each step.
+     */
+    template <int dim>
+    void
+    level(const CellOccupancy<dim>       &occupancy,
+          std::map<unsigned int, double> &filled)
+    {
+      const SimplexGeometry<dim> &geometry = occupancy.grid.geometry();
+      const auto room = [&](const std::pair<const unsigned int, double> &cell) {
+        return geometry.measure(cell.first) - cell.second;
+      };
+      // what full cells offer, and how much of it each other cell is offered
+      std::vector<unsigned int>      around;
+      std::map<unsigned int, double> room_around, offered;
+      for (const auto &from : filled)
+        if (room(from) < 0)
+          {
+            double sum = 0;
+            find_cells_around(from.first, occupancy, around);
+            for (const unsigned int cell : around)
+              {
+                const auto to = filled.find(cell);
+                if (to != filled.end())
+                  sum += std::max(0., room(*to));
+              }
+            room_around[from.first] = sum;
+            for (const unsigned int cell : around)
+              {
+                const auto to = filled.find(cell);
+                if (to != filled.end() && room(*to) > 0)
+                  offered[cell] -= room(from) * room(*to) / sum;
+              }
+          }
+      // no cell takes more than it has room for
+      std::map<unsigned int, double> change;
+      for (const auto &from : room_around)
+        {
+          const double excess = -room(*filled.find(from.first));
+          find_cells_around(from.first, occupancy, around);
+          for (const unsigned int cell : around)
+            {
+              const auto to = filled.find(cell);
+              if (to == filled.end() || !(room(*to) > 0))
+                continue;
+              const double part = excess * room(*to) / from.second *
+                                  std::min(1., room(*to) / offered[cell]);
+              change[cell] += part;
+              change[from.first] -= part;
+            }
+        }
+      for (const auto &cell : change)
+        filled[cell.first] += cell.second;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   BodyQuadrature<dim>::fill_boundary_cells(
@@ -44,19 +186,34 @@ namespace isochor
     // further away from the points' own volume the samples are not to be
     // trusted
     constexpr double smallest = 0.2, largest = 5;
-    const auto       filled = sample_boundary_cells(points, occupancy, locator);
+
+    const unsigned int rank =
+      Utilities::MPI::this_mpi_process(grid.communicator());
+    std::map<unsigned int, double> filled, excess; // at the surface, behind it
+    for (const auto &cell : sample_boundary_cells(points, occupancy, locator))
+      if (grid.geometry().owner(cell.first) != rank)
+        continue;
+      else if (!is_full(cell.first, occupancy))
+        filled.insert(cell);
+      else if (is_next_to_boundary(cell.first, occupancy))
+        excess[cell.first] = cell.second - grid.geometry().measure(cell.first);
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      if (!occupancy.is_interior(points.cell[k]))
+        filled.emplace(points.cell[k], 0.);
+    occupancy.share(filled);
+    occupancy.share(excess);
+    pass_on(occupancy, excess, filled);
+    level(occupancy, filled);
+
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       {
         const unsigned int cell = points.cell[k];
         if (occupancy.is_interior(cell))
           continue;
-        const auto   sampled = filled.find(cell);
-        const double fill =
-          std::min(sampled == filled.end() ? 0. : sampled->second,
-                   grid.geometry().measure(cell));
         const double factor =
           std::max(smallest,
-                   std::min(largest, fill / occupancy.content(cell)->volume));
+                   std::min(largest,
+                            filled[cell] / occupancy.content(cell)->volume));
         for (unsigned int q = points.cell_start[k];
              q < points.cell_start[k + 1];
              ++q)
@@ -77,10 +234,11 @@ namespace isochor
     const Quadrature<dim>       samples =
       material_point_rule<dim>(dim == 2 ? 36 : 64);
 
-    // domains in cells that touch a cell at the surface may reach into it
+    // domains in the cells around a cell may reach into it
     std::set<unsigned int> near;
     for (const auto &content : occupancy.occupied_cells())
-      if (!occupancy.is_interior(content.cell))
+      if (!is_full(content.cell, occupancy) ||
+          is_next_to_boundary(content.cell, occupancy))
         for (const unsigned int v : geometry.vertex_indices(content.cell))
           near.insert(v);
 
@@ -107,9 +265,10 @@ namespace isochor
                        (points.domain[q][d + 1] - points.domain[q][0]);
                 const auto place =
                   locator.locate(centre + points.F[q] * r, cell);
-                // beyond a wall: in the wall's cell
-                filled[place.found ? place.cell : cell] +=
-                  samples.weight(s) * V;
+                // where the grid or the points end it counts for the own cell
+                const bool in_body =
+                  place.found && occupancy.content(place.cell) != nullptr;
+                filled[in_body ? place.cell : cell] += samples.weight(s) * V;
               }
           }
       }
@@ -127,72 +286,6 @@ namespace isochor
         for (const auto &fill : received.second)
           filled[fill.first] += fill.second;
     return filled;
-  }
-
-
-
-  namespace
-  {
-    /** A deformation gradient for a hole, with the mean volume change of the
-     * cells around. The mean of F alone would not have it: that of rotated or
-     * sheared neighbours may even have a negative determinant. */
-    template <int dim>
-    Tensor<2, dim>
-    mean_deformation(const typename CellOccupancy<dim>::Content &hole)
-    {
-      const double   J      = hole.volume / hole.reference_volume;
-      Tensor<2, dim> F      = hole.volume_times_F / hole.reference_volume;
-      double         mean_J = determinant(F);
-      if (mean_J < 0.1 * J)
-        {
-          F      = unit_symmetric_tensor<dim>();
-          mean_J = 1;
-        }
-      return std::pow(J / mean_J, 1. / dim) * F;
-    }
-  } // namespace
-
-
-
-  template <int dim>
-  void
-  BodyQuadrature<dim>::add_hole_points(
-    PointArrays<dim>         &points,
-    const CellOccupancy<dim> &occupancy) const
-  {
-    const unsigned int rank =
-      Utilities::MPI::this_mpi_process(grid.communicator());
-    std::map<unsigned int, const typename CellOccupancy<dim>::Content *> holes;
-    for (const auto &content : occupancy.occupied_cells())
-      if (content.is_hole && grid.geometry().owner(content.cell) == rank)
-        holes[content.cell] = &content;
-
-    for (const auto &hole : holes)
-      {
-        const Tensor<2, dim> F = mean_deformation<dim>(*hole.second);
-        points.cell.push_back(hole.first);
-        points.cell_start.push_back(points.cell_start.back() + 1);
-        points.shape.emplace_back();
-        points.shape.back().fill(1. / (dim + 1));
-        points.volume.push_back(0);
-        points.mass.push_back(0);
-        points.weight.push_back(grid.geometry().measure(hole.first) /
-                                determinant(F));
-        points.pressure.push_back(0);
-        points.F.push_back(F);
-        points.material.push_back(hole.second->material);
-        const double *const history = occupancy.history(*hole.second);
-        points.history.insert(points.history.end(),
-                              history,
-                              history + points.n_history);
-        if (!points.velocity.empty())
-          {
-            points.velocity.emplace_back();
-            points.acceleration.emplace_back();
-          }
-        if (!points.domain.empty())
-          points.domain.emplace_back();
-      }
   }
 
 

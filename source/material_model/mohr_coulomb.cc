@@ -16,6 +16,27 @@
 
 namespace isochor
 {
+  namespace
+  {
+    /** Apply @p function to the eigenvalues of the symmetric tensor stored in
+     * @p components. */
+    template <int dim, typename Function>
+    void
+    map_eigenvalues(const Function &function, double *components)
+    {
+      const SpectralDecomposition spectrum =
+        spectral_decomposition<dim>(load_symmetric_tensor<dim>(components));
+      SymmetricTensor<2, 3> result;
+      for (unsigned int A = 0; A < 3; ++A)
+        result +=
+          function(spectrum.values[A]) *
+          symmetrize(outer_product(spectrum.vectors[A], spectrum.vectors[A]));
+      store_symmetric_tensor<dim>(result, components);
+    }
+  } // namespace
+
+
+
   /**
    * Perfectly plastic Mohr-Coulomb law at finite strain: quadratic Hencky
    * energy in the principal elastic logarithmic strains ε_A, trial state
@@ -64,6 +85,20 @@ namespace isochor
       const double stretch = std::cbrt(factor);
       for (unsigned int i = 0; i < n_symmetric_components<dim>; ++i)
         history[i] *= stretch * stretch;
+    }
+
+    /** ln b^e instead of b^e: τ is linear in it, and the elastic domain is
+     * convex, so that the mean of admissible states is admissible. */
+    void
+    to_mean_values(double *history) const override
+    {
+      map_eigenvalues<dim>([](const double b) { return std::log(b); }, history);
+    }
+
+    void
+    from_mean_values(double *history) const override
+    {
+      map_eigenvalues<dim>([](const double e) { return std::exp(e); }, history);
     }
 
     VolumetricMeasure
