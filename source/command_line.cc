@@ -6,6 +6,7 @@
 #include <isochor/command_line.h>
 #include <isochor/edit_distance.h>
 #include <isochor/parameter_file.h>
+#include <isochor/shared_libraries.h>
 
 #include <algorithm>
 #include <chrono>
@@ -285,9 +286,11 @@ namespace isochor
                         options.overrides.begin(),
                         options.overrides.end());
 
+      load_shared_libraries(statements);
       const unsigned int dim = find_dimension(statements);
       ParameterHandler   prm;
       declare_dimension(prm);
+      declare_shared_libraries(prm);
       program.declare(prm, dim, n_numbered_subsections(statements, "Material"));
       apply_parameters(statements, prm);
 

@@ -38,11 +38,14 @@ namespace isochor
     using Factory     = std::function<std::unique_ptr<Interface>()>;
     using Declaration = void (*)(ParameterHandler &);
 
-    /** Make a plugin known. Called from static objects before main(). */
+    /** Make a plugin known. Called from static objects before main(), or when
+     * a shared library is loaded. */
     static bool
     add(const std::string &name, Factory create, Declaration declare)
     {
-      entries()[name] = Entry{std::move(create), declare};
+      // not the place to throw; declare_parameters() will
+      if (!entries().emplace(name, Entry{std::move(create), declare}).second)
+        name_used_twice() = name;
       return true;
     }
 
@@ -60,6 +63,9 @@ namespace isochor
     static void
     declare_parameters(ParameterHandler &prm)
     {
+      AssertThrow(name_used_twice().empty(),
+                  ExcMessage("Two plugins have the name <" + name_used_twice() +
+                             ">. Rename one of them where it is registered."));
       for (const auto &entry : entries())
         entry.second.declare(prm);
     }
@@ -96,6 +102,13 @@ namespace isochor
     {
       static std::map<std::string, Entry> all;
       return all;
+    }
+
+    static std::string &
+    name_used_twice()
+    {
+      static std::string name;
+      return name;
     }
   };
 

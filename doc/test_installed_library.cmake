@@ -1,0 +1,40 @@
+# Install the project, then build and run doc/step and doc/plugins as a stranger
+# would: outside of its tree, with find_package(Isochor). Called by ctest:
+#   cmake -DBUILD=... -DDOC=... -DTYPE=Release -P test_installed_library.cmake
+set(place ${BUILD}/doc/installed)
+file(REMOVE_RECURSE ${place})
+file(MAKE_DIRECTORY ${place})
+
+function(run)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "IN;OUTPUT" "COMMAND")
+  if(NOT arg_IN)
+    set(arg_IN ${place})
+  endif()
+  execute_process(COMMAND ${arg_COMMAND} WORKING_DIRECTORY ${arg_IN}
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    list(JOIN arg_COMMAND " " command)
+    message(FATAL_ERROR "${command}\n${output}")
+  endif()
+  if(arg_OUTPUT)
+    file(WRITE ${arg_OUTPUT} "${output}")
+  endif()
+endfunction()
+
+run(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${place}/usr)
+foreach(example step plugins)
+  run(COMMAND ${CMAKE_COMMAND} -S ${DOC}/${example} -B ${place}/${example}
+    -D CMAKE_PREFIX_PATH=${place}/usr -D CMAKE_BUILD_TYPE=${TYPE})
+  run(COMMAND ${CMAKE_COMMAND} --build ${place}/${example})
+endforeach()
+
+run(COMMAND ./step_isochor IN ${place}/step OUTPUT ${place}/step/output)
+run(COMMAND ${NUMDIFF} -a 1e-6 -r 1e-8 ${place}/step/output
+  ${DOC}/step/step_isochor.output)
+
+run(COMMAND ${place}/usr/bin/isochor ${DOC}/plugins/plugins.prm --quiet
+  IN ${place}/plugins)
+run(COMMAND tail -n 1 output/statistics.txt IN ${place}/plugins
+  OUTPUT ${place}/plugins/last_step)
+file(READ ${place}/plugins/last_step last_step)
+message("${last_step}")
