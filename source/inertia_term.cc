@@ -58,17 +58,65 @@ namespace isochor
 
   template <int dim>
   void
-  InertiaTerm<dim>::start_step(const StepContext<dim> &step)
+  InertiaTerm<dim>::start_step(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    MaterialPoints<dim>                                        &points)
   {
     mass.reinit(step);
     mass.collect(step, step.points.velocity, momentum);
-    mass.collect(step, step.points.acceleration, force);
+    if (getenv("ISO_FORCE") && step.old_time > 0)
+      collect_forces(step, conditions, points);
+    else
+      mass.collect(step, step.points.acceleration, force);
     held.assign(step.nodes.n_owned() * dim, 0);
     project(step, momentum, held, projected);
     prescribed = false;
     step.nodes.initialize(velocity, dim);
     step.nodes.initialize(acceleration, dim);
     step.nodes.initialize(inertial_acceleration, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::collect_forces(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    MaterialPoints<dim>                                        &points)
+  {
+    StepContext<dim> start = step;
+    start.time             = step.old_time;
+    NodalField loads, rest;
+    step.nodes.initialize(loads, step.n_components);
+    step.nodes.initialize(rest, step.n_components);
+    for (const auto &condition : conditions)
+      {
+        condition->add_external_force(start, loads);
+        condition->add_boundary_force(start, rest, loads);
+      }
+    const PointLayout &l = points.layout();
+    points.for_each([&](const unsigned int k,
+                        const unsigned int q,
+                        Point<dim> & /*location*/,
+                        ArrayView<double> properties) {
+      const auto stencil = step.points.stencil(step.grid.geometry(), k, q);
+      const auto stress  = load_symmetric<dim>(&properties[l.stress]);
+      const double V = step.points.weight[q] * determinant(step.points.F[q]);
+      for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+        for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int b = 0; b < dim; ++b)
+            loads.local_element(
+              step.nodes.node(stencil.vertex[I]) * step.n_components + a) -=
+              V * stress[a][b] * stencil.gradient[I][b];
+    });
+    loads.compress(VectorOperation::add);
+    step.nodes.initialize(force, dim);
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      for (unsigned int a = 0; a < dim; ++a)
+        force.local_element(node * dim + a) =
+          loads.local_element(node * step.n_components + a);
   }
 
 

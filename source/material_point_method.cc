@@ -389,7 +389,7 @@ namespace isochor
     nodes.initialize(boundary_force, n_components);
     set_initial_pressure();
     if (dynamic)
-      inertia.start_step(context());
+      inertia.start_step(context(), boundary_conditions, points);
     prepare_system();
     compute_residual_floor();
   }
@@ -532,21 +532,20 @@ namespace isochor
     report.converged = true;
     if (!dynamic || time.step > 0)
       return report;
-    // a trial of size h errs by O(h), and two together by O(h²)
+    // a trial errs by O(h); two, one of them back in time, by O(h²)
     const double size = context().step_size();
-    for (const auto &trial :
-         {std::make_pair(size, -1.), std::make_pair(size / 2, 2.)})
+    for (const double trial : {size, -size})
       {
-        inertia.start_trial(trial.first);
+        inertia.start_trial(trial);
         start_again();
-        report = updated_lagrangian_phase();
+        report = trial > 0 ? updated_lagrangian_phase() : find_equilibrium();
         if (report.converged)
-          inertia.finish_trial(context(), unknowns, trial.second, arrays);
+          inertia.finish_trial(context(), unknowns, 0.5, arrays);
         inertia.end_trial();
         if (!report.converged)
           return report;
       }
-    inertia.start_step(context());
+    inertia.start_step(context(), boundary_conditions, points);
     start_again();
     return report;
   }
@@ -752,8 +751,14 @@ namespace isochor
   MaterialPointMethod<dim>::convective_phase(const NewtonReport &newton)
   {
     const StepContext<dim> step = context();
-    const StepResult<dim>  result{
-      step, unknowns, system, points, time, newton, output_directory};
+    const StepResult<dim>  result{step,
+                                 unknowns,
+                                 system,
+                                 points,
+                                 time,
+                                 newton,
+                                 output_directory,
+                                 boundary_conditions};
     {
       TimerOutput::Scope scope(timer, "postprocessing");
       statistics.set("Step", time.step + 1);

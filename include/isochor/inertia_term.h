@@ -37,7 +37,10 @@ namespace isochor
 
     /** Take the points as they are at the start of the step. Collective. */
     void
-    start_step(const StepContext<dim> &step);
+    start_step(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      MaterialPoints<dim>                                        &points);
 
     /**
      * Give the unknowns held by @p constraints the velocity and acceleration of
@@ -85,7 +88,7 @@ namespace isochor
     bool
     in_trial() const
     {
-      return trial_size > 0;
+      return trial_size != 0;
     }
     /** Back to the equations of a step. */
     void
@@ -131,6 +134,12 @@ namespace isochor
     {
       return in_trial() ? trial_integrator : integrator;
     }
+
+    void
+    collect_forces(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      MaterialPoints<dim>                                        &points);
 
     /** M x = load at the entries not held, from the lumped solution. */
     void
