@@ -409,25 +409,6 @@ namespace isochor
 
 
 
-  template <int dim>
-  bool
-  CellOccupancy<dim>::is_cut(const unsigned int cell) const
-  {
-    bool at_open_boundary = false;
-    for (const unsigned int v : grid.geometry().vertex_indices(cell))
-      {
-        if (is_at_empty_cell(v))
-          return true;
-        at_open_boundary = at_open_boundary || is_at_open_boundary(v);
-      }
-    const Content *const in_cell = content(cell);
-    return at_open_boundary &&
-           (in_cell == nullptr ||
-            in_cell->volume < 0.99 * grid.geometry().measure(cell));
-  }
-
-
-
   template class CellOccupancy<2>;
   template class CellOccupancy<3>;
 } // namespace isochor

@@ -58,10 +58,10 @@ namespace isochor
 
 
   template <int dim>
-  GridReset<dim>::GridReset(PointArrays<dim>  &points,
-                            GhostPenalty<dim> &ghost_penalty)
+  GridReset<dim>::GridReset(PointArrays<dim>       &points,
+                            DiscreteExtension<dim> &extension)
     : points(points)
-    , ghost_penalty(ghost_penalty)
+    , extension(extension)
   {}
 
 
@@ -246,7 +246,7 @@ namespace isochor
     archive << is_due << n_steps_since << reset_time;
     if (!is_due)
       archive << touched_vertices << elements << first_element << points
-              << ghost_penalty;
+              << extension;
     return stream.str();
   }
 
@@ -261,7 +261,7 @@ namespace isochor
     archive >> is_due >> n_steps_since >> reset_time;
     if (!is_due)
       archive >> touched_vertices >> elements >> first_element >> points >>
-        ghost_penalty;
+        extension;
   }
 
 

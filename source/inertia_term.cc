@@ -28,6 +28,15 @@ namespace isochor
                       "the velocity of the points by projection with the "
                       "consistent mass matrix, so that neither damps a body "
                       "that stays in its cells.");
+    prm.declare_entry("Acceleration",
+                      "carried",
+                      Patterns::Selection("carried|from stresses"),
+                      "With which acceleration a step starts: the points' own "
+                      "of the step before, or the one that the stresses of the "
+                      "points and the loads give on the grid of the step. The "
+                      "latter keeps the energy also when points change cells, "
+                      "but needs forces that don't jump then: <Quadrature/Type "
+                      "= CPDI>; and the trapezoidal rule.");
     prm.declare_entry("Initial velocity",
                       "",
                       Patterns::Anything(),
@@ -47,7 +56,18 @@ namespace isochor
     integrator.parse_parameters(prm);
     kept_part        = prm.get("Transfer") == "FLIP" ? 1 : 0;
     initial_velocity = prm.get("Initial velocity");
+    from_stresses    = prm.get("Acceleration") == "from stresses";
     prm.leave_subsection();
+    prm.enter_subsection("Quadrature");
+    const std::string quadrature = prm.get("Type");
+    prm.leave_subsection();
+    AssertThrow(!dynamic || !from_stresses ||
+                  (quadrature == "CPDI" && integrator.is_collocated()),
+                ExcMessage("<Dynamics/Acceleration = from stresses> needs "
+                           "<Quadrature/Type = CPDI>, not " +
+                           quadrature +
+                           ", and <Dynamics/Spectral radius = 1> or "
+                           "<Dynamics/Scheme = Newmark>."));
     AssertThrow(dynamic || initial_velocity.empty(),
                 ExcMessage("The parameter <Dynamics/Initial velocity> needs "
                            "<Dynamics/Inertia = true>."));
@@ -61,16 +81,15 @@ namespace isochor
   InertiaTerm<dim>::start_step(
     const StepContext<dim>                                     &step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-    MaterialPoints<dim>                                        &points)
+    MaterialPoints<dim>                                        &points,
+    const bool                                                  is_first)
   {
     mass.reinit(step);
     mass.collect(step, step.points.velocity, momentum);
-    if (getenv("ISO_FORCE") && step.old_time > 0)
+    if (from_stresses && !is_first)
       collect_forces(step, conditions, points);
     else
       mass.collect(step, step.points.acceleration, force);
-    held.assign(step.nodes.n_owned() * dim, 0);
-    project(step, momentum, held, projected);
     prescribed = false;
     step.nodes.initialize(velocity, dim);
     step.nodes.initialize(acceleration, dim);
@@ -101,8 +120,8 @@ namespace isochor
                         const unsigned int q,
                         Point<dim> & /*location*/,
                         ArrayView<double> properties) {
-      const auto stencil = step.points.stencil(step.grid.geometry(), k, q);
-      const auto stress  = load_symmetric<dim>(&properties[l.stress]);
+      const auto   stencil = step.points.stencil(step.grid.geometry(), k, q);
+      const auto   stress  = load_symmetric<dim>(&properties[l.stress]);
       const double V = step.points.weight[q] * determinant(step.points.F[q]);
       for (unsigned int I = 0; I < stencil.n_nodes; ++I)
         for (unsigned int a = 0; a < dim; ++a)
@@ -123,21 +142,24 @@ namespace isochor
 
   template <int dim>
   void
-  InertiaTerm<dim>::project(const StepContext<dim>           &step,
-                            const NodalField                 &load,
-                            const std::vector<unsigned char> &held_entries,
-                            NodalField                       &solution) const
+  InertiaTerm<dim>::project(const StepContext<dim> &step,
+                            const NodalField       &load,
+                            const NodalTies        &ties,
+                            NodalField             &solution) const
   {
-    if (std::none_of(held_entries.begin(), held_entries.end(), [](auto h) {
-          return h;
-        }))
-      step.nodes.initialize(solution, dim);
     solution.zero_out_ghost_values();
-    for (unsigned int i = 0; i < held_entries.size(); ++i)
+    for (unsigned int i = 0; i < step.nodes.n_owned() * dim; ++i)
       if (const double m = mass.lumped.local_element(i / dim);
-          !held_entries[i] && m > 0)
+          !held[i] && m > 0)
         solution.local_element(i) = load.local_element(i) / m;
-    mass.solve(step, load, held_entries, solution);
+    const double error = mass.solve(step, load, held, ties, solution);
+    if (!(error < 1e-8))
+      step.warnings.add("projection of velocities",
+                        "Velocities or accelerations of the points could not "
+                        "be projected to the nodes to more than " +
+                          std::to_string(error) +
+                          " of their size. Use more <Material points/Points "
+                          "per cell>, or larger steps.");
   }
 
 
@@ -164,14 +186,20 @@ namespace isochor
     // is in all of them
     const NodalConstraints start = place(0), middle = place(0.5),
                            end = place(1);
-    velocity.zero_out_ghost_values();
-    acceleration.zero_out_ghost_values();
-    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+    held.assign(step.nodes.n_local() * dim, 0);
+    if (kept_part > 0)
+      {
+        step.nodes.initialize(projected, dim);
+        project(step, momentum, constraints.ties, projected);
+      }
+    step.nodes.initialize(velocity, dim);
+    step.nodes.initialize(acceleration, dim);
+    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
       for (unsigned int d = 0; d < dim; ++d)
         {
           const unsigned int entry = node * nc + d, i = node * dim + d;
           held[i] = constraints.constrained[entry];
-          if (!held[i])
+          if (!held[i] || node >= step.nodes.n_owned())
             continue;
           const double first = middle.increment[entry] - start.increment[entry],
                        second = end.increment[entry] - middle.increment[entry];
@@ -182,8 +210,8 @@ namespace isochor
           acceleration.local_element(i) = a;
           velocity.local_element(i)     = (first + second) / dt - a * dt / 2;
         }
-    project(step, momentum, held, velocity);
-    project(step, force, held, acceleration);
+    project(step, momentum, constraints.ties, velocity);
+    project(step, force, constraints.ties, acceleration);
     prescribed = true;
   }
 
@@ -341,8 +369,9 @@ namespace isochor
         const unsigned int first = step.nodes.node(stencil.vertex[I]) * dim;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            v[d] += N * (new_velocity.local_element(first + d) -
-                         kept_part * projected.local_element(first + d));
+            v[d] += N * new_velocity.local_element(first + d);
+            if (kept_part > 0)
+              v[d] -= N * kept_part * projected.local_element(first + d);
             a[d] += N * new_acceleration.local_element(first + d);
           }
       }

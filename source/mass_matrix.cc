@@ -188,10 +188,58 @@ namespace isochor
 
 
   template <int dim>
+  void
+  MassMatrix<dim>::hand_on(const StepContext<dim>           &step,
+                           const std::vector<unsigned char> &held,
+                           const NodalTies                  &ties,
+                           NodalField                       &load) const
+  {
+    for (unsigned int k = 0; k < ties.size(); ++k)
+      if (ties.node[k] < step.nodes.n_owned())
+        for (unsigned int a = 0; a < dim; ++a)
+          {
+            const unsigned int entry = ties.node[k] * dim + a;
+            if (held[entry])
+              continue;
+            const double value        = load.local_element(entry);
+            load.local_element(entry) = 0.;
+            for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
+              load.local_element(ties.master[i] * dim + a) +=
+                ties.weight[i] * value;
+          }
+    load.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::interpolate(const std::vector<unsigned char> &held,
+                               const NodalTies                  &ties,
+                               NodalField                       &field) const
+  {
+    field.update_ghost_values();
+    for (unsigned int k = 0; k < ties.size(); ++k)
+      for (unsigned int a = 0; a < dim; ++a)
+        {
+          if (held[ties.node[k] * dim + a])
+            continue;
+          double value = 0;
+          for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
+            value +=
+              ties.weight[i] * field.local_element(ties.master[i] * dim + a);
+          field.local_element(ties.node[k] * dim + a) = value;
+        }
+  }
+
+
+
+  template <int dim>
   double
   MassMatrix<dim>::solve(const StepContext<dim>           &step,
                          const NodalField                 &load,
                          const std::vector<unsigned char> &held,
+                         const NodalTies                  &ties,
                          NodalField                       &solution) const
   {
     // The matrix scaled to a unit diagonal, so that residuals of nodes with
@@ -200,19 +248,34 @@ namespace isochor
     NodalField         scale, residual, correction;
     step.nodes.initialize(scale, dim);
     for (unsigned int i = 0; i < n; ++i)
+      scale.local_element(i) = diagonal.local_element(i / dim);
+    for (unsigned int k = 0; k < ties.size(); ++k)
+      if (ties.node[k] < step.nodes.n_owned())
+        for (unsigned int a = 0; a < dim; ++a)
+          if (const unsigned int entry = ties.node[k] * dim + a; !held[entry])
+            {
+              for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
+                scale.local_element(ties.master[i] * dim + a) +=
+                  ties.weight[i] * ties.weight[i] * scale.local_element(entry);
+              scale.local_element(entry) = 0.;
+            }
+    scale.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < n; ++i)
       {
-        const double m = diagonal.local_element(i / dim);
-        if (!held[i] && m > 0)
-          scale.local_element(i) = 1 / std::sqrt(m);
-        else if (!held[i])
+        const double m         = scale.local_element(i);
+        scale.local_element(i) = (!held[i] && m > 0) ? 1 / std::sqrt(m) : 0.;
+        if (!held[i] && m == 0)
           solution.local_element(i) = 0;
       }
+
     struct ScaledMatrix
     {
-      const MassMatrix<dim>  &mass;
-      const StepContext<dim> &step;
-      const NodalField       &scale;
-      mutable NodalField      scaled;
+      const MassMatrix<dim>            &mass;
+      const StepContext<dim>           &step;
+      const std::vector<unsigned char> &held;
+      const NodalTies                  &ties;
+      const NodalField                 &scale;
+      mutable NodalField                scaled;
 
       void
       vmult(NodalField &result, const NodalField &x) const
@@ -220,34 +283,38 @@ namespace isochor
         scaled.zero_out_ghost_values();
         scaled = x;
         scaled.scale(scale);
-        scaled.update_ghost_values();
+        mass.interpolate(held, ties, scaled);
         result = 0.;
         mass.add_product(step, scaled, result);
         result.compress(VectorOperation::add);
+        mass.hand_on(step, held, ties, result);
         result.scale(scale);
       }
     };
 
-    solution.update_ghost_values();
+    interpolate(held, ties, solution);
     vmult(step, solution, residual);
     residual.sadd(-1., 1., load);
+    hand_on(step, held, ties, residual);
     residual.scale(scale);
     correction = load;
+    hand_on(step, held, ties, correction);
     correction.scale(scale);
     const double size = correction.l2_norm();
     correction        = 0.;
-    if (size == 0. || residual.l2_norm() <= 1e-15 * size)
+    if (size == 0. && residual.l2_norm() == 0.)
       return 0.;
 
-    ScaledMatrix           matrix{*this, step, scale, scale};
-    IterationNumberControl control(200, 1e-14 * size, false, false);
+    const double           goal = std::max(size, residual.l2_norm());
+    ScaledMatrix           matrix{*this, step, held, ties, scale, scale};
+    IterationNumberControl control(200, 1e-14 * goal, false, false);
     SolverCG<NodalField>   cg(control);
     cg.solve(matrix, correction, residual, PreconditionIdentity());
     correction.scale(scale);
     solution.zero_out_ghost_values();
     solution += correction;
-    solution.update_ghost_values();
-    return control.last_value() / size;
+    interpolate(held, ties, solution);
+    return control.last_value() / goal;
   }
 
 

@@ -41,8 +41,8 @@ namespace isochor
     , body(grid, arrays)
     , quadrature(grid)
     , occupancy(grid)
-    , ghost_penalty(grid, occupancy)
-    , grid_reset(arrays, ghost_penalty)
+    , extension(grid, occupancy)
+    , grid_reset(arrays, extension)
   {}
 
 
@@ -59,7 +59,7 @@ namespace isochor
     Checkpoint<dim>::declare_parameters(prm);
     InertiaTerm<dim>::declare_parameters(prm);
     BodyQuadrature<dim>::declare_parameters(prm);
-    GhostPenalty<dim>::declare_parameters(prm);
+    DiscreteExtension<dim>::declare_parameters(prm);
     PointRefinement<dim>::declare_parameters(prm);
     GridReset<dim>::declare_parameters(prm);
     VolumeProjection<dim>::declare_parameters(prm);
@@ -137,7 +137,7 @@ namespace isochor
     checkpoint.parse_parameters(prm);
     dynamic = inertia.parse_parameters(prm);
     quadrature.parse_parameters(prm);
-    ghost_penalty.parse_parameters(prm);
+    extension.parse_parameters(prm);
     refinement.parse_parameters(prm);
     grid_reset.parse_parameters(prm);
     project_volume = volume_projection.parse_parameters(prm);
@@ -263,10 +263,9 @@ namespace isochor
     for (auto &postprocessor : postprocessors)
       postprocessor->initialize(grid);
 
-    terms = {&body};
-    if (ghost_penalty.is_active(quadrature.is_plain()))
-      terms.push_back(&ghost_penalty);
-    needs_occupancy = quadrature.needs_occupancy() || terms.size() > 1;
+    terms           = {&body};
+    extends         = extension.is_active(quadrature.is_plain());
+    needs_occupancy = quadrature.needs_occupancy() || extends;
     if (needs_occupancy)
       find_walls();
     if (dynamic)
@@ -389,7 +388,10 @@ namespace isochor
     nodes.initialize(boundary_force, n_components);
     set_initial_pressure();
     if (dynamic)
-      inertia.start_step(context(), boundary_conditions, points);
+      inertia.start_step(context(),
+                         boundary_conditions,
+                         points,
+                         time.step == 0);
     prepare_system();
     compute_residual_floor();
   }
@@ -412,6 +414,8 @@ namespace isochor
     grid_reset.touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(grid_reset.touched_vertices);
+    if (extends)
+      extension.update(arrays, grid_reset.touched_vertices);
   }
 
 
@@ -507,6 +511,8 @@ namespace isochor
     constraints.reinit(nodes.n_local() * n_components);
     for (const auto &condition : boundary_conditions)
       condition->constrain(step, constraints);
+    if (extends)
+      extension.constrain(step, constraints);
     const bool changed =
       Utilities::MPI::max(static_cast<int>(constraints.constrained != previous),
                           comm) != 0;
@@ -545,7 +551,7 @@ namespace isochor
         if (!report.converged)
           return report;
       }
-    inertia.start_step(context(), boundary_conditions, points);
+    inertia.start_step(context(), boundary_conditions, points, time.step == 0);
     start_again();
     return report;
   }
@@ -556,6 +562,7 @@ namespace isochor
   void
   MaterialPointMethod<dim>::start_again()
   {
+    at_start = true;
     for (unsigned int i = 0; i < nodes.n_local() * n_components; ++i)
       if (i % n_components < dim)
         unknowns.local_element(i) = 0.;
@@ -642,6 +649,7 @@ namespace isochor
         unknowns.local_element(i) =
           base_unknowns.local_element(i) + s * correction.local_element(i);
     };
+    system.interpolate_ties(unknowns); // wherever it starts from
     return newton_solver.solve(problem, verbose ? &std::cout : nullptr);
   }
 
@@ -686,8 +694,7 @@ namespace isochor
                                              grid_reset.first_element[t],
                                              with_matrix,
                                              system)));
-    system.finish_assembly();
-    system.residual.add(-1., external_force);
+    system.finish_assembly(external_force);
 
     std::array<double, 4> squares{}; // displacement, pressure, reaction, load
     for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
@@ -785,7 +792,10 @@ namespace isochor
                     unknowns,
                     dynamic ? &inertia : nullptr,
                     project_volume ? &volume_projection : nullptr,
-                    points);
+                    points,
+                    extends ? &internal_work : nullptr);
+      if (extends)
+        extension.evaluate(step, unknowns, system, internal_work, statistics);
       last_motion.remember(nodes, n_components, step.step_size(), unknowns);
       for (auto &condition : boundary_conditions)
         condition->advance(step, unknowns);

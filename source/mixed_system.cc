@@ -39,7 +39,8 @@ namespace isochor
     const bool     changed = nodes_changed || n_components != n_components_ ||
                          system.symmetric != symmetric ||
                          !(elements == elements_) ||
-                         constrained != constraints.constrained;
+                         constrained != constraints.constrained ||
+                         !(tied.nodal_ties() == constraints.ties);
     if (Utilities::MPI::max(static_cast<unsigned int>(changed), comm) == 0)
       return;
 
@@ -53,7 +54,9 @@ namespace isochor
     nodes.initialize(residual, n_components);
     nodes.initialize(lifting, n_components);
 
-    number_equations(constraints);
+    tied.reinit(elements, constraints, n_components, nodes.n_local());
+    any_ties = Utilities::MPI::max(tied.empty() ? 0 : 1, comm) != 0;
+    number_equations();
     collect_neighbours();
     build_rows();
     build_scatter_map();
@@ -63,16 +66,19 @@ namespace isochor
 
   template <int dim>
   void
-  MixedSystem<dim>::number_equations(const NodalConstraints &constraints)
+  MixedSystem<dim>::number_equations()
   {
     const unsigned int n_owned = nodes.n_owned() * n_components;
     const unsigned int n_local = nodes.n_local() * n_components;
 
     // free unknowns of the owned nodes, one after the other over the ranks
-    const types::global_dof_index n_owned_free =
-      std::count(constraints.constrained.begin(),
-                 constraints.constrained.begin() + n_owned,
-                 0);
+    const auto is_free = [this](const unsigned int entry) {
+      return !constrained[entry] &&
+             !tied.is_tied(entry / n_components, entry % n_components);
+    };
+    types::global_dof_index n_owned_free = 0;
+    for (unsigned int i = 0; i < n_owned; ++i)
+      n_owned_free += is_free(i);
     const auto offset_and_sum =
       exclusive_and_total_sum(n_owned_free, system.comm);
     system.n_equations   = offset_and_sum.second;
@@ -85,7 +91,7 @@ namespace isochor
     nodes.initialize(global, n_components);
     types::global_dof_index next = offset_and_sum.first;
     for (unsigned int i = 0; i < n_owned; ++i)
-      global.local_element(i) = constraints.constrained[i] ? -1. : next++;
+      global.local_element(i) = is_free(i) ? next++ : -1.;
     global.update_ghost_values();
 
     std::vector<std::pair<types::global_dof_index, unsigned int>> sorted;
@@ -139,6 +145,7 @@ namespace isochor
   void
   MixedSystem<dim>::collect_neighbours()
   {
+    const ElementNodes &elements = all_elements();
     // elements of each node
     std::vector<std::size_t> element_start(nodes.n_local() + 1, 0);
     for (const unsigned int node : elements.node)
@@ -264,6 +271,7 @@ namespace isochor
       return static_cast<int>(system.row_start[row]) + offset;
     };
 
+    const ElementNodes &elements = all_elements();
     scatter_start.assign(1, 0);
     scatter.clear();
     element_is_constrained.assign(elements.size(), 0);
@@ -311,8 +319,7 @@ namespace isochor
                                 const NodalField  &pending)
   {
     const unsigned int *node    = &elements.node[elements.start[e]];
-    const unsigned int  n_nodes = elements.start[e + 1] - elements.start[e];
-    const unsigned int  n_dofs  = n_nodes * n_components;
+    unsigned int        n_nodes = elements.start[e + 1] - elements.start[e];
 
     double *const nodal_residual = residual.begin();
     for (unsigned int I = 0; I < n_nodes; ++I)
@@ -321,6 +328,16 @@ namespace isochor
           element_residual[I * n_components + a];
     if (element_matrix == nullptr)
       return;
+
+    if (tied.touches(e))
+      {
+        element_matrix =
+          tied.eliminate(e, n_nodes, element_matrix, system.symmetric);
+        const ElementNodes &extended = tied.extended();
+        node                         = &extended.node[extended.start[e]];
+        n_nodes = extended.start[e + 1] - extended.start[e];
+      }
+    const unsigned int n_dofs = n_nodes * n_components;
 
     const int    *position = &scatter[scatter_start[e]];
     double *const values   = system.values.data();
@@ -353,10 +370,15 @@ namespace isochor
 
   template <int dim>
   void
-  MixedSystem<dim>::finish_assembly()
+  MixedSystem<dim>::finish_assembly(const NodalField &external_force)
   {
     residual.compress(VectorOperation::add);
     lifting.compress(VectorOperation::add);
+    residual.add(-1., external_force);
+    if (!any_ties)
+      return;
+    tied.hand_on_forces(nodes.n_owned(), residual);
+    residual.compress(VectorOperation::add);
   }
 
 
@@ -400,6 +422,7 @@ namespace isochor
       if (equations[i] != invalid)
         field.local_element(i) = values[next++];
     field.update_ghost_values();
+    interpolate_ties(field);
   }
 
 

@@ -324,6 +324,24 @@ namespace isochor
 
 
 
+    /** Say what took the place of a subsection of earlier versions. */
+    void
+    check_replaced(const ParameterStatement &statement)
+    {
+      static const std::map<std::string, std::string> replacements = {
+        {"Ghost penalty",
+         "nodes of cut cells are tied to well filled cells instead, see "
+         "<Cut cells/Extension> (auto, always or never, as <Ghost penalty/Use> "
+         "was); there are no coefficients any more"}};
+      const auto replacement = replacements.find(statement.path.front());
+      if (replacement != replacements.end())
+        throw ParameterError(statement.origin + ": the subsection <" +
+                             replacement->first +
+                             "> is gone: " + replacement->second);
+    }
+
+
+
     void
     check_declared(const ParameterStatement &statement,
                    const Declarations       &declarations)
@@ -469,6 +487,7 @@ namespace isochor
     const Declarations declarations(prm);
     for (const ParameterStatement &statement : statements)
       {
+        check_replaced(statement);
         check_declared(statement, declarations);
         if (!statement.is_subsection)
           set_parameter(statement,

@@ -12,7 +12,8 @@ namespace isochor
                 const NodalField       &unknowns,
                 const InertiaTerm<dim> *inertia,
                 VolumeProjection<dim>  *volume_projection,
-                MaterialPoints<dim>    &points)
+                MaterialPoints<dim>    &points,
+                double                 *internal_work)
   {
     const PointLayout              &l            = points.layout();
     const PointArrays<dim>         &arrays       = step.points;
@@ -20,10 +21,13 @@ namespace isochor
     const unsigned int              n_components = step.n_components;
     std::array<double, max_history> history;
     Tensor<2, dim>                  F_increment;
+    SymmetricTensor<2, dim>         strain_increment;
     std::vector<unsigned int>       node;
     unsigned int                    last_cell = numbers::invalid_unsigned_int;
     if (volume_projection)
       volume_projection->start(step);
+    if (internal_work)
+      *internal_work = 0;
 
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
@@ -42,6 +46,9 @@ namespace isochor
                   unknowns.local_element(node[I] * n_components + a) *
                   stencil.gradient[I];
             }
+          if (internal_work)
+            strain_increment =
+              symmetrize(unit_symmetric_tensor<dim>() - invert(F_increment));
           last_cell = k;
         }
 
@@ -69,6 +76,15 @@ namespace isochor
             properties[l.F + a * dim + b] = state.F[a][b];
         }
       store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
+      if (internal_work)
+        {
+          double work = 0;
+          for (unsigned int a = 0; a < dim; ++a)
+            for (unsigned int b = 0; b < dim; ++b)
+              work += state.cauchy_stress[a][b] * strain_increment[a][b];
+          *internal_work +=
+            std::abs(work) * determinant(state.F) * properties[l.volume];
+        }
       std::copy_n(history.begin(), l.n_history, &properties[l.history]);
       if (volume_projection)
         volume_projection->set_excess(q,
@@ -96,11 +112,13 @@ namespace isochor
                 const NodalField &,
                 const InertiaTerm<2> *,
                 VolumeProjection<2> *,
-                MaterialPoints<2> &);
+                MaterialPoints<2> &,
+                double *);
   template void
   update_points(const StepContext<3> &,
                 const NodalField &,
                 const InertiaTerm<3> *,
                 VolumeProjection<3> *,
-                MaterialPoints<3> &);
+                MaterialPoints<3> &,
+                double *);
 } // namespace isochor

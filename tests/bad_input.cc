@@ -108,6 +108,10 @@ main(int argc, char **argv)
              "Poissons ratio = 0.3",
              {"Poissons ratio", "Poisson ratio"});
   test_entry("unknown subsection", "Materiel", "Model = J2", {"Materiel"});
+  test_entry("subsection of an earlier version",
+             "Ghost penalty",
+             "Use = never",
+             {"Ghost penalty", "Cut cells/Extension"});
   test_entry("not a number", "Material", "Young modulus = soft", {"soft"});
   test_entry("too large Poisson ratio",
              "Material",

@@ -7,6 +7,7 @@
 // and prescribed motions from rest.
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "scene.h"
@@ -106,4 +107,98 @@ test_spin(const std::string &quadrature, const std::string &formulation)
                     1e-3);
   test::check_error(what + "angular momentum", spin, 1e-3);
   test::check_error(what + "momentum", momentum, 1e-12);
+}
+
+/** Two elastic discs collide and part. */
+void
+test_collision()
+{
+  std::vector<double> left;
+  for (const std::string step : {"0.02", "0.005"})
+    {
+      test::run_scene<2>(
+        "Grid/Lower corner = -1, 0\nGrid/Upper corner = 2, 1\n"
+        "Grid/Subdivisions = 24, 8\nFormulation/Type = u\n"
+        "Dynamics/Inertia = true\n"
+        "Dynamics/Initial velocity = 1 - 2*(x > 0.4), 0\n" +
+        collision_settings +
+        "Material/Young modulus = 100\nMaterial/Poisson ratio = 0.3\n"
+        "Material/Density = 1\nMaterial points/Points per cell = 4\n"
+        "Material points/Region = (x+0.1)^2 + (y-0.5)^2 < 0.09 || "
+        "(x-0.9)^2 + (y-0.5)^2 < 0.09\nQuadrature/Type = CPDI\n"
+        "Time/End time = 0.7\nTime/Step size = " +
+        step + '\n');
+      const auto energy = total_energy();
+      left.push_back(energy.back() / energy[0]);
+      test::check("discs, steps of " + step + ", energy kept",
+                  left.back() > 0.95 && left.back() < 1.001,
+                  std::to_string(left.back()));
+    }
+  test::check_error("discs, energy by size of the steps",
+                    std::abs(left[0] - left[1]),
+                    0.02);
+}
+
+/** A block of an incompressible material in a box with smooth walls cannot
+ * move: in each step the bottom carries its weight, 10 kN. */
+void
+test_box()
+{
+  test::run_scene<2>(
+    "Grid/Subdivisions = 4, 4\nMaterial points/Points per cell = 4\n"
+    "Material/Young modulus = 1e7\nMaterial/Poisson ratio = 0.5\n"
+    "Dynamics/Inertia = true\nBoundary conditions/Gravity = 0, -10\n"
+    "Boundary conditions/Displacement = left: x = 0; right: x = 0; "
+    "bottom: y = 0\nPostprocess/Reactions = bottom\n"
+    "Time/End time = 0.1\nTime/Step size = 0.01\n");
+  double error = 0;
+  for (const double R : columns()["Reaction y on bottom (N)"])
+    test::add_error(error, std::abs(R / 1e4 - 1));
+  test::check_error("reaction of the smooth box", error, 1e-8);
+}
+
+/** The smooth box again, without weight, between walls that move by @p u(t)
+ * from rest with the acceleration @p a(t): the body moves with them, so that
+ * the walls exert its mass times a. */
+void
+test_walls(const std::string                         &u,
+           const std::function<double(const double)> &a,
+           const double                               tolerance)
+{
+  const double dt = 0.01;
+  test::run_scene<2>(
+    "Grid/Subdivisions = 4, 4\nMaterial points/Points per cell = 4\n"
+    "Material/Young modulus = 1e7\nMaterial/Poisson ratio = 0.5\n"
+    "Dynamics/Inertia = true\nNewton/Tolerance = 1e-12\n"
+    "Boundary conditions/Displacement = left: x = " +
+    u + "; right: x = " + u +
+    "; bottom: y = 0; top: y = 0\nPostprocess/Reactions = left, right\n"
+    "Grid reset/Steps between resets = 0\n"
+    "Time/End time = 0.2\nTime/Step size = 0.01\n");
+  const auto &left  = columns()["Reaction x on left (N)"];
+  const auto &right = columns()["Reaction x on right (N)"];
+  double      error = 0;
+  // what the walls give the body at once is an impulse in the first step
+  for (unsigned int i = 1; i < left.size(); ++i)
+    test::add_error(error,
+                    std::abs((left[i] + right[i]) / 1000 - a((i + 1) * dt)));
+  test::check_error("walls move by " + u, error, tolerance);
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_box();
+  test_walls("0.1*t", [](const double) { return 0.; }, 1e-6);
+  test_walls("t^2/2", [](const double) { return 1.; }, 1e-6);
+  test_walls(
+    "1-cos(t)",
+    [](const double t) { return std::cos(t - 0.005); },
+    1e-4);
+  for (const std::string quadrature :
+       {"points", "cell-filled", "cell-filled + boundary", "CPDI"})
+    test_spin(quadrature, "u");
+  test_spin("CPDI", "u-p");
+  test_collision();
 }

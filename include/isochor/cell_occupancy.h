@@ -111,21 +111,6 @@ namespace isochor
     bool
     is_closed(const unsigned int cell) const;
 
-    /**
-     * Whether @p cell, all of whose nodes are active, adjoins (shares a node
-     * with) an empty cell; or an open boundary which the body has left, so
-     * that less than 99 % of the cell are filled.
-     */
-    bool
-    is_cut(const unsigned int cell) const;
-
-    /** The active vertices near this rank, in any order. */
-    const std::vector<unsigned int> &
-    active_vertices() const
-    {
-      return active_list;
-    }
-
     /** The cells around a vertex. */
     ArrayView<const unsigned int>
     cells_at(const unsigned int vertex) const
@@ -134,6 +119,18 @@ namespace isochor
                                              cells_at_start[vertex],
                                            cells_at_start[vertex + 1] -
                                              cells_at_start[vertex]);
+    }
+
+    /** Other ranks with cells within some layers around @p vertex. What one
+     * rank knows there, they have to be told. */
+    ArrayView<const unsigned int>
+    ranks_near(const unsigned int vertex) const
+    {
+      const auto near = near_ranks.find(vertex);
+      return near == near_ranks.end() ?
+               ArrayView<const unsigned int>() :
+               ArrayView<const unsigned int>(near->second.data(),
+                                             near->second.size());
     }
 
     const BackgroundGrid<dim> &grid;

@@ -5,7 +5,7 @@
 #ifndef isochor_grid_reset_h
 #define isochor_grid_reset_h
 
-#include <isochor/ghost_penalty.h>
+#include <isochor/discrete_extension.h>
 
 #include <string>
 #include <vector>
@@ -37,8 +37,8 @@ namespace isochor
    *
    * Only what belongs to the cells that hold the body is moved
    * (PointArrays::deformed_cell). BackgroundGrid::geometry() is the undeformed
-   * grid all the time, and loads per area of the grid, the ghost penalty and
-   * the size of cells refer to it.
+   * grid all the time, and loads per area of the grid and the size of cells
+   * refer to it.
    */
   template <int dim>
   class GridReset
@@ -46,7 +46,7 @@ namespace isochor
   public:
     /** All arguments are kept by reference; they are what is moved, and what
      * the state of a kept grid consists of. */
-    GridReset(PointArrays<dim> &points, GhostPenalty<dim> &ghost_penalty);
+    GridReset(PointArrays<dim> &points, DiscreteExtension<dim> &extension);
 
     static void
     declare_parameters(ParameterHandler &prm);
@@ -125,8 +125,8 @@ namespace isochor
     double
     quality(const StepContext<dim> &step, const unsigned int k) const;
 
-    PointArrays<dim>  &points;
-    GhostPenalty<dim> &ghost_penalty;
+    PointArrays<dim>       &points;
+    DiscreteExtension<dim> &extension;
 
     unsigned int interval         = 1;
     double       smallest_quality = 0;

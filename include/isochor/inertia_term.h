@@ -35,12 +35,14 @@ namespace isochor
     bool
     parse_parameters(ParameterHandler &prm);
 
-    /** Take the points as they are at the start of the step. Collective. */
+    /** Take the points as they are at the start of the step. In the first one
+     * their accelerations count in any case. Collective. */
     void
     start_step(
       const StepContext<dim>                                     &step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-      MaterialPoints<dim>                                        &points);
+      MaterialPoints<dim>                                        &points,
+      const bool                                                  is_first);
 
     /**
      * Give the unknowns held by @p constraints the velocity and acceleration of
@@ -135,6 +137,8 @@ namespace isochor
       return in_trial() ? trial_integrator : integrator;
     }
 
+    /** Loads minus internal forces at the start of the step, from the stresses
+     * of the points. Collective. */
     void
     collect_forces(
       const StepContext<dim>                                     &step,
@@ -143,22 +147,24 @@ namespace isochor
 
     /** M x = load at the entries not held, from the lumped solution. */
     void
-    project(const StepContext<dim>           &step,
-            const NodalField                 &load,
-            const std::vector<unsigned char> &held,
-            NodalField                       &solution) const;
+    project(const StepContext<dim> &step,
+            const NodalField       &load,
+            const NodalTies        &ties,
+            NodalField             &solution) const;
 
     TimeIntegrator       integrator;
     const TimeIntegrator trial_integrator{0.5, 1., 0.};
-    double               trial_size = 0;
-    double               kept_part  = 0; ///< η
+    double               trial_size    = 0;
+    double               kept_part     = 0; ///< η
+    bool                 from_stresses = false;
 
     MassMatrix<dim> mass;
-    /** All with dim components per node. Σ_p m_p N_I v_p and a_p; the
+    /** All with dim components per node. Σ_p m_p N_I v_p and M a_n; the
      * projection of v_p; velocity and acceleration at the start of the step;
      * and at its end, after finish_step(). */
     NodalField momentum, force, projected, velocity, acceleration, new_velocity,
       new_acceleration;
+    /** Prescribed entries, of local nodes. */
     std::vector<unsigned char> held;
     bool                       prescribed = false;
 

@@ -67,15 +67,17 @@ namespace isochor
 
     /**
      * Solve M x = @p load for the entries of @p solution (dim per node) that
-     * are not @p held (one char per owned entry); those that are stay as they
-     * are. @p solution is where the iteration starts; its ghosts are updated at
-     * the end. Nodes without mass get zero. Collective.
+     * are not @p held (one char per local entry); those that are stay as they
+     * are. Entries of nodes with @p ties follow others, and the load on them
+     * acts there. @p solution is where the iteration starts; its ghosts are
+     * updated at the end. Nodes without mass get zero. Collective.
      * @return the residual relative to the load, in the norm of the diagonal.
      */
     double
     solve(const StepContext<dim>           &step,
           const NodalField                 &load,
           const std::vector<unsigned char> &held,
+          const NodalTies                  &ties,
           NodalField                       &solution) const;
 
     /** Σ_p m_p N_I, by node. */
@@ -87,6 +89,18 @@ namespace isochor
     add_product(const StepContext<dim> &step,
                 const NodalField       &field,
                 NodalField             &result) const;
+
+    /** Move what acts on tied entries to those they follow. Collective. */
+    void
+    hand_on(const StepContext<dim>           &step,
+            const std::vector<unsigned char> &held,
+            const NodalTies                  &ties,
+            NodalField                       &load) const;
+    /** Update ghosts, and set tied entries by those they follow. Collective. */
+    void
+    interpolate(const std::vector<unsigned char> &held,
+                const NodalTies                  &ties,
+                NodalField                       &field) const;
 
     static constexpr unsigned int n_entries = (dim + 1) * (dim + 2) / 2;
 

@@ -12,7 +12,7 @@
 #include <isochor/body_term.h>
 #include <isochor/boundary_condition.h>
 #include <isochor/checkpoint.h>
-#include <isochor/ghost_penalty.h>
+#include <isochor/discrete_extension.h>
 #include <isochor/grid_reset.h>
 #include <isochor/inertia_term.h>
 #include <isochor/linear_solver.h>
@@ -164,18 +164,22 @@ namespace isochor
     /** The terms of the equations, in the order of their elements. */
     std::vector<EquationTerm<dim> *> terms;
 
-    MixedKernel<dim>      kernel;
-    BodyTerm<dim>         body;
-    BodyQuadrature<dim>   quadrature;
-    CellOccupancy<dim>    occupancy;
-    PointRefinement<dim>  refinement;
-    GhostPenalty<dim>     ghost_penalty;
-    bool                  needs_occupancy = false;
-    VolumeProjection<dim> volume_projection;
-    bool                  project_volume = false;
-    InertiaTerm<dim>      inertia;
-    bool                  dynamic = false;
-    GridReset<dim>        grid_reset;
+    MixedKernel<dim>     kernel;
+    BodyTerm<dim>        body;
+    BodyQuadrature<dim>  quadrature;
+    CellOccupancy<dim>   occupancy;
+    PointRefinement<dim> refinement;
+    /** Whether it is used, see DiscreteExtension::is_active(). */
+    bool                   extends = false;
+    DiscreteExtension<dim> extension;
+    bool                   needs_occupancy = false;
+    /** This rank's Σ_p |V_p τ:Δε| of the step. */
+    double                                               internal_work = 0;
+    VolumeProjection<dim>                                volume_projection;
+    bool                                                 project_volume = false;
+    InertiaTerm<dim>                                     inertia;
+    bool                                                 dynamic = false;
+    GridReset<dim>                                       grid_reset;
     std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
     std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;
     std::unique_ptr<LinearSolver>                        linear_solver;

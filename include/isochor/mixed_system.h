@@ -8,59 +8,22 @@
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <isochor/active_nodes.h>
+#include <isochor/element_nodes.h>
 #include <isochor/nodal_constraints.h>
 #include <isochor/sparse_system.h>
+#include <isochor/tied_elements.h>
 
 #include <vector>
 
 namespace isochor
 {
-  /** Lists of local nodes, one per element, in compressed-row form. */
-  struct ElementNodes
-  {
-    std::vector<std::size_t>  start = {0};
-    std::vector<unsigned int> node;
-
-    unsigned int
-    size() const
-    {
-      return start.size() - 1;
-    }
-
-    void
-    clear()
-    {
-      start.assign(1, 0);
-      node.clear();
-    }
-
-    template <typename Iterator>
-    void
-    add(Iterator first, Iterator last)
-    {
-      node.insert(node.end(), first, last);
-      start.push_back(node.size());
-    }
-
-    bool
-    operator==(const ElementNodes &other) const
-    {
-      return start == other.start && node == other.node;
-    }
-
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int /*version*/)
-    {
-      archive &start &node;
-    }
-  };
-
   /**
    * The algebraic system of the free unknowns at the active nodes: equation
    * numbers, sparsity pattern, and for each element where its entries go, so
    * that assembly is additions at known places. Constrained unknowns have no
-   * equation; what they contribute goes to the right-hand side.
+   * equation; what they contribute goes to the right-hand side. Neither have
+   * tied ones (see NodalTies): their rows and columns, and the forces on them,
+   * go to the unknowns that they follow.
    */
   template <int dim>
   class MixedSystem
@@ -70,8 +33,8 @@ namespace isochor
 
     /**
      * Number the equations and lay out the matrix. Nothing is done if neither
-     * the active nodes (@p nodes_changed), the elements nor the constrained set
-     * changed since the last call; then the solver keeps its analysis.
+     * the active nodes (@p nodes_changed), the elements nor the constraints
+     * have changed since the last call; then the solver keeps its analysis.
      * Collective.
      */
     void
@@ -97,9 +60,19 @@ namespace isochor
                 const double      *element_matrix,
                 const NodalField  &pending);
 
-    /** Sum the residual over ranks. */
+    /** Sum the residual over ranks, subtract the dead loads @p external_force
+     * (summed up), and move what acts on tied unknowns to those they follow. */
     void
-    finish_assembly();
+    finish_assembly(const NodalField &external_force);
+
+    /** The force (N; component dim: the volume defect) that was moved away from
+     * node k of the ties, if it is this rank's. Valid after finish_assembly().
+     */
+    double
+    tie_force(const unsigned int k, const unsigned int component) const
+    {
+      return tied.force(k, component);
+    }
 
     /** Make @p vector one over the equations, if it isn't. Collective. */
     void
@@ -109,11 +82,19 @@ namespace isochor
     void
     right_hand_side(TrilinosWrappers::MPI::Vector &rhs) const;
 
-    /** Write the solution to the free unknowns of @p field (others kept) and
-     * update its ghosts. */
+    /** Write the solution to the free and tied unknowns of @p field (others
+     * kept) and update its ghosts. */
     void
     to_nodes(const TrilinosWrappers::MPI::Vector &solution,
              NodalField                          &field) const;
+
+    /** Set the tied unknowns of @p field, ghosts updated, by those that they
+     * follow; ghosts too. */
+    void
+    interpolate_ties(NodalField &field) const
+    {
+      tied.interpolate(field);
+    }
 
     /** Equation of an entry of a nodal field, local number, or invalid. */
     unsigned int
@@ -134,13 +115,19 @@ namespace isochor
 
   private:
     void
-    number_equations(const NodalConstraints &constraints);
+    number_equations();
     void
     collect_neighbours();
     void
     build_rows();
     void
     build_scatter_map();
+    /** The elements with all nodes that their entries go to. */
+    const ElementNodes &
+    all_elements() const
+    {
+      return tied.empty() ? elements : tied.extended();
+    }
     unsigned int
     n_free(const unsigned int node) const
     {
@@ -151,6 +138,8 @@ namespace isochor
     unsigned int               n_components = 0;
     ElementNodes               elements;
     std::vector<unsigned char> constrained;
+    TiedElements               tied;
+    bool                       any_ties = false; ///< on any rank
 
     SparseSystem              system;
     std::vector<unsigned int> equations;

@@ -17,7 +17,8 @@ namespace isochor
    * points, so that a failed step has nothing to undo.
    *
    * @p inertia is null in statics, @p volume_projection if it isn't used; then
-   * it gets each point's excess of volume.
+   * it gets each point's excess of volume. @p internal_work, if not null,
+   * becomes this rank's Σ_p |V_p τ:Δε|.
    */
   template <int dim>
   void
@@ -25,7 +26,8 @@ namespace isochor
                 const NodalField       &unknowns,
                 const InertiaTerm<dim> *inertia,
                 VolumeProjection<dim>  *volume_projection,
-                MaterialPoints<dim>    &points);
+                MaterialPoints<dim>    &points,
+                double                 *internal_work);
 } // namespace isochor
 
 #endif

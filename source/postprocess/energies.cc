@@ -15,7 +15,8 @@ namespace isochor
    * Where the energy of the body is and where it came from, its linear and its
    * angular momentum about the origin (per metre of thickness in plane strain):
    *
-   *  - strain energy Σ_p V_p (W_dev + p²/(2K));
+   *  - strain energy Σ_p V_p (W_dev + p²/(2K)) and, with PPP, that of the
+   *    stabilisation, Σ_e p·S_e p / 2 (doc/method.md);
    *  - plastic work: the work of the stresses at points whose law has a
    *    history, (τ_n : ∇_n Δu + τ_{n+1} : ∇_{n+1} Δu) V_p / 2 in a step, minus
    *    what is stored elastically;
@@ -56,6 +57,7 @@ namespace isochor
         return;
       std::array<double, n_sums> sums = point_sums(result);
       sums[external]                  = external_work(result);
+      sums[strain] += stabilisation_energy(result);
       sum_over_ranks(sums, result.step.grid.communicator());
       if (result.time.step == 0)
         initial_energy = sums[old_strain] + sums[old_kinetic];
@@ -225,6 +227,45 @@ namespace isochor
                    power(state, new_gradient) / 2 - (stored - old_stored));
           }
       return sums;
+    }
+
+    /** Σ_e p·S_e p / 2 of this rank's cells. */
+    double
+    stabilisation_energy(const StepResult<dim> &result) const
+    {
+      const StepContext<dim> &step   = result.step;
+      const PointArrays<dim> &points = step.points;
+      double                  energy = 0;
+      if (!step.mixed() || !(step.kernel.ppp_coefficient > 0))
+        return energy;
+      const auto add = [&](const unsigned int cell, const double V_over_G) {
+        Element<dim, dim + 1, dim + 1> element;
+        element.residual.fill(0.);
+        const auto &vertices = step.grid.geometry().vertex_indices(cell);
+        for (unsigned int I = 0; I <= dim; ++I)
+          element.pressure[I] = result.unknowns.local_element(
+            step.nodes.node(vertices[I]) * (dim + 1) + dim);
+        step.kernel.add_pressure_projection(element, V_over_G, false);
+        for (unsigned int I = 0; I <= dim; ++I)
+          energy -=
+            element.pressure[I] / 2 * element.residual[I * (dim + 1) + dim];
+      };
+      if (points.has_stencils())
+        for (const auto &cell : points.overlapped_cells)
+          add(cell.first, cell.second);
+      else
+        for (unsigned int k = 0; k < points.cell.size(); ++k)
+          {
+            double V_over_G = 0;
+            for (unsigned int q = points.cell_start[k];
+                 q < points.cell_start[k + 1];
+                 ++q)
+              V_over_G +=
+                points.weight[q] /
+                step.kernel.materials[points.material[q]]->shear_modulus();
+            add(points.cell[k], V_over_G);
+          }
+      return energy;
     }
 
     /** τ : @p gradient. */
