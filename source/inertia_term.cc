@@ -29,14 +29,14 @@ namespace isochor
                       "consistent mass matrix, so that neither damps a body "
                       "that stays in its cells.");
     prm.declare_entry("Acceleration",
-                      "carried",
-                      Patterns::Selection("carried|from stresses"),
+                      "auto",
+                      Patterns::Selection("auto|carried|from stresses"),
                       "With which acceleration a step starts: the points' own "
                       "of the step before, or the one that the stresses of the "
                       "points and the loads give on the grid of the step. The "
                       "latter keeps the energy also when points change cells, "
                       "but needs forces that don't jump then: <Quadrature/Type "
-                      "= CPDI>; and the trapezoidal rule.");
+                      "= CPDI>. auto: from stresses with CPDI.");
     prm.declare_entry("Initial velocity",
                       "",
                       Patterns::Anything(),
@@ -54,20 +54,18 @@ namespace isochor
     prm.enter_subsection("Dynamics");
     const bool dynamic = prm.get_bool("Inertia");
     integrator.parse_parameters(prm);
-    kept_part        = prm.get("Transfer") == "FLIP" ? 1 : 0;
-    initial_velocity = prm.get("Initial velocity");
-    from_stresses    = prm.get("Acceleration") == "from stresses";
+    kept_part               = prm.get("Transfer") == "FLIP" ? 1 : 0;
+    initial_velocity        = prm.get("Initial velocity");
+    const std::string start = prm.get("Acceleration");
     prm.leave_subsection();
     prm.enter_subsection("Quadrature");
     const std::string quadrature = prm.get("Type");
     prm.leave_subsection();
-    AssertThrow(!dynamic || !from_stresses ||
-                  (quadrature == "CPDI" && integrator.is_collocated()),
+    from_stresses = start != "carried" && quadrature == "CPDI";
+    AssertThrow(!dynamic || from_stresses || start != "from stresses",
                 ExcMessage("<Dynamics/Acceleration = from stresses> needs "
                            "<Quadrature/Type = CPDI>, not " +
-                           quadrature +
-                           ", and <Dynamics/Spectral radius = 1> or "
-                           "<Dynamics/Scheme = Newmark>."));
+                           quadrature + "."));
     AssertThrow(dynamic || initial_velocity.empty(),
                 ExcMessage("The parameter <Dynamics/Initial velocity> needs "
                            "<Dynamics/Inertia = true>."));
@@ -131,10 +129,11 @@ namespace isochor
               V * stress[a][b] * stencil.gradient[I][b];
     });
     loads.compress(VectorOperation::add);
-    step.nodes.initialize(force, dim);
+    // the points have what a_n differs by from the acceleration of the forces
+    mass.collect(step, step.points.acceleration, force);
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       for (unsigned int a = 0; a < dim; ++a)
-        force.local_element(node * dim + a) =
+        force.local_element(node * dim + a) +=
           loads.local_element(node * step.n_components + a);
   }
 
@@ -349,8 +348,11 @@ namespace isochor
           const double       a_n = acceleration.local_element(i);
           const double       a   = scheme().acceleration(
             unknowns.local_element(node * step.n_components + d), v_n, a_n, dt);
-          new_acceleration.local_element(i) = a;
           new_velocity.local_element(i) = scheme().velocity(v_n, a_n, a, dt);
+          new_acceleration.local_element(i) =
+            from_stresses && !in_trial() ?
+              a - scheme().inertial_acceleration(a_n, a) :
+              a;
         }
   }
 

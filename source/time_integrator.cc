@@ -16,7 +16,7 @@ namespace isochor
                       "don't resolve, by 'Spectral radius'. Newmark: with "
                       "'Newmark beta' and 'Newmark gamma'.");
     prm.declare_entry("Spectral radius",
-                      "0.8",
+                      "0.9",
                       Patterns::Double(0, 1),
                       "Of Bossak's scheme: the factor per step by which "
                       "oscillations decay that are much faster than the steps. "

@@ -24,6 +24,14 @@ namespace isochor
    * with η the part that is kept of what the nodes can't represent (0: all
    * velocity is interpolated, PIC; 1: increments are, FLIP) and v_n,I without
    * constraints. Only present in dynamic scenes.
+   *
+   * The acceleration a_n that a step starts with is either this projection, or
+   * (`Acceleration = from stresses`) the solution of
+   *   M a_n = f_ext(t_n) - Σ_p V_p σ_p ∇_n N_I + Σ_p m_p N_I d_p,
+   * with d = a_n - ((1 - α) a_n + α a_{n-1}) all that is carried by the points
+   * then. Over a step the forces that do work are then those of one grid, and
+   * what kinetic energy loses strain energy gains, whatever cells the points
+   * are in.
    */
   template <int dim>
   class InertiaTerm : public EquationTerm<dim>

@@ -76,13 +76,6 @@ namespace isochor
       return (1 - alpha) / (beta * dt * dt);
     }
 
-    /** Whether the equation of motion holds with a_{n+1} alone. */
-    bool
-    is_collocated() const
-    {
-      return alpha == 0;
-    }
-
   private:
     double beta = 0.25, gamma = 0.5, alpha = 0;
   };
