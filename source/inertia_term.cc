@@ -246,18 +246,48 @@ namespace isochor
   void
   InertiaTerm<dim>::finish_trial(const StepContext<dim> &step,
                                  const NodalField       &unknowns,
-                                 const double            weight,
                                  PointArrays<dim>       &points)
   {
+    const bool impulse = starts_suddenly(step);
     finish_step(step, unknowns);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
-        points.acceleration[q] +=
-          weight * point(step,
-                         points.stencil(step.grid.geometry(), k, q),
-                         points.velocity[q])
-                     .second;
+        {
+          const Tensor<1, dim> a =
+            point(step,
+                  points.stencil(step.grid.geometry(), k, q),
+                  points.velocity[q])
+              .second;
+          points.acceleration[q] += a / 2;
+          if (impulse)
+            points.velocity[q] += trial_size / 4 * a;
+        }
+  }
+
+
+
+  template <int dim>
+  bool
+  InertiaTerm<dim>::starts_suddenly(const StepContext<dim> &step) const
+  {
+    // the impulse on held nodes, against what would stop the body
+    NodalField product;
+    mass.vmult(step, velocity, product);
+    double impulse = 0, scale = 0;
+    for (unsigned int i = 0; i < step.nodes.n_owned() * dim; ++i)
+      {
+        scale = std::max({scale,
+                          std::abs(product.local_element(i)),
+                          std::abs(momentum.local_element(i))});
+        if (held[i] && velocity.local_element(i) != 0.)
+          impulse = std::max(impulse,
+                             std::abs(product.local_element(i) -
+                                      momentum.local_element(i)));
+      }
+    const MPI_Comm comm = step.grid.communicator();
+    return Utilities::MPI::max(impulse, comm) >
+           1e-8 * Utilities::MPI::max(scale, comm);
   }
 
 

@@ -546,7 +546,7 @@ namespace isochor
         start_again();
         report = trial > 0 ? updated_lagrangian_phase() : find_equilibrium();
         if (report.converged)
-          inertia.finish_trial(context(), unknowns, 0.5, arrays);
+          inertia.finish_trial(context(), unknowns, arrays);
         inertia.end_trial();
         if (!report.converged)
           return report;

@@ -73,8 +73,9 @@ namespace isochor
 
     /**
      * Look for the acceleration at the start of the first step. From now on the
-     * equations are those of a step of size @p trial_step whose acceleration is
-     * constant and in equilibrium with what acts at its end:
+     * equations are those of a step of size @p trial_step (positive or
+     * negative) whose acceleration is constant and in equilibrium with what
+     * acts at its end:
      *   Δu = h v_n + h²/2 a,   M a + f_int(u_n + Δu) = f_ext(0).
      * Pressures that a constraint or a bulk modulus which the step does not
      * resolve answer with are part of it. (Newmark's β = 1/2, γ = 1: a_n has no
@@ -87,12 +88,17 @@ namespace isochor
     void
     set_trial_increments(const StepContext<dim> &step,
                          NodalConstraints       &constraints) const;
-    /** A trial was successful: add @p weight times its acceleration to those of
-     * the points. */
+    /**
+     * A trial was successful: add half of its acceleration to those of the
+     * points. If prescribed motions start suddenly, what the step does not
+     * resolve has to follow at once, too, or it would oscillate with each step:
+     * the points get the velocity (a_+ - a_-) h/4, which is V where the motion
+     * in both trials is all prescribed, and of second order in h for what h
+     * resolves.
+     */
     void
     finish_trial(const StepContext<dim> &step,
                  const NodalField       &unknowns,
-                 const double            weight,
                  PointArrays<dim>       &points);
     /** Whether the equations are those of a trial. */
     bool
@@ -145,6 +151,9 @@ namespace isochor
       return in_trial() ? trial_integrator : integrator;
     }
 
+    /** Whether held nodes move otherwise than the points. Collective. */
+    bool
+    starts_suddenly(const StepContext<dim> &step) const;
     /** Loads minus internal forces at the start of the step, from the stresses
      * of the points. Collective. */
     void
