@@ -8,6 +8,7 @@
 
 #include <isochor/mass_matrix.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace isochor
