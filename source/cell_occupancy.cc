@@ -185,7 +185,7 @@ namespace isochor
 
   template <int dim>
   std::set<unsigned int>
-  CellOccupancy<dim>::ranks_near(const unsigned int cell) const
+  CellOccupancy<dim>::ranks_near_cell(const unsigned int cell) const
   {
     std::set<unsigned int> ranks;
     for (const unsigned int v : grid.geometry().vertex_indices(cell))
@@ -211,7 +211,7 @@ namespace isochor
     for (auto value = values.begin(); value != values.end();)
       if (grid.geometry().owner(value->first) == me)
         {
-          for (const unsigned int rank : ranks_near(value->first))
+          for (const unsigned int rank : ranks_near_cell(value->first))
             sent[rank].push_back(*value);
           ++value;
         }
@@ -242,7 +242,7 @@ namespace isochor
       }
     for (const Content &content : contents)
       {
-        for (const unsigned int rank : ranks_near(content.cell))
+        for (const unsigned int rank : ranks_near_cell(content.cell))
           {
             std::vector<double> &out = cells[rank];
             out.insert(out.end(),

@@ -4,6 +4,9 @@
  * --------------------------------------------------------------------- */
 #include <isochor/inertia_term.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace isochor
 {
   template <int dim>
@@ -14,16 +17,26 @@ namespace isochor
     prm.declare_entry("Inertia",
                       "false",
                       Patterns::Bool(),
-                      "Whether the body has inertia (Newmark's scheme), or is "
-                      "in equilibrium at all times.");
-    prm.declare_entry("Newmark beta",
-                      "0.25",
-                      Patterns::Double(0.0001, 0.5),
-                      "0.25 with gamma = 0.5: constant average acceleration.");
-    prm.declare_entry("Newmark gamma",
-                      "0.5",
-                      Patterns::Double(0.5, 1),
-                      "Above 0.5 high frequencies are damped.");
+                      "Whether the body has inertia, or is in equilibrium at "
+                      "all times.");
+    TimeIntegrator::declare_parameters(prm);
+    prm.declare_entry("Transfer",
+                      "PIC",
+                      Patterns::Selection("PIC|FLIP"),
+                      "What points take from the nodes at the end of a step: "
+                      "their velocity (PIC), or its change (FLIP). Nodes get "
+                      "the velocity of the points by projection with the "
+                      "consistent mass matrix, so that neither damps a body "
+                      "that stays in its cells.");
+    prm.declare_entry("Acceleration",
+                      "auto",
+                      Patterns::Selection("auto|carried|from stresses"),
+                      "With which acceleration a step starts: the points' own "
+                      "of the step before, or the one that the stresses of the "
+                      "points and the loads give on the grid of the step. The "
+                      "latter keeps the energy also when points change cells, "
+                      "but needs forces that don't jump then: <Quadrature/Type "
+                      "= CPDI>. auto: from stresses with CPDI.");
     prm.declare_entry("Initial velocity",
                       "",
                       Patterns::Anything(),
@@ -40,10 +53,19 @@ namespace isochor
   {
     prm.enter_subsection("Dynamics");
     const bool dynamic = prm.get_bool("Inertia");
-    beta               = prm.get_double("Newmark beta");
-    gamma              = prm.get_double("Newmark gamma");
-    initial_velocity   = prm.get("Initial velocity");
+    integrator.parse_parameters(prm);
+    kept_part               = prm.get("Transfer") == "FLIP" ? 1 : 0;
+    initial_velocity        = prm.get("Initial velocity");
+    const std::string start = prm.get("Acceleration");
     prm.leave_subsection();
+    prm.enter_subsection("Quadrature");
+    const std::string quadrature = prm.get("Type");
+    prm.leave_subsection();
+    from_stresses = start != "carried" && quadrature == "CPDI";
+    AssertThrow(!dynamic || from_stresses || start != "from stresses",
+                ExcMessage("<Dynamics/Acceleration = from stresses> needs "
+                           "<Quadrature/Type = CPDI>, not " +
+                           quadrature + "."));
     AssertThrow(dynamic || initial_velocity.empty(),
                 ExcMessage("The parameter <Dynamics/Initial velocity> needs "
                            "<Dynamics/Inertia = true>."));
@@ -54,93 +76,218 @@ namespace isochor
 
   template <int dim>
   void
-  InertiaTerm<dim>::start_step(const StepContext<dim> &step)
+  InertiaTerm<dim>::start_step(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    MaterialPoints<dim>                                        &points,
+    const bool                                                  is_first)
   {
-    const PointArrays<dim> &points = step.points;
-    step.nodes.initialize(mapped, n_mapped);
-    for (unsigned int k = 0; k < points.cell.size(); ++k)
-      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
-           ++q)
-        {
-          const auto stencil = points.stencil(step.grid.geometry(), k, q);
-          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            {
-              const double       Nm = stencil.shape[I] * points.mass[q];
-              const unsigned int entry =
-                step.nodes.node(stencil.vertex[I]) * n_mapped;
-              mapped.local_element(entry) += Nm;
-              for (unsigned int a = 0; a < dim; ++a)
-                {
-                  mapped.local_element(entry + 1 + a) +=
-                    Nm * points.velocity[q][a];
-                  mapped.local_element(entry + 1 + dim + a) +=
-                    Nm * points.acceleration[q][a];
-                }
-            }
-        }
-    mapped.compress(VectorOperation::add);
-    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
-      if (mapped.local_element(node * n_mapped) > 0)
-        for (unsigned int i = 1; i < n_mapped; ++i)
-          mapped.local_element(node * n_mapped + i) /=
-            mapped.local_element(node * n_mapped);
-    mapped.update_ghost_values();
+    mass.reinit(step);
+    mass.collect(step, step.points.velocity, momentum);
+    if (from_stresses && !is_first)
+      collect_forces(step, conditions, points);
+    else
+      mass.collect(step, step.points.acceleration, force);
+    prescribed = false;
+    step.nodes.initialize(velocity, dim);
+    step.nodes.initialize(acceleration, dim);
+    step.nodes.initialize(inertial_acceleration, dim);
   }
 
 
 
   template <int dim>
   void
-  InertiaTerm<dim>::set_initial_acceleration(
+  InertiaTerm<dim>::collect_forces(
     const StepContext<dim>                                     &step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-    const NodalConstraints                                     &constraints,
-    const NodalField                                           &unknowns,
-    PointArrays<dim>                                           &points) const
+    MaterialPoints<dim>                                        &points)
   {
-    StepContext<dim> start          = step;
-    start.time                      = step.old_time;
-    const unsigned int n_components = step.n_components;
-    NodalField         force, mass;
-    step.nodes.initialize(force, n_components);
-    step.nodes.initialize(mass, 1);
+    StepContext<dim> start = step;
+    start.time             = step.old_time;
+    NodalField loads, rest;
+    step.nodes.initialize(loads, step.n_components);
+    step.nodes.initialize(rest, step.n_components);
     for (const auto &condition : conditions)
       {
-        condition->add_external_force(start, force);
-        condition->add_boundary_force(start, unknowns, force);
+        condition->add_external_force(start, loads);
+        condition->add_boundary_force(start, rest, loads);
       }
-    for (unsigned int k = 0; k < points.cell.size(); ++k)
-      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
-           ++q)
-        {
-          const auto stencil = points.stencil(step.grid.geometry(), k, q);
-          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            mass.local_element(step.nodes.node(stencil.vertex[I])) +=
-              stencil.shape[I] * points.mass[q];
-        }
-    force.compress(VectorOperation::add);
-    mass.compress(VectorOperation::add);
-    for (unsigned int i = 0; i < step.nodes.n_owned() * n_components; ++i)
-      {
-        const double m         = mass.local_element(i / n_components);
-        force.local_element(i) = constraints.constrained[i] || m == 0. ?
-                                   0. :
-                                   force.local_element(i) / m;
-      }
-    force.update_ghost_values();
+    const PointLayout &l = points.layout();
+    points.for_each([&](const unsigned int k,
+                        const unsigned int q,
+                        Point<dim> & /*location*/,
+                        ArrayView<double> properties) {
+      const auto   stencil = step.points.stencil(step.grid.geometry(), k, q);
+      const auto   stress  = load_symmetric<dim>(&properties[l.stress]);
+      const double V = step.points.weight[q] * determinant(step.points.F[q]);
+      for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+        for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int b = 0; b < dim; ++b)
+            loads.local_element(
+              step.nodes.node(stencil.vertex[I]) * step.n_components + a) -=
+              V * stress[a][b] * stencil.gradient[I][b];
+    });
+    loads.compress(VectorOperation::add);
+    // the points have what a_n differs by from the acceleration of the forces
+    mass.collect(step, step.points.acceleration, force);
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      for (unsigned int a = 0; a < dim; ++a)
+        force.local_element(node * dim + a) +=
+          loads.local_element(node * step.n_components + a);
+  }
 
-    for (unsigned int k = 0; k < points.cell.size(); ++k)
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::project(const StepContext<dim> &step,
+                            const NodalField       &load,
+                            const NodalTies        &ties,
+                            NodalField             &solution) const
+  {
+    solution.zero_out_ghost_values();
+    for (unsigned int i = 0; i < step.nodes.n_owned() * dim; ++i)
+      if (const double m = mass.lumped.local_element(i / dim);
+          !held[i] && m > 0)
+        solution.local_element(i) = load.local_element(i) / m;
+    const double error = mass.solve(step, load, held, ties, solution);
+    if (!(error < 1e-8))
+      step.warnings.add("projection of velocities",
+                        "Velocities or accelerations of the points could not "
+                        "be projected to the nodes to more than " +
+                          std::to_string(error) +
+                          " of their size. Use more <Material points/Points "
+                          "per cell>, or larger steps.");
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::prescribe(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    const NodalConstraints                                     &constraints)
+  {
+    const unsigned int nc    = step.n_components;
+    const double       dt    = step.step_size();
+    const auto         place = [&](const double part) {
+      StepContext<dim> until = step;
+      until.time             = step.old_time + part * dt;
+      NodalConstraints places;
+      places.reinit(step.nodes.n_local() * nc);
+      for (const auto &condition : conditions)
+        condition->constrain(until, places);
+      return places;
+    };
+    // differences only: a jump of the prescribed place at the start of the step
+    // is in all of them
+    const NodalConstraints start = place(0), middle = place(0.5),
+                           end = place(1);
+    held.assign(step.nodes.n_local() * dim, 0);
+    if (kept_part > 0)
+      {
+        step.nodes.initialize(projected, dim);
+        project(step, momentum, constraints.ties, projected);
+      }
+    step.nodes.initialize(velocity, dim);
+    step.nodes.initialize(acceleration, dim);
+    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const unsigned int entry = node * nc + d, i = node * dim + d;
+          held[i] = constraints.constrained[entry];
+          if (!held[i] || node >= step.nodes.n_owned())
+            continue;
+          const double first = middle.increment[entry] - start.increment[entry],
+                       second = end.increment[entry] - middle.increment[entry];
+          double a            = 4 * (second - first) / (dt * dt);
+          if (std::abs(second - first) <=
+              1e-12 * std::max(std::abs(first), std::abs(second)))
+            a = 0; // rounding
+          acceleration.local_element(i) = a;
+          velocity.local_element(i)     = (first + second) / dt - a * dt / 2;
+        }
+    project(step, momentum, constraints.ties, velocity);
+    project(step, force, constraints.ties, acceleration);
+    prescribed = true;
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::start_trial(const double trial_step)
+  {
+    trial_size = trial_step;
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::set_trial_increments(const StepContext<dim> &step,
+                                         NodalConstraints &constraints) const
+  {
+    const unsigned int nc = step.n_components;
+    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
+      for (unsigned int d = 0; d < dim; ++d)
+        if (constraints.constrained[node * nc + d])
+          constraints.increment[node * nc + d] =
+            trial_size *
+            (velocity.local_element(node * dim + d) +
+             trial_size / 2 * acceleration.local_element(node * dim + d));
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::finish_trial(const StepContext<dim> &step,
+                                 const NodalField       &unknowns,
+                                 PointArrays<dim>       &points)
+  {
+    const bool impulse = starts_suddenly(step);
+    finish_step(step, unknowns);
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const auto stencil = points.stencil(step.grid.geometry(), k, q);
-          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            for (unsigned int a = 0; a < dim; ++a)
-              points.acceleration[q][a] +=
-                stencil.shape[I] *
-                force.local_element(
-                  step.nodes.node(stencil.vertex[I]) * n_components + a);
+          const Tensor<1, dim> a =
+            point(step,
+                  points.stencil(step.grid.geometry(), k, q),
+                  points.velocity[q])
+              .second;
+          points.acceleration[q] += a / 2;
+          if (impulse)
+            points.velocity[q] += trial_size / 4 * a;
         }
+  }
+
+
+
+  template <int dim>
+  bool
+  InertiaTerm<dim>::starts_suddenly(const StepContext<dim> &step) const
+  {
+    // the impulse on held nodes, against what would stop the body
+    NodalField product;
+    mass.vmult(step, velocity, product);
+    double impulse = 0, scale = 0;
+    for (unsigned int i = 0; i < step.nodes.n_owned() * dim; ++i)
+      {
+        scale = std::max({scale,
+                          std::abs(product.local_element(i)),
+                          std::abs(momentum.local_element(i))});
+        if (held[i] && velocity.local_element(i) != 0.)
+          impulse = std::max(impulse,
+                             std::abs(product.local_element(i) -
+                                      momentum.local_element(i)));
+      }
+    const MPI_Comm comm = step.grid.communicator();
+    return Utilities::MPI::max(impulse, comm) >
+           1e-8 * Utilities::MPI::max(scale, comm);
   }
 
 
@@ -150,28 +297,11 @@ namespace isochor
   InertiaTerm<dim>::collect_elements(const StepContext<dim> &step,
                                      ElementNodes           &elements)
   {
-    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
-      elements.add(&node, &node + 1);
-  }
-
-
-
-  template <int dim>
-  Tensor<1, dim>
-  InertiaTerm<dim>::acceleration(const StepContext<dim> &step,
-                                 const NodalField       &unknowns,
-                                 const unsigned int      node) const
-  {
-    const double   dt = step.step_size();
-    Tensor<1, dim> a;
-    for (unsigned int d = 0; d < dim; ++d)
+    for (unsigned int e = 0; e < mass.n_elements(step); ++e)
       {
-        const double u   = unknowns.local_element(node * step.n_components + d);
-        const double v   = mapped.local_element(node * n_mapped + 1 + d);
-        const double a_n = mapped.local_element(node * n_mapped + 1 + dim + d);
-        a[d] = (u - dt * v) / (beta * dt * dt) - (0.5 / beta - 1.) * a_n;
+        mass.element_nodes(step, e, nodes);
+        elements.add(nodes.begin(), nodes.end());
       }
-    return a;
   }
 
 
@@ -185,25 +315,99 @@ namespace isochor
                              const bool              with_matrix,
                              MixedSystem<dim>       &system)
   {
-    const unsigned int                        n  = step.n_components;
-    const double                              dt = step.step_size();
-    std::array<double, dim + 1>               residual{};
-    std::array<double, (dim + 1) * (dim + 1)> matrix{};
-    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+    const unsigned int nc        = step.n_components;
+    const double       dt        = step_size(step);
+    const double       stiffness = scheme().stiffness(dt);
+    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const unsigned int i   = node * dim + d;
+          const double       a_n = acceleration.local_element(i);
+          inertial_acceleration.local_element(i) =
+            scheme().inertial_acceleration(
+              a_n,
+              scheme().acceleration(unknowns.local_element(node * nc + d),
+                                    velocity.local_element(i),
+                                    a_n,
+                                    dt));
+        }
+    for (unsigned int e = 0; e < mass.n_elements(step); ++e)
       {
-        const double mass = mapped.local_element(node * n_mapped);
-        const auto   a    = acceleration(step, unknowns, node);
-        for (unsigned int d = 0; d < dim; ++d)
+        mass.element_nodes(step, e, nodes);
+        mass.element_matrix(step, e, element_mass);
+        const unsigned int n = nodes.size(), n_dofs = n * nc;
+        element_residual.assign(n_dofs, 0.);
+        for (unsigned int I = 0; I < n; ++I)
+          for (unsigned int J = 0; J < n; ++J)
+            for (unsigned int d = 0; d < dim; ++d)
+              element_residual[I * nc + d] +=
+                element_mass[I * n + J] *
+                inertial_acceleration.local_element(nodes[J] * dim + d);
+        if (with_matrix)
           {
-            residual[d]       = mass * a[d];
-            matrix[d * n + d] = mass / (beta * dt * dt);
+            element_matrix.assign(n_dofs * n_dofs, 0.);
+            for (unsigned int I = 0; I < n; ++I)
+              for (unsigned int J = 0; J < n; ++J)
+                for (unsigned int d = 0; d < dim; ++d)
+                  element_matrix[(I * nc + d) * n_dofs + J * nc + d] =
+                    stiffness * element_mass[I * n + J];
           }
-        system.add_element(first_element + node,
-                           residual.data(),
-                           with_matrix ? matrix.data() : nullptr,
+        system.add_element(first_element + e,
+                           element_residual.data(),
+                           with_matrix ? element_matrix.data() : nullptr,
                            pending);
       }
     return EvaluationStatus::success;
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::finish_step(const StepContext<dim> &step,
+                                const NodalField       &unknowns)
+  {
+    const double dt = step_size(step);
+    step.nodes.initialize(new_velocity, dim);
+    step.nodes.initialize(new_acceleration, dim);
+    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const unsigned int i   = node * dim + d;
+          const double       v_n = velocity.local_element(i);
+          const double       a_n = acceleration.local_element(i);
+          const double       a   = scheme().acceleration(
+            unknowns.local_element(node * step.n_components + d), v_n, a_n, dt);
+          new_velocity.local_element(i) = scheme().velocity(v_n, a_n, a, dt);
+          new_acceleration.local_element(i) =
+            from_stresses && !in_trial() ?
+              a - scheme().inertial_acceleration(a_n, a) :
+              a;
+        }
+  }
+
+
+
+  template <int dim>
+  std::pair<Tensor<1, dim>, Tensor<1, dim>>
+  InertiaTerm<dim>::point(const StepContext<dim>                   &step,
+                          const typename PointArrays<dim>::Stencil &stencil,
+                          const Tensor<1, dim> &old_velocity) const
+  {
+    Tensor<1, dim> v = kept_part * old_velocity, a;
+    for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+      {
+        const double       N     = stencil.shape[I];
+        const unsigned int first = step.nodes.node(stencil.vertex[I]) * dim;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            v[d] += N * new_velocity.local_element(first + d);
+            if (kept_part > 0)
+              v[d] -= N * kept_part * projected.local_element(first + d);
+            a[d] += N * new_acceleration.local_element(first + d);
+          }
+      }
+    return {v, a};
   }
 
 

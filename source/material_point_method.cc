@@ -9,6 +9,7 @@
 #include <isochor/material_point_method.h>
 #include <isochor/mpi_sums.h>
 #include <isochor/plain_message.h>
+#include <isochor/point_update.h>
 #include <isochor/pressure_mapping.h>
 #include <isochor/safe_file.h>
 #include <isochor/scene_checks.h>
@@ -303,12 +304,16 @@ namespace isochor
                                    FailureReport<dim>::write_points(
                                      context(), points, output_directory)));
           }
-        const bool   predicted = predict();
-        NewtonReport newton    = updated_lagrangian_phase();
-        if (!newton.converged && predicted)
+        NewtonReport newton = find_initial_acceleration();
+        if (newton.converged)
           {
-            start_from_rest();
-            newton = updated_lagrangian_phase();
+            const bool predicted = predict();
+            newton               = updated_lagrangian_phase();
+            if (!newton.converged && predicted)
+              {
+                start_from_rest();
+                newton = updated_lagrangian_phase();
+              }
           }
         if (newton.converged)
           {
@@ -499,7 +504,7 @@ namespace isochor
             kernel,
             n_components,
             time.time,
-            time.next_time(),
+            inertia.in_trial() ? time.time : time.next_time(),
             warnings,
             !grid_reset.due()};
   }
@@ -525,14 +530,12 @@ namespace isochor
     nodes.initialize(external_force, n_components);
     nodes.initialize(boundary_force, n_components);
     set_initial_pressure();
-    prepare_system();
     if (dynamic)
-      {
-        if (time.step == 0)
-          inertia.set_initial_acceleration(
-            context(), boundary_conditions, constraints, unknowns, arrays);
-        inertia.start_step(context());
-      }
+      inertia.start_step(context(),
+                         boundary_conditions,
+                         points,
+                         time.step == 0);
+    prepare_system();
     compute_residual_floor();
   }
 
@@ -622,9 +625,7 @@ namespace isochor
             term->collect_elements(step, grid_reset.elements);
           }
       }
-    for (const auto &condition : boundary_conditions)
-      condition->add_external_force(step, external_force);
-    external_force.compress(VectorOperation::add);
+    set_external_force();
     start_contact(nodes_changed);
   }
 
@@ -647,6 +648,19 @@ namespace isochor
 
 
   template <int dim>
+  void
+  MaterialPointMethod<dim>::set_external_force()
+  {
+    external_force = 0.;
+    external_force.zero_out_ghost_values();
+    for (const auto &condition : boundary_conditions)
+      condition->add_external_force(context(), external_force);
+    external_force.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
   bool
   MaterialPointMethod<dim>::constrain_nodes()
   {
@@ -657,9 +671,61 @@ namespace isochor
       condition->constrain(step, constraints);
     if (extends)
       extension.constrain(step, constraints);
-    return Utilities::MPI::max(static_cast<int>(constraints.constrained !=
-                                                previous),
-                               comm) != 0;
+    const bool changed =
+      Utilities::MPI::max(static_cast<int>(constraints.constrained != previous),
+                          comm) != 0;
+    if (dynamic)
+      {
+        StepContext<dim> whole_step = step;
+        whole_step.time             = time.next_time(); // also in a trial
+        if (changed || !inertia.is_prescribed())
+          inertia.prescribe(whole_step, boundary_conditions, constraints);
+        if (inertia.in_trial())
+          inertia.set_trial_increments(step, constraints);
+      }
+    return changed;
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  MaterialPointMethod<dim>::find_initial_acceleration()
+  {
+    NewtonReport report;
+    report.converged = true;
+    if (!dynamic || time.step > 0)
+      return report;
+    // a trial errs by O(h); two, one of them back in time, by O(h²)
+    const double size = context().step_size();
+    for (const double trial : {size, -size})
+      {
+        inertia.start_trial(trial);
+        start_again();
+        report = trial > 0 ? updated_lagrangian_phase() : find_equilibrium();
+        if (report.converged)
+          inertia.finish_trial(context(), unknowns, arrays);
+        inertia.end_trial();
+        if (!report.converged)
+          return report;
+      }
+    inertia.start_step(context(), boundary_conditions, points, time.step == 0);
+    start_again();
+    return report;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::start_again()
+  {
+    at_start = true;
+    for (unsigned int i = 0; i < nodes.n_local() * n_components; ++i)
+      if (i % n_components < dim)
+        unknowns.local_element(i) = 0.;
+    set_external_force();
+    start_contact(false);
   }
 
 
@@ -882,8 +948,14 @@ namespace isochor
   MaterialPointMethod<dim>::convective_phase(const NewtonReport &newton)
   {
     const StepContext<dim> step = context();
-    const StepResult<dim>  result{
-      step, unknowns, system, points, time, newton, output_directory};
+    const StepResult<dim>  result{step,
+                                 unknowns,
+                                 system,
+                                 points,
+                                 time,
+                                 newton,
+                                 output_directory,
+                                 boundary_conditions};
     {
       TimerOutput::Scope scope(timer, "postprocessing");
       statistics.set("Step", time.step + 1);
@@ -905,7 +977,14 @@ namespace isochor
     }
     {
       TimerOutput::Scope scope(timer, "convective phase");
-      update_points();
+      if (dynamic)
+        inertia.finish_step(step, unknowns);
+      update_points(step,
+                    unknowns,
+                    dynamic ? &inertia : nullptr,
+                    project_volume ? &volume_projection : nullptr,
+                    points,
+                    extends ? &internal_work : nullptr);
       if (extends)
         extension.evaluate(step, unknowns, system, step_energy, statistics);
       last_motion.remember(nodes, n_components, step.step_size(), unknowns);
@@ -955,105 +1034,6 @@ namespace isochor
                      "on the body up to then. Set loads in <Boundary "
                      "conditions>, <Dynamics/Initial velocity>, or a larger "
                      "<Time/Step size> if they begin later.");
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPointMethod<dim>::update_points()
-  {
-    const StepContext<dim>          step = context();
-    const PointLayout              &l    = points.layout();
-    std::array<double, max_history> history;
-    Tensor<2, dim>                  F_increment;
-    SymmetricTensor<2, dim>         strain_increment;
-    std::vector<unsigned int>       node;
-    unsigned int                    last_cell = numbers::invalid_unsigned_int;
-    if (project_volume)
-      volume_projection.start(step);
-    step_energy = 0;
-
-    points.for_each([&](const unsigned int k,
-                        const unsigned int q,
-                        Point<dim>        &location,
-                        ArrayView<double>  properties) {
-      const auto stencil = arrays.stencil(grid.geometry(), k, q);
-      if (k != last_cell || arrays.has_stencils())
-        {
-          F_increment = unit_symmetric_tensor<dim>();
-          node.resize(stencil.n_nodes);
-          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            {
-              node[I] = nodes.node(stencil.vertex[I]);
-              for (unsigned int a = 0; a < dim; ++a)
-                F_increment[a] +=
-                  unknowns.local_element(node[I] * n_components + a) *
-                  stencil.gradient[I];
-            }
-          if (extends)
-            strain_increment =
-              symmetrize(unit_symmetric_tensor<dim>() - invert(F_increment));
-          last_cell = k;
-        }
-
-      Tensor<1, dim> displacement, acceleration;
-      double         pressure = 0;
-      for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-        {
-          const double N = stencil.shape[I];
-          for (unsigned int a = 0; a < dim; ++a)
-            displacement[a] +=
-              N * unknowns.local_element(node[I] * n_components + a);
-          if (n_components == dim + 1)
-            pressure +=
-              N * unknowns.local_element(node[I] * n_components + dim);
-          if (dynamic)
-            acceleration += N * inertia.acceleration(step, unknowns, node[I]);
-        }
-
-      const auto state = kernel.final_state(
-        arrays, q, F_increment, step.mixed(), pressure, history.data());
-      location += displacement;
-      properties[l.pressure] = state.pressure;
-      for (unsigned int a = 0; a < dim; ++a)
-        {
-          properties[l.displacement + a] += displacement[a];
-          for (unsigned int b = 0; b < dim; ++b)
-            properties[l.F + a * dim + b] = state.F[a][b];
-        }
-      store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
-      if (extends)
-        {
-          double work = 0;
-          for (unsigned int a = 0; a < dim; ++a)
-            for (unsigned int b = 0; b < dim; ++b)
-              work += state.cauchy_stress[a][b] * strain_increment[a][b];
-          step_energy +=
-            std::abs(work) * determinant(state.F) * properties[l.volume];
-        }
-      std::copy_n(history.begin(), l.n_history, &properties[l.history]);
-      if (project_volume)
-        volume_projection.set_excess(
-          q,
-          state.volumetric_strain -
-            state.pressure *
-              kernel.materials[arrays.material[q]]->inverse_bulk_modulus());
-      if (dynamic)
-        {
-          const auto velocity = inertia.velocity(arrays.velocity[q],
-                                                 arrays.acceleration[q],
-                                                 acceleration,
-                                                 step.step_size());
-          for (unsigned int a = 0; a < dim; ++a)
-            {
-              properties[l.velocity + a]     = velocity[a];
-              properties[l.acceleration + a] = acceleration[a];
-            }
-          if (extends)
-            step_energy += properties[l.mass] / 2 * velocity.norm_square();
-        }
-    });
   }
 
 

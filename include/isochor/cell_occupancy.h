@@ -150,7 +150,7 @@ namespace isochor
     void
     exchange();
     std::set<unsigned int>
-    ranks_near(const unsigned int cell) const;
+    ranks_near_cell(const unsigned int cell) const;
     void
     add_received(const std::vector<double> &message);
     void

@@ -28,12 +28,8 @@ namespace isochor
    * numbered or analysed before the next reset, and the nodal pressure goes on
    * without being mapped to the points and back.
    *
-   * Velocities and accelerations are mapped in each step all the same. Let μ <=
-   * 1 be the factor by which interpolating a mode to the points and mapping it
-   * back smooths it. With nodes that go on for k steps with their own values
-   * and are mapped at resets, Newmark's scheme (β = 1/4, γ = 1/2) amplifies
-   * stiff modes of μ = 0.6 by 1.8 per interval with k = 2, by 3 with k = 10.
-   * Mapped in each step, no mode grows.
+   * Velocities and accelerations are projected in each step all the same, which
+   * loses nothing as long as points keep their cells (MassMatrix).
    *
    * Only what belongs to the cells that hold the body is moved
    * (PointArrays::deformed_cell). BackgroundGrid::geometry() is the undeformed

@@ -179,6 +179,11 @@ namespace isochor
     from_mean_values(double * /*history*/) const
     {}
 
+    /** The part of the stored elastic energy that goes with dev τ, in J per
+     * m^dim of reference volume; p²/(2K) is the other one. For statistics. */
+    virtual double
+    deviatoric_energy(const Tensor<2, dim> &F, const double *history) const = 0;
+
     virtual VolumetricMeasure
     volumetric_measure() const
     {

@@ -138,9 +138,15 @@ namespace isochor
     start_from_rest();
     void
     compute_residual_floor();
-    /** Give the points the acceleration with which a body without stress
-     * answers the loads at t = 0. Newmark's scheme starts from it: without, a
-     * load that is there from the start would act on half of the first step. */
+    /** In the first step of a dynamic scene: give the points the acceleration
+     * with which the body answers what acts on it at t = 0, so that it
+     * satisfies the pressure equation. Newmark's scheme starts from it, and
+     * would carry an error in it along. See InertiaTerm::start_trial(). */
+    NewtonReport
+    find_initial_acceleration();
+    /** The first step from its start, with other equations. */
+    void
+    start_again();
     void
     prepare_system();
     /** Begin the search for the nodes in contact, with those of the last step,
@@ -152,6 +158,8 @@ namespace isochor
      * solve again; a search that does not settle makes the report a failure. */
     bool
     change_contact(NewtonReport &report);
+    void
+    set_external_force();
     /** Constrain the nodes anew; whether that made a difference on any rank. */
     bool
     constrain_nodes();
@@ -159,8 +167,6 @@ namespace isochor
     assemble(const bool with_matrix);
     unsigned int
     solve_linear_system(const bool factorise);
-    void
-    update_points();
 
     const MPI_Comm     comm;
     ConditionalOStream pcout;

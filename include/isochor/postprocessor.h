@@ -5,11 +5,15 @@
 #ifndef isochor_postprocessor_h
 #define isochor_postprocessor_h
 
+#include <isochor/boundary_condition.h>
 #include <isochor/equation_term.h>
 #include <isochor/load_stepping.h>
 #include <isochor/newton_solver.h>
 #include <isochor/plugin_registry.h>
 #include <isochor/statistics.h>
+
+#include <memory>
+#include <vector>
 
 namespace isochor
 {
@@ -27,6 +31,8 @@ namespace isochor
     const LoadStepping        &time;
     const NewtonReport        &newton;
     const std::string         &output_directory;
+    /** What loads and moves the body. */
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions;
   };
 
   /**

@@ -52,6 +52,14 @@ namespace isochor
       history[n_symmetric_components<dim>] = 0;
     }
 
+    double
+    deviatoric_energy(const Tensor<2, dim> & /*F*/,
+                      const double *history) const override
+    {
+      return elasticity.shear_modulus / 2 *
+             (trace(load_symmetric_tensor<dim>(history)) - 3);
+    }
+
     /** The exact linearisation holds a term n ⊗ dev(n²): see
      * plastic_modulus(). */
     bool

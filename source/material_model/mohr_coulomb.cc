@@ -79,6 +79,22 @@ namespace isochor
       history[n_symmetric_components<dim>] = 0;
     }
 
+    double
+    deviatoric_energy(const Tensor<2, dim> & /*F*/,
+                      const double *history) const override
+    {
+      const auto spectrum =
+        spectral_decomposition<dim>(load_symmetric_tensor<dim>(history));
+      double sum = 0, square = 0; // of ε^e = 1/2 ln b^e
+      for (const double value : spectrum.values)
+        {
+          const double strain = 0.5 * std::log(value);
+          sum += strain;
+          square += strain * strain;
+        }
+      return elasticity.shear_modulus * (square - sum * sum / 3);
+    }
+
     void
     rescale_volume(const double factor, double *history) const override
     {

@@ -71,6 +71,17 @@ namespace isochor
     }
 
     double
+    deviatoric_energy(const Tensor<2, dim> &F,
+                      const double * /*history*/) const override
+    {
+      const double J = determinant(F);
+      return elasticity.shear_modulus / 2 *
+             (trace(push_forward(F, unit_symmetric_tensor<3>())) /
+                std::cbrt(J * J) -
+              3);
+    }
+
+    double
     shear_modulus() const override
     {
       return elasticity.shear_modulus;

@@ -1,0 +1,127 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/point_update.h>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  update_points(const StepContext<dim> &step,
+                const NodalField       &unknowns,
+                const InertiaTerm<dim> *inertia,
+                VolumeProjection<dim>  *volume_projection,
+                MaterialPoints<dim>    &points,
+                double                 *step_energy)
+  {
+    const PointLayout              &l            = points.layout();
+    const PointArrays<dim>         &arrays       = step.points;
+    const ActiveNodes<dim>         &nodes        = step.nodes;
+    const unsigned int              n_components = step.n_components;
+    std::array<double, max_history> history;
+    Tensor<2, dim>                  F_increment;
+    SymmetricTensor<2, dim>         strain_increment;
+    std::vector<unsigned int>       node;
+    unsigned int                    last_cell = numbers::invalid_unsigned_int;
+    if (volume_projection)
+      volume_projection->start(step);
+    if (step_energy)
+      *step_energy = 0;
+
+    points.for_each([&](const unsigned int k,
+                        const unsigned int q,
+                        Point<dim>        &location,
+                        ArrayView<double>  properties) {
+      const auto stencil = arrays.stencil(step.grid.geometry(), k, q);
+      if (k != last_cell || arrays.has_stencils())
+        {
+          F_increment = unit_symmetric_tensor<dim>();
+          node.resize(stencil.n_nodes);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            {
+              node[I] = nodes.node(stencil.vertex[I]);
+              for (unsigned int a = 0; a < dim; ++a)
+                F_increment[a] +=
+                  unknowns.local_element(node[I] * n_components + a) *
+                  stencil.gradient[I];
+            }
+          if (step_energy)
+            strain_increment =
+              symmetrize(unit_symmetric_tensor<dim>() - invert(F_increment));
+          last_cell = k;
+        }
+
+      Tensor<1, dim> displacement;
+      double         pressure = 0;
+      for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+        {
+          const double N = stencil.shape[I];
+          for (unsigned int a = 0; a < dim; ++a)
+            displacement[a] +=
+              N * unknowns.local_element(node[I] * n_components + a);
+          if (n_components == dim + 1)
+            pressure +=
+              N * unknowns.local_element(node[I] * n_components + dim);
+        }
+
+      const auto state = step.kernel.final_state(
+        arrays, q, F_increment, step.mixed(), pressure, history.data());
+      location += displacement;
+      properties[l.pressure] = state.pressure;
+      for (unsigned int a = 0; a < dim; ++a)
+        {
+          properties[l.displacement + a] += displacement[a];
+          for (unsigned int b = 0; b < dim; ++b)
+            properties[l.F + a * dim + b] = state.F[a][b];
+        }
+      store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
+      if (step_energy)
+        {
+          double work = 0;
+          for (unsigned int a = 0; a < dim; ++a)
+            for (unsigned int b = 0; b < dim; ++b)
+              work += state.cauchy_stress[a][b] * strain_increment[a][b];
+          *step_energy +=
+            std::abs(work) * determinant(state.F) * properties[l.volume];
+        }
+      std::copy_n(history.begin(), l.n_history, &properties[l.history]);
+      if (volume_projection)
+        volume_projection->set_excess(q,
+                                      state.volumetric_strain -
+                                        state.pressure *
+                                          step.kernel
+                                            .materials[arrays.material[q]]
+                                            ->inverse_bulk_modulus());
+      if (inertia)
+        {
+          const auto motion = inertia->point(step, stencil, arrays.velocity[q]);
+          for (unsigned int a = 0; a < dim; ++a)
+            {
+              properties[l.velocity + a]     = motion.first[a];
+              properties[l.acceleration + a] = motion.second[a];
+            }
+          if (step_energy)
+            *step_energy +=
+              properties[l.mass] / 2 * motion.first.norm_square();
+        }
+    });
+  }
+
+
+
+  template void
+  update_points(const StepContext<2> &,
+                const NodalField &,
+                const InertiaTerm<2> *,
+                VolumeProjection<2> *,
+                MaterialPoints<2> &,
+                double *);
+  template void
+  update_points(const StepContext<3> &,
+                const NodalField &,
+                const InertiaTerm<3> *,
+                VolumeProjection<3> *,
+                MaterialPoints<3> &,
+                double *);
+} // namespace isochor

@@ -1,0 +1,332 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/mpi_sums.h>
+#include <isochor/postprocessor.h>
+
+#include <limits>
+#include <map>
+#include <sstream>
+
+namespace isochor
+{
+  /**
+   * Where the energy of the body is and where it came from, its linear and its
+   * angular momentum about the origin (per metre of thickness in plane strain):
+   *
+   *  - strain energy Σ_p V_p (W_dev + p²/(2K)) and, with PPP, that of the
+   *    stabilisation, Σ_e p·S_e p / 2 (doc/method.md);
+   *  - plastic work: the work of the stresses at points whose law has a
+   *    history, (τ_n : ∇_n Δu + τ_{n+1} : ∇_{n+1} Δu) V_p / 2 in a step, minus
+   *    what is stored elastically;
+   *  - external work of loads and of prescribed motions, by the mean of the
+   *    forces at both ends of a step times Δu_I;
+   *  - what the scheme lost: external work minus the change of kinetic and
+   *    strain energy, minus plastic work. In statics the errors of load
+   *    stepping are in it, in dynamics also those of time integration and of
+   *    the transfer between points and nodes.
+   */
+  template <int dim>
+  class Energies : public Postprocessor<dim>
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm)
+    {
+      prm.declare_entry("Write energies",
+                        "in dynamics",
+                        Patterns::Selection("never|in dynamics|always"),
+                        "Whether strain energy, plastic and external work, "
+                        "momenta and the energy lost by the scheme go into "
+                        "the statistics.");
+    }
+
+    void
+    parse_parameters(ParameterHandler &prm) override
+    {
+      in_statics  = prm.get("Write energies") == "always";
+      in_dynamics = prm.get("Write energies") != "never";
+    }
+
+    void
+    evaluate_nodes(const StepResult<dim> &result,
+                   Statistics & /*statistics*/) override
+    {
+      if (!enabled(result))
+        return;
+      std::array<double, n_sums> sums = point_sums(result);
+      sums[external]                  = external_work(result);
+      sums[strain] += stabilisation_energy(result);
+      sum_over_ranks(sums, result.step.grid.communicator());
+      if (result.time.step == 0)
+        initial_energy = sums[old_strain] + sums[old_kinetic];
+      strain_energy = sums[strain];
+      external_sum += sums[external];
+      plastic_sum += sums[plastic];
+    }
+
+    void
+    evaluate_points(const StepResult<dim> &result,
+                    Statistics            &statistics) override
+    {
+      if (!enabled(result))
+        return;
+      const PointLayout    &l = result.points.layout();
+      std::array<double, 7> sums{}; // momenta, kinetic energy
+      for (const auto &point : result.points.handler())
+        {
+          const auto     values = point.get_properties();
+          const double   m      = values[l.mass];
+          Tensor<1, dim> v;
+          for (unsigned int a = 0; l.dynamic && a < dim; ++a)
+            v[a] = values[l.velocity + a];
+          const auto x = point.get_location();
+          for (unsigned int a = 0; a < dim; ++a)
+            {
+              sums[a] += m * v[a];
+              const unsigned int b = (a + 1) % dim, c = (a + 2) % dim;
+              if (dim == 3)
+                sums[3 + a] += m * (x[b] * v[c] - x[c] * v[b]);
+            }
+          if (dim == 2)
+            sums[5] += m * (x[0] * v[1] - x[1] * v[0]);
+          sums[6] += m / 2 * v.norm_square();
+        }
+      sum_over_ranks(sums, result.step.grid.communicator());
+
+      statistics.set("Strain energy (J)", strain_energy);
+      statistics.set("Plastic work (J)", plastic_sum);
+      statistics.set("External work (J)", external_sum);
+      statistics.set("Energy lost by the scheme (J)",
+                     external_sum + initial_energy - strain_energy -
+                       plastic_sum - sums[6]);
+      if (!l.dynamic)
+        return;
+      for (unsigned int a = 0; a < dim; ++a)
+        statistics.set(std::string("Momentum ") + "xyz"[a] + " (kg m/s)",
+                       sums[a]);
+      for (unsigned int a = (dim == 3 ? 0 : 2); a < 3; ++a)
+        statistics.set(std::string("Angular momentum ") + "xyz"[a] +
+                         " (kg m^2/s)",
+                       sums[3 + a]);
+    }
+
+    std::string
+    save_state() const override
+    {
+      std::ostringstream state;
+      state.precision(std::numeric_limits<double>::max_digits10);
+      state << initial_energy << ' ' << external_sum << ' ' << plastic_sum
+            << ' ' << reactions.size() << ' ';
+      for (const auto &reaction : reactions)
+        state << reaction.first << ' ' << reaction.second << ' ';
+      return state.str();
+    }
+
+    void
+    load_state(const std::string &text) override
+    {
+      std::istringstream state(text);
+      std::size_t        n = 0;
+      state >> initial_energy >> external_sum >> plastic_sum >> n;
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          unsigned int entry = 0;
+          state >> entry;
+          state >> reactions[entry];
+        }
+    }
+
+  private:
+    enum Sum
+    {
+      strain,
+      old_strain,
+      old_kinetic,
+      plastic,
+      external,
+      n_sums
+    };
+
+    bool
+    enabled(const StepResult<dim> &result) const
+    {
+      return result.points.layout().dynamic ? in_dynamics : in_statics;
+    }
+
+    /** This rank's part of what is found at the points, which are where the
+     * step has started. */
+    std::array<double, n_sums>
+    point_sums(const StepResult<dim> &result) const
+    {
+      const StepContext<dim>         &step   = result.step;
+      const PointArrays<dim>         &points = step.points;
+      std::array<double, n_sums>      sums{};
+      std::array<double, max_history> history;
+      for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+        for (unsigned int q = points.cell_start[k];
+             q < points.cell_start[k + 1];
+             ++q)
+          {
+            const auto     stencil = points.stencil(step.grid.geometry(), k, q);
+            Tensor<2, dim> gradient; // ∇_n Δu
+            double         p = 0;
+            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+              {
+                const unsigned int first =
+                  step.nodes.node(stencil.vertex[I]) * step.n_components;
+                for (unsigned int a = 0; a < dim; ++a)
+                  gradient[a] += result.unknowns.local_element(first + a) *
+                                 stencil.gradient[I];
+                if (step.mixed())
+                  p += stencil.shape[I] *
+                       result.unknowns.local_element(first + dim);
+              }
+            const MaterialModel<dim> &material =
+              *step.kernel.materials[points.material[q]];
+            const double *const old_history =
+              points.history.data() + q * std::size_t(points.n_history);
+            const double V      = points.volume[q];
+            const double half_K = material.inverse_bulk_modulus() / 2;
+
+            const auto state =
+              step.kernel.final_state(points,
+                                      q,
+                                      gradient + unit_symmetric_tensor<dim>(),
+                                      step.mixed(),
+                                      p,
+                                      history.data());
+            const double stored =
+              material.deviatoric_energy(state.F, history.data()) +
+              half_K * state.pressure * state.pressure;
+            sums[strain] += V * stored;
+            if (result.time.step == 0 && result.points.layout().dynamic)
+              sums[old_kinetic] +=
+                points.mass[q] / 2 * points.velocity[q].norm_square();
+            if (result.time.step > 0 && points.n_history == 0)
+              continue;
+
+            const double old_stored =
+              material.deviatoric_energy(points.F[q], old_history) +
+              half_K * points.pressure[q] * points.pressure[q];
+            sums[old_strain] += V * old_stored;
+            if (material.history_names().empty())
+              continue;
+            const auto old_state =
+              step.kernel.final_state(points,
+                                      q,
+                                      unit_symmetric_tensor<dim>(),
+                                      step.mixed(),
+                                      points.pressure[q],
+                                      history.data());
+            const Tensor<2, dim> new_gradient =
+              gradient * invert(gradient + unit_symmetric_tensor<dim>());
+            sums[plastic] +=
+              V * (power(old_state, gradient) / 2 +
+                   power(state, new_gradient) / 2 - (stored - old_stored));
+          }
+      return sums;
+    }
+
+    /** Σ_e p·S_e p / 2 of this rank's cells. */
+    double
+    stabilisation_energy(const StepResult<dim> &result) const
+    {
+      const StepContext<dim> &step   = result.step;
+      const PointArrays<dim> &points = step.points;
+      double                  energy = 0;
+      if (!step.mixed() || !(step.kernel.ppp_coefficient > 0))
+        return energy;
+      const auto add = [&](const unsigned int cell, const double V_over_G) {
+        Element<dim, dim + 1, dim + 1> element;
+        element.residual.fill(0.);
+        const auto &vertices = step.grid.geometry().vertex_indices(cell);
+        for (unsigned int I = 0; I <= dim; ++I)
+          element.pressure[I] = result.unknowns.local_element(
+            step.nodes.node(vertices[I]) * (dim + 1) + dim);
+        step.kernel.add_pressure_projection(element, V_over_G, false);
+        for (unsigned int I = 0; I <= dim; ++I)
+          energy -=
+            element.pressure[I] / 2 * element.residual[I * (dim + 1) + dim];
+      };
+      if (points.has_stencils())
+        for (const auto &cell : points.overlapped_cells)
+          add(cell.first, cell.second);
+      else
+        for (unsigned int k = 0; k < points.cell.size(); ++k)
+          {
+            double V_over_G = 0;
+            for (unsigned int q = points.cell_start[k];
+                 q < points.cell_start[k + 1];
+                 ++q)
+              V_over_G +=
+                points.weight[q] /
+                step.kernel.materials[points.material[q]]->shear_modulus();
+            add(points.cell[k], V_over_G);
+          }
+      return energy;
+    }
+
+    /** τ : @p gradient. */
+    static double
+    power(const typename MixedKernel<dim>::PointState &state,
+          const Tensor<2, dim>                        &gradient)
+    {
+      double sum = 0;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          sum += state.cauchy_stress[i][j] * gradient[i][j];
+      return sum * determinant(state.F);
+    }
+
+    /** Of the step, this rank's part. */
+    double
+    external_work(const StepResult<dim> &result)
+    {
+      const StepContext<dim> &step  = result.step;
+      StepContext<dim>        start = step;
+      start.time                    = step.old_time;
+      NodalField force, rest;
+      step.nodes.initialize(force, step.n_components);
+      step.nodes.initialize(rest, step.n_components);
+      for (const auto &condition : result.conditions)
+        {
+          condition->add_external_force(start, force);
+          condition->add_boundary_force(start, rest, force);
+          condition->add_external_force(step, force);
+          condition->add_boundary_force(step, result.unknowns, force);
+        }
+      force.compress(VectorOperation::add);
+
+      std::map<unsigned int, double> new_reactions;
+      double                         work = 0;
+      for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+        for (unsigned int a = 0; a < dim; ++a)
+          {
+            const unsigned int i = node * step.n_components + a;
+            const double       u = result.unknowns.local_element(i);
+            work += force.local_element(i) / 2 * u;
+            if (result.system.equation(i) != numbers::invalid_unsigned_int)
+              continue;
+            const unsigned int entry = step.nodes.vertex(node) * dim + a;
+            const double       R     = result.system.residual.local_element(i);
+            const auto         old_R = reactions.find(entry);
+            work +=
+              (R + (old_R == reactions.end() ? R : old_R->second)) / 2 * u;
+            new_reactions[entry] = R;
+          }
+      reactions.swap(new_reactions);
+      return work;
+    }
+
+    bool   in_statics = false, in_dynamics = true;
+    double initial_energy = 0, strain_energy = 0, external_sum = 0,
+           plastic_sum = 0;
+    /** Of held unknowns of this rank's vertices at the end of the last step, by
+     * dim * vertex + component. */
+    std::map<unsigned int, double> reactions;
+  };
+
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Energies, "Energies")
+} // namespace isochor

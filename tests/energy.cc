@@ -1,0 +1,210 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Dynamics: what energy and momenta do, the acceleration a body starts with,
+// and prescribed motions from rest.
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "scene.h"
+
+using namespace isochor;
+
+/** Columns of the statistics, a value per step, of the scene run last. */
+std::map<std::string, std::vector<double>> &
+columns()
+{
+  static std::map<std::string, std::vector<double>> c;
+  return c;
+}
+
+namespace isochor
+{
+  /** Fills columns(). */
+  template <int dim>
+  class Columns : public Postprocessor<dim>
+  {
+  public:
+    void
+    evaluate_points(const StepResult<dim> &result,
+                    Statistics            &statistics) override
+    {
+      if (result.time.step == 1)
+        columns().clear();
+      for (const std::string name : {"Kinetic energy (J)",
+                                     "Strain energy (J)",
+                                     "Plastic work (J)",
+                                     "External work (J)",
+                                     "Energy lost by the scheme (J)",
+                                     "Momentum x (kg m/s)",
+                                     "Momentum y (kg m/s)",
+                                     "Angular momentum z (kg m^2/s)",
+                                     "Reaction x on left (N)",
+                                     "Reaction x on right (N)",
+                                     "Reaction y on bottom (N)"})
+        try
+          {
+            columns()[name].push_back(statistics.get(name));
+          }
+        catch (const std::exception &)
+          {}
+    }
+  };
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Columns, "Z: after all others")
+} // namespace isochor
+
+/** Kinetic and strain energy after each step; the first entry is the energy at
+ * the start, of a body that nothing acts on. */
+std::vector<double>
+total_energy()
+{
+  std::vector<double> energy;
+  const auto         &kinetic = columns()["Kinetic energy (J)"];
+  const auto         &strain  = columns()["Strain energy (J)"];
+  energy.push_back(kinetic[0] + strain[0] - columns()["External work (J)"][0] +
+                   columns()["Energy lost by the scheme (J)"][0]);
+  for (unsigned int i = 0; i < kinetic.size(); ++i)
+    energy.push_back(kinetic[i] + strain[i]);
+  return energy;
+}
+
+/** A free elastic square that turns once in 50 steps. At the start it isn't
+ * stretched, so that it breathes, too. */
+void
+test_spin(const std::string &quadrature, const std::string &formulation)
+{
+  test::run_scene<2>(
+    "Quadrature/Type = " + quadrature + "\nFormulation/Type = " + formulation +
+    "\nGrid/Lower corner = -1, -1\nGrid/Upper corner = 1, 1\n"
+    "Grid/Subdivisions = 10, 10\nMaterial points/Points per cell = 4\n"
+    "Material points/Region = abs(x) < 0.5 && abs(y) < 0.5\n"
+    "Material/Young modulus = 1e5\nMaterial/Poisson ratio = 0.3\n"
+    "Dynamics/Inertia = true\nDynamics/Initial velocity = -y, x\n"
+    "Time/End time = 6.283185307179586\nTime/Step size = 0.12566370614359172\n");
+  const auto        energy = total_energy();
+  const auto       &L      = columns()["Angular momentum z (kg m^2/s)"];
+  const std::string what   = "spin, " + quadrature + ", " + formulation + ", ";
+  double            momentum = 0;
+  for (unsigned int i = 0; i < L.size(); ++i)
+    {
+      test::add_error(momentum,
+                      std::hypot(columns()["Momentum x (kg m/s)"][i],
+                                 columns()["Momentum y (kg m/s)"][i]) /
+                        1000);
+    }
+  test::check_error(what + "energy lost", 1 - energy.back() / energy[0], 0.01);
+  test::check_error(what + "energy gained",
+                    *std::max_element(energy.begin(), energy.end()) /
+                        energy[0] -
+                      1,
+                    1e-3);
+  test::check_error(what + "angular momentum",
+                    std::abs(L.back() / L[0] - 1),
+                    1e-3);
+  test::check_error(what + "momentum", momentum, 1e-12);
+}
+
+/** Two elastic discs collide and part. */
+void
+test_collision()
+{
+  std::vector<double> left;
+  for (const std::string step : {"0.005", "0.00125"})
+    {
+      test::run_scene<2>(
+        "Grid/Lower corner = -1, 0\nGrid/Upper corner = 2, 1\n"
+        "Grid/Subdivisions = 24, 8\nFormulation/Type = u\n"
+        "Dynamics/Inertia = true\n"
+        "Dynamics/Initial velocity = 1 - 2*(x > 0.4), 0\n"
+        "Material/Young modulus = 100\nMaterial/Poisson ratio = 0.3\n"
+        "Material/Density = 1\nMaterial points/Points per cell = 4\n"
+        "Material points/Region = (x+0.1)^2 + (y-0.5)^2 < 0.09 || "
+        "(x-0.9)^2 + (y-0.5)^2 < 0.09\nQuadrature/Type = CPDI\n"
+        "Time/End time = 0.7\nTime/Step size = " +
+        step + '\n');
+      const auto energy = total_energy();
+      left.push_back(energy.back() / energy[0]);
+      test::check("discs, steps of " + step + ", energy kept",
+                  left.back() > 0.95 && left.back() < 1.001,
+                  std::to_string(left.back()));
+    }
+  test::check_error("discs, energy by size of the steps",
+                    std::abs(left[0] - left[1]),
+                    0.02);
+}
+
+/** A block of an incompressible material in a box with smooth walls cannot
+ * move: in each step the bottom carries its weight, 10 kN. */
+void
+test_box()
+{
+  test::run_scene<2>(
+    "Grid/Subdivisions = 4, 4\nMaterial points/Points per cell = 4\n"
+    "Material/Young modulus = 1e7\nMaterial/Poisson ratio = 0.5\n"
+    "Formulation/Stabilisation = none\n"
+    "Dynamics/Inertia = true\nBoundary conditions/Gravity = 0, -10\n"
+    "Boundary conditions/Displacement = left: x = 0; right: x = 0; "
+    "bottom: y = 0\nPostprocess/Reactions = bottom\n"
+    "Time/End time = 0.1\nTime/Step size = 0.01\n");
+  double error = 0;
+  for (const double R : columns()["Reaction y on bottom (N)"])
+    test::add_error(error, std::abs(R / 1e4 - 1));
+  test::check_error("reaction of the smooth box", error, 1e-8);
+}
+
+/** The smooth box again, without weight, between walls that move by @p u(t)
+ * from rest with the acceleration @p a(t): the body moves with them, so that
+ * the walls exert its mass times a. */
+void
+test_walls(const std::string                         &u,
+           const std::function<double(const double)> &a,
+           const double                               tolerance)
+{
+  const double dt = 0.01;
+  test::run_scene<2>(
+    "Grid/Subdivisions = 4, 4\nMaterial points/Points per cell = 4\n"
+    "Material/Young modulus = 1e7\nMaterial/Poisson ratio = 0.5\n"
+    "Dynamics/Inertia = true\nNewton/Tolerance = 1e-12\n"
+    "Boundary conditions/Displacement = left: x = " +
+    u + "; right: x = " + u +
+    "; bottom: y = 0; top: y = 0\nFormulation/Stabilisation = none\n"
+    "Postprocess/Reactions = left, right\n"
+    "Grid reset/Steps between resets = 0\n"
+    "Time/End time = 0.2\nTime/Step size = 0.01\n");
+  const auto &left  = columns()["Reaction x on left (N)"];
+  const auto &right = columns()["Reaction x on right (N)"];
+  double      error = 0, jump = 0;
+  // what the walls give the body at once is an impulse in the first step
+  const auto force = [&](const unsigned int i) {
+    return (left[i] + right[i]) / 1000;
+  };
+  for (unsigned int i = 1; i < left.size(); ++i)
+    test::add_error(error, std::abs(force(i) - a((i + 1) * dt)));
+  for (unsigned int i = 2; i + 1 < left.size(); ++i)
+    test::add_error(jump, std::abs(force(i + 1) - 2 * force(i) + force(i - 1)));
+  test::check_error("walls move by " + u, error, tolerance);
+  test::check_error("walls move by " + u + ", no ringing", jump, 1e-3);
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_box();
+  test_walls(
+    "0.1*t", [](const double) { return 0.; }, 1e-6);
+  test_walls(
+    "t^2/2", [](const double) { return 1.; }, 1e-6);
+  // the forces are those of some time within the step
+  test_walls(
+    "1-cos(t)", [](const double t) { return std::cos(t); }, 0.2 * 0.01);
+  for (const std::string quadrature :
+       {"points", "cell-filled", "cell-filled + boundary", "CPDI"})
+    test_spin(quadrature, "u");
+  test_spin("CPDI", "u-p");
+  test_collision();
+}
