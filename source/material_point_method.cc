@@ -984,7 +984,7 @@ namespace isochor
                     dynamic ? &inertia : nullptr,
                     project_volume ? &volume_projection : nullptr,
                     points,
-                    extends ? &internal_work : nullptr);
+                    extends ? &step_energy : nullptr);
       if (extends)
         extension.evaluate(step, unknowns, system, step_energy, statistics);
       last_motion.remember(nodes, n_components, step.step_size(), unknowns);

@@ -57,7 +57,7 @@ namespace isochor
                       const double *history) const override
     {
       return elasticity.shear_modulus / 2 *
-             (trace(load_symmetric_tensor<dim>(history)) - 3);
+             (trace(load_symmetric<dim>(history)) - 3);
     }
 
     /** The exact linearisation holds a term n ⊗ dev(n²): see

@@ -25,13 +25,13 @@ namespace isochor
     map_eigenvalues(const Function &function, double *components)
     {
       const SpectralDecomposition spectrum =
-        spectral_decomposition<dim>(load_symmetric_tensor<dim>(components));
+        spectral_decomposition<dim>(load_symmetric<dim>(components));
       SymmetricTensor<2, 3> result;
       for (unsigned int A = 0; A < 3; ++A)
         result +=
           function(spectrum.values[A]) *
           symmetrize(outer_product(spectrum.vectors[A], spectrum.vectors[A]));
-      store_symmetric_tensor<dim>(result, components);
+      store_symmetric<dim>(result, components);
     }
   } // namespace
 
@@ -84,7 +84,7 @@ namespace isochor
                       const double *history) const override
     {
       const auto spectrum =
-        spectral_decomposition<dim>(load_symmetric_tensor<dim>(history));
+        spectral_decomposition<dim>(load_symmetric<dim>(history));
       double sum = 0, square = 0; // of ε^e = 1/2 ln b^e
       for (const double value : spectrum.values)
         {
