@@ -19,6 +19,12 @@ namespace isochor
 {
   using namespace dealii;
 
+  /** Does nothing. Who uses a registry needs this function and so, for linkers
+   * that leave out libraries of which nothing is needed, the library itself,
+   * with the plugins in it. */
+  void
+  need_plugins_of_library();
+
   /**
    * The plugins of one kind (material models, linear solvers, ...) by name.
    * A plugin is one `.cc` file that holds its class and ends with
@@ -100,6 +106,7 @@ namespace isochor
     static std::map<std::string, Entry> &
     entries()
     {
+      need_plugins_of_library();
       static std::map<std::string, Entry> all;
       return all;
     }
