@@ -157,6 +157,7 @@ namespace isochor
     check_contact(const StepContext<dim> &step,
                   const NodalField       &unknowns,
                   const NodalField       &reaction,
+                  const NodalTies        &ties,
                   const typename BoundaryCondition<dim>::ContactTolerance
                     &tolerance) override;
 
@@ -330,6 +331,7 @@ namespace isochor
       const StepContext<dim>                                  &step,
       const NodalField                                        &unknowns,
       const NodalField                                        &reaction,
+      const NodalTies                                         &ties,
       const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const;
 
     /** Sets with which the search is given up, and how often it may not get
@@ -350,6 +352,7 @@ namespace isochor
     const StepContext<dim>                                  &step,
     const NodalField                                        &unknowns,
     const NodalField                                        &reaction,
+    const NodalTies                                         &ties,
     const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const
   {
     double largest = 0;
@@ -361,6 +364,10 @@ namespace isochor
     const double penetration =
       tolerance.relative *
       Utilities::MPI::max(largest, step.grid.communicator());
+
+    std::vector<unsigned char> is_tied(step.nodes.n_local(), 0);
+    for (const unsigned int node : ties.node)
+      is_tied[node] = 1;
 
     std::vector<unsigned int> objections;
     for (const auto &condition : conditions)
@@ -375,9 +382,10 @@ namespace isochor
           if (!condition.wall[i].released)
             objections.back() =
               condition.side * reaction.local_element(entry) < -tolerance.force;
-          else if (condition.side * (unknowns.local_element(entry) -
+          else if (!is_tied[node] &&
+                   condition.side * (unknowns.local_element(entry) -
                                      increment(condition, i, step)) <
-                   -penetration)
+                     -penetration)
             objections.back() = 2;
         }
     Utilities::MPI::max(objections, step.grid.communicator(), objections);
@@ -392,6 +400,7 @@ namespace isochor
     const StepContext<dim>                                  &step,
     const NodalField                                        &unknowns,
     const NodalField                                        &reaction,
+    const NodalTies                                         &ties,
     const typename BoundaryCondition<dim>::ContactTolerance &tolerance)
   {
     if (std::none_of(conditions.begin(),
@@ -399,7 +408,7 @@ namespace isochor
                      [](const auto &condition) { return condition.side != 0; }))
       return {};
     const auto objections =
-      find_objections(step, unknowns, reaction, tolerance);
+      find_objections(step, unknowns, reaction, ties, tolerance);
     const unsigned int n_pull =
       std::count(objections.begin(), objections.end(), 1);
     const unsigned int n_penetrate =
