@@ -126,7 +126,10 @@ namespace isochor
             if (node != numbers::invalid_unsigned_int)
               constraints.constrain(node * step.n_components +
                                       condition.component,
-                                    increment(condition, i, step));
+                                    increment(condition, i, step),
+                                    condition.side == 0 ?
+                                      NodalConstraints::prescribed :
+                                      NodalConstraints::in_contact);
           }
     }
 
