@@ -38,6 +38,49 @@ namespace isochor
 
 
 
+    /** Throw for what muParser takes without a word, but not as it is meant:
+     * `=` assigns, and `a < b < c` compares the truth of `a < b` with c. */
+    void
+    check_comparisons(const std::string &formula, const std::string &parameter)
+    {
+      const auto is_one_of = [](const char c, const std::string &characters) {
+        return characters.find(c) != std::string::npos;
+      };
+      const auto check = [&](const bool ok, const std::string &remedy) {
+        AssertThrow(ok,
+                    ExcMessage("The formula <" + formula +
+                               "> of the parameter <" + parameter +
+                               ">: " + remedy));
+      };
+      // whether something is compared already, for each open parenthesis
+      std::vector<bool> compared(1, false);
+      for (std::size_t i = 0; i < formula.size(); ++i)
+        {
+          const char c    = formula[i];
+          const char next = i + 1 < formula.size() ? formula[i + 1] : ' ';
+          if (c == '(')
+            compared.push_back(false);
+          else if (c == ')' && compared.size() > 1)
+            compared.pop_back();
+          else if (is_one_of(c, "&|,?:"))
+            compared.back() = false;
+          else if (is_one_of(c, "=!<>") && next == '=')
+            ++i;
+          else
+            check(c != '=',
+                  "'=' assigns; two values are compared by '==', or, as "
+                  "coordinates are rounded, by abs(a - b) < 1e-6.");
+          if (is_one_of(c, "<>"))
+            {
+              check(!compared.back(),
+                    "'a < b < c' means '(a < b) < c'; write 'a < b && b < c'.");
+              compared.back() = true;
+            }
+        }
+    }
+
+
+
     /** Throw if the formula depends on what it must not. */
     template <int dim>
     void
@@ -75,6 +118,7 @@ namespace isochor
                               const FormulaVariables variables)
     : function(std::make_shared<FunctionParser<dim>>(1))
   {
+    check_comparisons(formula, parameter);
     try
       {
         function->initialize(FunctionParser<dim>::default_variable_names() +

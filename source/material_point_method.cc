@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/body_summary.h>
 #include <isochor/earlier_output.h>
 #include <isochor/idle_parameters.h>
 #include <isochor/material_point_method.h>
@@ -248,7 +249,8 @@ namespace isochor
       }
     catch (...)
       {
-        print_warning_count();
+        if (!warnings.all().empty())
+          print_warning_count();
         throw;
       }
     if (pcout.is_active())
@@ -431,6 +433,7 @@ namespace isochor
                 "u" :
                 (kernel.ppp_coefficient > 0 ? "u-p + PPP" : "u-p"))
           << " form" << std::endl;
+    pcout << body_summary(points, comm) << std::endl;
   }
 
 

@@ -253,6 +253,17 @@ namespace
     expect("gravity that depends on the place",
            messages<2>(good + "Boundary conditions/Gravity = 0, -9.81*x\n"),
            {"ERROR", "-9.81*x", "Boundary conditions/Gravity", "depends on x"});
+    expect("region with one equals sign",
+           messages<2>(good + "Material points/Region = x=1\n"),
+           {"ERROR", "x=1", "Material points/Region", "'=='"});
+    expect("region with two comparisons in a row",
+           messages<2>(good + "Material points/Region = 0<x<1\n"),
+           {"ERROR", "0<x<1", "Material points/Region", "a < b && b < c"});
+    expect("comparisons that are right",
+           messages<2>(
+             good +
+             "Material points/Region = (0<x)*(x<=1) && y>0 && y<2 && x!=3\n"),
+           {});
     expect("region that depends on time",
            messages<2>(good + "Material points/Region = y < t\n"),
            {"ERROR", "Material points/Region", "depends on t"});

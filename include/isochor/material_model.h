@@ -180,9 +180,14 @@ namespace isochor
     {}
 
     /** The part of the stored elastic energy that goes with dev τ, in J per
-     * m^dim of reference volume; p²/(2K) is the other one. For statistics. */
+     * m^dim of reference volume; p²/(2K) is the other one. For statistics: a law
+     * that doesn't tell has `nan` there. */
     virtual double
-    deviatoric_energy(const Tensor<2, dim> &F, const double *history) const = 0;
+    deviatoric_energy(const Tensor<2, dim> & /*F*/,
+                      const double * /*history*/) const
+    {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
 
     virtual VolumetricMeasure
     volumetric_measure() const
