@@ -690,10 +690,13 @@ namespace isochor
 
   template <int dim>
   NewtonReport
-  MaterialPointMethod<dim>::solve_trials(const std::function<void()> &use)
+  MaterialPointMethod<dim>::find_initial_acceleration()
   {
-    // a trial errs by O(h); two, one of them back in time, by O(h²)
     NewtonReport report;
+    report.converged = true;
+    if (!dynamic || time.step > 0)
+      return report;
+    // a trial errs by O(h); two, one of them back in time, by O(h²)
     const double size = context().step_size();
     for (const double trial : {size, -size})
       {
@@ -701,69 +704,11 @@ namespace isochor
         start_again();
         report = trial > 0 ? updated_lagrangian_phase() : find_equilibrium();
         if (report.converged)
-          use();
+          inertia.finish_trial(context(), unknowns, arrays);
         inertia.end_trial();
         if (!report.converged)
           return report;
       }
-    return report;
-  }
-
-
-
-  template <int dim>
-  bool
-  MaterialPointMethod<dim>::change_initial_volume(const NodalField &trial)
-  {
-    std::vector<double> change;
-    const bool          improve =
-      initial_volume.update(context(), trial, constraints.ties, change);
-    const PointLayout &l = points.layout();
-    points.for_each([&](const unsigned int /*k*/,
-                        const unsigned int q,
-                        Point<dim> & /*location*/,
-                        ArrayView<double> properties) {
-      auto          stress  = load_symmetric<dim>(&properties[l.stress]);
-      double *const history = arrays.history.data() + q * arrays.n_history;
-      kernel.change_volume(arrays, q, change[q], arrays.F[q], stress, history);
-      for (unsigned int a = 0; a < dim; ++a)
-        for (unsigned int b = 0; b < dim; ++b)
-          properties[l.F + a * dim + b] = arrays.F[q][a][b];
-      store_symmetric<dim>(stress, &properties[l.stress]);
-      std::copy_n(history, l.n_history, &properties[l.history]);
-    });
-    return improve;
-  }
-
-
-
-  template <int dim>
-  NewtonReport
-  MaterialPointMethod<dim>::find_initial_acceleration()
-  {
-    NewtonReport report;
-    report.converged = true;
-    if (!dynamic || time.step > 0)
-      return report;
-    if (kernel.ppp_coefficient > 0)
-      {
-        constexpr unsigned int n_rounds = 5;
-        bool                   improve  = true;
-        for (unsigned int i = 0; i < n_rounds && improve; ++i)
-          {
-            NodalField mean;
-            nodes.initialize(mean, n_components);
-            report = solve_trials([&]() { mean.add(0.5, unknowns); });
-            if (!report.converged)
-              return report;
-            mean.update_ghost_values();
-            improve = change_initial_volume(mean);
-          }
-      }
-    report = solve_trials(
-      [&]() { inertia.finish_trial(context(), unknowns, arrays); });
-    if (!report.converged)
-      return report;
     inertia.start_step(context(), boundary_conditions, points, time.step == 0);
     start_again();
     return report;

@@ -16,7 +16,6 @@
 #include <isochor/failure_report.h>
 #include <isochor/grid_reset.h>
 #include <isochor/inertia_term.h>
-#include <isochor/initial_volume.h>
 #include <isochor/linear_solver.h>
 #include <isochor/load_stepping.h>
 #include <isochor/newton_solver.h>
@@ -26,7 +25,6 @@
 #include <isochor/remaining_time.h>
 #include <isochor/volume_projection.h>
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -146,13 +144,6 @@ namespace isochor
      * would carry an error in it along. See InertiaTerm::start_trial(). */
     NewtonReport
     find_initial_acceleration();
-    /** Solve the two trial steps of it, and @p use each solution. */
-    NewtonReport
-    solve_trials(const std::function<void()> &use);
-    /** Give the points the volume that the stabilisation yields to the pressure
-     * in @p trial. @return whether another trial may improve it. */
-    bool
-    change_initial_volume(const NodalField &trial);
     /** The first step from its start, with other equations. */
     void
     start_again();
@@ -214,7 +205,6 @@ namespace isochor
 
     MixedKernel<dim>     kernel;
     BodyTerm<dim>        body;
-    InitialVolume<dim>   initial_volume;
     BodyQuadrature<dim>  quadrature;
     CellOccupancy<dim>   occupancy;
     PointRefinement<dim> refinement;
