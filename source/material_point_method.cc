@@ -1027,7 +1027,9 @@ namespace isochor
   void
   MaterialPointMethod<dim>::warn_if_nothing_moves(const NewtonReport &newton)
   {
-    if (time.step == 0 && newton.n_iterations() == 0)
+    // in dynamics the trial steps may have left nothing to iterate on
+    if (time.step == 0 && newton.n_iterations() == 0 &&
+        unknowns.linfty_norm() == 0)
       warnings.add("nothing loads the scene",
                    "The first step, to t = " +
                      std::to_string(time.next_time()) +

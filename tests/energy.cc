@@ -142,7 +142,7 @@ test_collision()
 void
 test_box()
 {
-  test::run_scene<2>(
+  const auto problem = test::run_scene<2>(
     "Grid/Subdivisions = 4, 4\nMaterial points/Points per cell = 4\n"
     "Material/Young modulus = 1e7\nMaterial/Poisson ratio = 0.5\n"
     "Formulation/Stabilisation = none\n"
@@ -154,6 +154,9 @@ test_box()
   for (const double R : columns()["Reaction y on bottom (N)"])
     test::add_error(error, std::abs(R / 1e4 - 1));
   test::check_error("reaction of the smooth box", error, 1e-8);
+  test::check("smooth box, no warning",
+              problem->all_warnings().all().empty(),
+              problem->all_warnings().summary());
 }
 
 /** The smooth box again, without weight, between walls that move by @p u(t)
@@ -190,10 +193,52 @@ test_walls(const std::string                         &u,
   test::check_error("walls move by " + u + ", no ringing", jump, 1e-3);
 }
 
+/** A beam is let go under gravity and bends through several cells: points that
+ * change cells lose energy, about which there is a warning, CPDI and a grid
+ * that is kept don't. */
+void
+test_losses(const std::string &what,
+            const std::string &settings,
+            const double       least,
+            const double       most)
+{
+  const auto problem = test::run_scene<2>(
+    "Grid/Lower corner = 0, -0.8\nGrid/Upper corner = 1.2, 0.4\n"
+    "Grid/Subdivisions = 48, 48\nMaterial points/Points per cell = 4\n"
+    "Material points/Region = x < 1 && abs(y) < 0.05\n"
+    "Material/Young modulus = 1e7\nMaterial/Poisson ratio = 0.49\n"
+    "Material/Density = 1000\nDynamics/Inertia = true\n"
+    "Boundary conditions/Displacement = left: x = 0, y = 0\n"
+    "Boundary conditions/Gravity = 0, -10\n"
+    "Time/End time = 0.2\nTime/Step size = 0.005\n" +
+    settings);
+  double largest = 0;
+  for (const double E : total_energy())
+    largest = std::max(largest, E);
+  const double lost =
+    columns()["Energy lost by the scheme (J)"].back() / largest;
+  test::check("beam, " + what + ", energy lost",
+              lost > least && lost < most,
+              std::to_string(lost));
+  std::string warning;
+  for (const auto &w : problem->all_warnings().all())
+    if (w.subject == "energy lost or created by the scheme")
+      warning = test::one_line(w.text);
+  const bool names_remedy =
+    warning.find("the scheme has lost") != std::string::npos &&
+    warning.find("<Quadrature/Type = CPDI>") != std::string::npos;
+  test::check("beam, " + what + ", warning",
+              least > 0.01 ? names_remedy : warning.empty(),
+              '"' + warning + '"');
+}
+
 int
 main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // warnings are looked at by the tests, they are not part of the output
+  std::ostringstream    printed;
+  std::streambuf *const terminal = std::cerr.rdbuf(printed.rdbuf());
   test_box();
   test_walls(
     "0.1*t", [](const double) { return 0.; }, 1e-6);
@@ -207,4 +252,12 @@ main(int argc, char **argv)
     test_spin(quadrature, "u");
   test_spin("CPDI", "u-p");
   test_collision();
+  test_losses("cell-filled", "Quadrature/Type = cell-filled\n", 0.015, 0.2);
+  test_losses("CPDI", "Quadrature/Type = CPDI\n", -0.002, 0.003);
+  test_losses("kept grid",
+              "Quadrature/Type = cell-filled\n"
+              "Grid reset/Steps between resets = 0\n",
+              -0.002,
+              0.003);
+  std::cerr.rdbuf(terminal);
 }

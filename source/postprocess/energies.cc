@@ -5,6 +5,8 @@
 #include <isochor/mpi_sums.h>
 #include <isochor/postprocessor.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -25,7 +27,8 @@ namespace isochor
    *  - what the scheme lost: external work minus the change of kinetic and
    *    strain energy, minus plastic work. In statics the errors of load
    *    stepping are in it, in dynamics also those of time integration and of
-   *    the transfer between points and nodes.
+   *    the transfer between points and nodes, and a warning says so if it is
+   *    more than 1 % per cycle.
    */
   template <int dim>
   class Energies : public Postprocessor<dim>
@@ -62,6 +65,7 @@ namespace isochor
       if (result.time.step == 0)
         initial_energy = sums[old_strain] + sums[old_kinetic];
       strain_energy = sums[strain];
+      stiffness     = sums[shear_modulus];
       external_sum += sums[external];
       plastic_sum += sums[plastic];
     }
@@ -103,6 +107,7 @@ namespace isochor
                        plastic_sum - sums[6]);
       if (!l.dynamic)
         return;
+      warn_of_losses(result, sums[6]);
       for (unsigned int a = 0; a < dim; ++a)
         statistics.set(std::string("Momentum ") + "xyz"[a] + " (kg m/s)",
                        sums[a]);
@@ -118,7 +123,9 @@ namespace isochor
       std::ostringstream state;
       state.precision(std::numeric_limits<double>::max_digits10);
       state << initial_energy << ' ' << external_sum << ' ' << plastic_sum
-            << ' ' << reactions.size() << ' ';
+            << ' ' << largest_energy << ' ' << kinetic_energy << ' '
+            << kinetic_change << ' ' << lost_at_first << ' ' << reactions.size()
+            << ' ';
       for (const auto &reaction : reactions)
         state << reaction.first << ' ' << reaction.second << ' ';
       return state.str();
@@ -129,7 +136,9 @@ namespace isochor
     {
       std::istringstream state(text);
       std::size_t        n = 0;
-      state >> initial_energy >> external_sum >> plastic_sum >> n;
+      state >> initial_energy >> external_sum >> plastic_sum >>
+        largest_energy >> kinetic_energy >> kinetic_change >> lost_at_first >>
+        n;
       for (std::size_t i = 0; i < n; ++i)
         {
           unsigned int entry = 0;
@@ -146,6 +155,7 @@ namespace isochor
       old_kinetic,
       plastic,
       external,
+      shear_modulus,
       n_sums
     };
 
@@ -201,6 +211,7 @@ namespace isochor
               material.deviatoric_energy(state.F, history.data()) +
               half_K * state.pressure * state.pressure;
             sums[strain] += V * stored;
+            sums[shear_modulus] += V * material.shear_modulus();
             if (result.time.step == 0 && result.points.layout().dynamic)
               sums[old_kinetic] +=
                 points.mass[q] / 2 * points.velocity[q].norm_square();
@@ -268,6 +279,56 @@ namespace isochor
       return energy;
     }
 
+    /**
+     * Warn once the scheme has lost, or made, more than 1 % of the largest
+     * energy, or of that for each cycle: a vibration turns its energy into
+     * kinetic energy and back twice, which changes that by four times as much.
+     * What goes in the first steps doesn't count: energies are small beside
+     * what is to come, and what sudden loads do faster than the steps is damped
+     * on purpose. Energies at strains of 1e-7 are those of rounding and of what
+     * Newton's method leaves.
+     */
+    void
+    warn_of_losses(const StepResult<dim> &result, const double kinetic)
+    {
+      constexpr double       threshold = 0.01, rounding = 1e-14;
+      constexpr unsigned int n_first_steps = 10;
+
+      const double total    = kinetic + strain_energy + plastic_sum,
+                   all_lost = external_sum + initial_energy - total;
+      if (result.time.step < n_first_steps)
+        lost_at_first = all_lost;
+      else
+        kinetic_change += std::abs(kinetic - kinetic_energy);
+      kinetic_energy    = kinetic;
+      largest_energy    = std::max(largest_energy, total);
+      const double lost = all_lost - lost_at_first,
+                   size = std::max(largest_energy, kinetic_change / 4);
+      if (std::abs(lost) <= std::max(threshold * size, rounding * stiffness))
+        return;
+      std::ostringstream text;
+      text.precision(3);
+      text << "By t = " << result.step.time << " the scheme has "
+           << (lost > 0 ? "lost " : "created ") << std::abs(lost) << " J, "
+           << 100 * std::abs(lost) / size
+           << " % of the largest energy of the body"
+           << (size > largest_energy ? " per cycle" : "")
+           << ", see 'Energy lost by the scheme' in the statistics. ";
+      if (!result.step.points.has_stencils())
+        text << "Points that change cells take their stresses with them: "
+                "<Quadrature/Type = CPDI> or a grid that is kept (<Grid "
+                "reset/Steps between resets = 0>, where bodies don't come "
+                "together) hardly lose any. Else smaller steps (<Time/Step "
+                "size>) and cells.";
+      else
+        text << "Use smaller steps (<Time/Step size>) and cells, a larger "
+                "<Dynamics/Spectral radius>, or a grid that is kept (<Grid "
+                "reset/Steps between resets = 0>, where bodies don't come "
+                "together).";
+      result.step.warnings.add("energy lost or created by the scheme",
+                               text.str());
+    }
+
     /** τ : @p gradient. */
     static double
     power(const typename MixedKernel<dim>::PointState &state,
@@ -323,6 +384,13 @@ namespace isochor
     bool   in_statics = false, in_dynamics = true;
     double initial_energy = 0, strain_energy = 0, external_sum = 0,
            plastic_sum = 0;
+    /** The largest sum of kinetic and strain energy and plastic work so far;
+     * the kinetic energy, the sum of the sizes of its changes, and what was
+     * lost in the first steps. */
+    double largest_energy = 0, kinetic_energy = 0, kinetic_change = 0,
+           lost_at_first = 0;
+    /** Σ V_p G_p. */
+    double stiffness = 0;
     /** Of held unknowns of this rank's vertices at the end of the last step, by
      * dim * vertex + component. */
     std::map<unsigned int, double> reactions;
