@@ -186,6 +186,7 @@ namespace isochor
     const NodalConstraints start = place(0), middle = place(0.5),
                            end = place(1);
     held.assign(step.nodes.n_local() * dim, 0);
+    stopped.clear();
     if (kept_part > 0)
       {
         step.nodes.initialize(projected, dim);
@@ -197,8 +198,9 @@ namespace isochor
       for (unsigned int d = 0; d < dim; ++d)
         {
           const unsigned int entry = node * nc + d, i = node * dim + d;
-          held[i] = constraints.constrained[entry];
-          if (!held[i] || node >= step.nodes.n_owned())
+          held[i] =
+            (constraints.constrained[entry] == NodalConstraints::prescribed);
+          if (constraints.constrained[entry] == NodalConstraints::is_free)
             continue;
           const double first = middle.increment[entry] - start.increment[entry],
                        second = end.increment[entry] - middle.increment[entry];
@@ -206,8 +208,14 @@ namespace isochor
           if (std::abs(second - first) <=
               1e-12 * std::max(std::abs(first), std::abs(second)))
             a = 0; // rounding
-          acceleration.local_element(i) = a;
-          velocity.local_element(i)     = (first + second) / dt - a * dt / 2;
+          const double mean = (first + second) / dt;
+          if (!held[i])
+            stopped.push_back({i, mean + a * dt / 2, a});
+          else if (node < step.nodes.n_owned())
+            {
+              acceleration.local_element(i) = a;
+              velocity.local_element(i)     = mean - a * dt / 2;
+            }
         }
     project(step, momentum, constraints.ties, velocity);
     project(step, force, constraints.ties, acceleration);
@@ -384,6 +392,12 @@ namespace isochor
               a - scheme().inertial_acceleration(a_n, a) :
               a;
         }
+    for (const Stopped &node : stopped)
+      {
+        new_velocity.local_element(node.entry) = node.velocity;
+        new_acceleration.local_element(node.entry) =
+          from_stresses && !in_trial() ? 0. : node.acceleration;
+      }
   }
 
 

@@ -782,10 +782,8 @@ namespace isochor
       newton_solver.tolerance * report.force_scale, newton_solver.tolerance};
     for (const auto &condition : boundary_conditions)
       {
-        const std::string failure = condition->check_contact(context(),
-                                                             unknowns,
-                                                             system.residual,
-                                                             tolerance);
+        const std::string failure = condition->check_contact(
+          context(), unknowns, system.residual, constraints.ties, tolerance);
         if (!failure.empty())
           {
             report.converged = false;

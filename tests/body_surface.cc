@@ -309,7 +309,7 @@ test_corner()
         "Grid/Upper corner = 1.5, 1.5\nGrid/Subdivisions = 9, 9\n"
         "Material/Young modulus = 100\nMaterial/Poisson ratio = 0.3\n"
         "Formulation/Type = u\nTime/Step size = 0.25\n"
-        "Newton/Tolerance = 1e-12\nMaterial points/Points per cell = 1\n"
+        "Newton/Tolerance = 1e-12\nMaterial points/Points per cell = 4\n"
         "Material points/Region = x<1 && y<1\nQuadrature/Type = " +
         type +
         "\nBoundary conditions/Displacement = left: x=0; bottom: y=0\n"

@@ -68,6 +68,10 @@ namespace isochor
     };
     ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Recorder, "Recorder")
 
+    /** Warnings go to the standard error, which ctest compares, too. Tests that
+     * are about them read MaterialPointMethod::all_warnings(). */
+    inline const bool silent = (std::cerr.rdbuf(nullptr), true);
+
     /** Run the scene described by @p settings, see set_parameters(). */
     template <int dim>
     std::unique_ptr<MaterialPointMethod<dim>>

@@ -74,11 +74,13 @@ namespace isochor
      * where a one-sided condition is violated. @p reaction is the force of the
      * boundary on the body at constrained unknowns (N). Returns why the search
      * is to be given up, nothing as long as it goes on or if it has ended.
-     * Collective. */
+     * Nodes that follow others (@p ties) because hardly any material touches
+     * them may go through a wall: where they are the body isn't. Collective. */
     virtual std::string
     check_contact(const StepContext<dim> & /*step*/,
                   const NodalField & /*unknowns*/,
                   const NodalField & /*reaction*/,
+                  const NodalTies & /*ties*/,
                   const ContactTolerance & /*tolerance*/)
     {
       return {};

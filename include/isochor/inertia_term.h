@@ -57,6 +57,10 @@ namespace isochor
      * their prescribed motion, the parabola through its places at the start,
      * the middle and the end of @p step, and project to the others. Has to be
      * called whenever other unknowns are held than before. Collective.
+     *
+     * What a one-sided wall holds starts with what the points bring, so that
+     * the search for the nodes in contact doesn't change what it starts from,
+     * and ends with the motion of the wall: the impact is over within the step.
      */
     void
     prescribe(
@@ -183,6 +187,14 @@ namespace isochor
       new_acceleration;
     /** Prescribed entries, of local nodes. */
     std::vector<unsigned char> held;
+    /** An entry that a one-sided wall holds, with the wall's velocity and
+     * acceleration at the end of the step. */
+    struct Stopped
+    {
+      unsigned int entry;
+      double       velocity, acceleration;
+    };
+    std::vector<Stopped> stopped;
     bool                       prescribed = false;
 
     /** What assemble() works with. */

@@ -53,6 +53,14 @@ namespace isochor
    */
   struct NodalConstraints
   {
+    /** How an unknown is constrained. */
+    enum : unsigned char
+    {
+      is_free    = 0,
+      prescribed = 1, ///< always
+      in_contact = 2  ///< as long as it presses on a one-sided wall
+    };
+
     std::vector<unsigned char> constrained;
     std::vector<double>        increment;
     NodalTies                  ties;
@@ -60,15 +68,17 @@ namespace isochor
     void
     reinit(const unsigned int n_entries)
     {
-      constrained.assign(n_entries, 0);
+      constrained.assign(n_entries, is_free);
       increment.assign(n_entries, 0.);
       ties.clear();
     }
 
     void
-    constrain(const unsigned int entry, const double value)
+    constrain(const unsigned int  entry,
+              const double        value,
+              const unsigned char how = prescribed)
     {
-      constrained[entry] = 1;
+      constrained[entry] = how;
       increment[entry]   = value;
     }
   };

@@ -126,7 +126,10 @@ namespace isochor
             if (node != numbers::invalid_unsigned_int)
               constraints.constrain(node * step.n_components +
                                       condition.component,
-                                    increment(condition, i, step));
+                                    increment(condition, i, step),
+                                    condition.side == 0 ?
+                                      NodalConstraints::prescribed :
+                                      NodalConstraints::in_contact);
           }
     }
 
@@ -157,6 +160,7 @@ namespace isochor
     check_contact(const StepContext<dim> &step,
                   const NodalField       &unknowns,
                   const NodalField       &reaction,
+                  const NodalTies        &ties,
                   const typename BoundaryCondition<dim>::ContactTolerance
                     &tolerance) override;
 
@@ -330,6 +334,7 @@ namespace isochor
       const StepContext<dim>                                  &step,
       const NodalField                                        &unknowns,
       const NodalField                                        &reaction,
+      const NodalTies                                         &ties,
       const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const;
 
     /** Sets with which the search is given up, and how often it may not get
@@ -350,6 +355,7 @@ namespace isochor
     const StepContext<dim>                                  &step,
     const NodalField                                        &unknowns,
     const NodalField                                        &reaction,
+    const NodalTies                                         &ties,
     const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const
   {
     double largest = 0;
@@ -361,6 +367,10 @@ namespace isochor
     const double penetration =
       tolerance.relative *
       Utilities::MPI::max(largest, step.grid.communicator());
+
+    std::vector<unsigned char> is_tied(step.nodes.n_local(), 0);
+    for (const unsigned int node : ties.node)
+      is_tied[node] = 1;
 
     std::vector<unsigned int> objections;
     for (const auto &condition : conditions)
@@ -375,9 +385,10 @@ namespace isochor
           if (!condition.wall[i].released)
             objections.back() =
               condition.side * reaction.local_element(entry) < -tolerance.force;
-          else if (condition.side * (unknowns.local_element(entry) -
+          else if (!is_tied[node] &&
+                   condition.side * (unknowns.local_element(entry) -
                                      increment(condition, i, step)) <
-                   -penetration)
+                     -penetration)
             objections.back() = 2;
         }
     Utilities::MPI::max(objections, step.grid.communicator(), objections);
@@ -392,6 +403,7 @@ namespace isochor
     const StepContext<dim>                                  &step,
     const NodalField                                        &unknowns,
     const NodalField                                        &reaction,
+    const NodalTies                                         &ties,
     const typename BoundaryCondition<dim>::ContactTolerance &tolerance)
   {
     if (std::none_of(conditions.begin(),
@@ -399,7 +411,7 @@ namespace isochor
                      [](const auto &condition) { return condition.side != 0; }))
       return {};
     const auto objections =
-      find_objections(step, unknowns, reaction, tolerance);
+      find_objections(step, unknowns, reaction, ties, tolerance);
     const unsigned int n_pull =
       std::count(objections.begin(), objections.end(), 1);
     const unsigned int n_penetrate =
