@@ -201,6 +201,16 @@ namespace isochor
 
   template <int dim>
   void
+  CellOccupancy<dim>::add_cells(const std::map<unsigned int, double> &cells)
+  {
+    for (const auto &cell : cells)
+      entry(cell.first);
+  }
+
+
+
+  template <int dim>
+  void
   CellOccupancy<dim>::share(std::map<unsigned int, double> &values) const
   {
     const MPI_Comm comm = grid.communicator();

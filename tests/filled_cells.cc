@@ -115,10 +115,10 @@ namespace
     std::ostringstream volumes;
     test::check_error("cube between smooth plates: reaction",
                       std::abs(s.get("Reaction z on back (N)") / exact - 1),
-                      0.01);
+                      0.005);
     test::check_error("cube between smooth plates: volume",
                       std::abs(s.get("Volume in the grid (m^3)") / 0.25 - 1),
-                      0.01);
+                      0.005);
   }
 
   /** What is said of a bar of height 1 that is pulled, with points on a

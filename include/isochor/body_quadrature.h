@@ -27,8 +27,10 @@ namespace isochor
    *    the vertices; of several materials that with the largest volume. Masses,
    *    and with them external forces, are not scaled;
    *  - cell-filled + boundary: in addition cells at the surface are scaled to
-   *    the part of them that the body fills, counted from samples of the
-   *    points' convected domains; by a factor in [0.2, 5];
+   *    the part of them that the body fills, the sum of their overlaps with
+   *    the points' convected domains; by a factor in [0.2, 5]. What the
+   *    domains fill of cells without points is integrated by a massless point
+   *    with the state of those around, as holes are;
    *  - CPDI: each point owns a simplex domain with corners x_c = x_p + F r_c,
    *    and sees N_pI = 1/(d+1) Σ_c N_I(x_c), ∇N_pI = Σ_c N_I(x_c) ∇λ_c with λ_c
    *    the domain's barycentric coordinates. The domains move with the
@@ -94,18 +96,20 @@ namespace isochor
     void
     fill_interior_cells(PointArrays<dim>         &points,
                         const CellOccupancy<dim> &occupancy) const;
-    void
-    fill_boundary_cells(PointArrays<dim>         &points,
-                        const CellOccupancy<dim> &occupancy,
-                        const PointLocator<dim>  &locator) const;
+    /** Returns what the body fills of cells without points, of this rank and
+     * near it. */
     std::map<unsigned int, double>
-    sample_boundary_cells(const PointArrays<dim>   &points,
-                          const CellOccupancy<dim> &occupancy,
-                          const PointLocator<dim>  &locator) const;
+    fill_boundary_cells(PointArrays<dim>         &points,
+                        const CellOccupancy<dim> &occupancy) const;
+    std::map<unsigned int, double>
+    fill_of_boundary_cells(const PointArrays<dim>   &points,
+                           const CellOccupancy<dim> &occupancy) const;
+    /** Integrate holes, and @p cells by the volumes given, by a point each. */
     void
-    add_hole_points(PointArrays<dim>         &points,
-                    const CellOccupancy<dim> &occupancy,
-                    const MixedKernel<dim>   &kernel) const;
+    add_hole_points(PointArrays<dim>              &points,
+                    const CellOccupancy<dim>      &occupancy,
+                    const MixedKernel<dim>        &kernel,
+                    std::map<unsigned int, double> cells) const;
 
     /** Returns the part of its corner for each entry of corner_cells. */
     std::vector<double>

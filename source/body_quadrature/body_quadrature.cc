@@ -70,9 +70,11 @@ namespace isochor
     if (fill)
       {
         fill_interior_cells(points, occupancy);
+        std::map<unsigned int, double> bare;
         if (type == Type::cell_filled_with_boundary)
-          fill_boundary_cells(points, occupancy, locator);
-        add_hole_points(points, occupancy, kernel);
+          bare = fill_boundary_cells(points, occupancy);
+        occupancy.add_cells(bare);
+        add_hole_points(points, occupancy, kernel, bare);
       }
   }
 

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/body_quadrature.h>
+#include <isochor/simplex_overlap.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,8 +78,8 @@ namespace isochor
     }
 
     /**
-     * The samples of cells that are full whatever they say, by cell in
-     * @p excess, don't add up to their measures: domains overlap or leave gaps.
+     * The domains in cells that are full whatever they say don't add up to
+     * the cells' measures, by the @p excess: domains overlap or leave gaps.
      * What is too much or too little there is too little or too much nearby:
      * the cells of @p filled around them get it, in proportion to what they
      * hold.
@@ -114,85 +115,34 @@ namespace isochor
         filled[cell.first] =
           std::max(filled[cell.first] + cell.second, 0.5 * filled[cell.first]);
     }
-
-    /**
-     * What the cells of @p filled hold beyond their measure goes to those
-     * around them that have room, in proportion to the room; what finds none
-     * stays. Domains that overlap in one place leave gaps nearby: cutting off
-     * what is too much without filling the gaps would lose volume in each step.
-     */
-    template <int dim>
-    void
-    level(const CellOccupancy<dim>       &occupancy,
-          std::map<unsigned int, double> &filled)
-    {
-      const SimplexGeometry<dim> &geometry = occupancy.grid.geometry();
-      const auto room = [&](const std::pair<const unsigned int, double> &cell) {
-        return geometry.measure(cell.first) - cell.second;
-      };
-      // what full cells offer, and how much of it each other cell is offered
-      std::vector<unsigned int>      around;
-      std::map<unsigned int, double> room_around, offered;
-      for (const auto &from : filled)
-        if (room(from) < 0)
-          {
-            double sum = 0;
-            find_cells_around(from.first, occupancy, around);
-            for (const unsigned int cell : around)
-              {
-                const auto to = filled.find(cell);
-                if (to != filled.end())
-                  sum += std::max(0., room(*to));
-              }
-            room_around[from.first] = sum;
-            for (const unsigned int cell : around)
-              {
-                const auto to = filled.find(cell);
-                if (to != filled.end() && room(*to) > 0)
-                  offered[cell] -= room(from) * room(*to) / sum;
-              }
-          }
-      // no cell takes more than it has room for
-      std::map<unsigned int, double> change;
-      for (const auto &from : room_around)
-        {
-          const double excess = -room(*filled.find(from.first));
-          find_cells_around(from.first, occupancy, around);
-          for (const unsigned int cell : around)
-            {
-              const auto to = filled.find(cell);
-              if (to == filled.end() || !(room(*to) > 0))
-                continue;
-              const double part = excess * room(*to) / from.second *
-                                  std::min(1., room(*to) / offered[cell]);
-              change[cell] += part;
-              change[from.first] -= part;
-            }
-        }
-      for (const auto &cell : change)
-        filled[cell.first] += cell.second;
-    }
   } // namespace
 
 
 
   template <int dim>
-  void
+  std::map<unsigned int, double>
   BodyQuadrature<dim>::fill_boundary_cells(
     PointArrays<dim>         &points,
-    const CellOccupancy<dim> &occupancy,
-    const PointLocator<dim>  &locator) const
+    const CellOccupancy<dim> &occupancy) const
   {
-    // further away from the points' own volume the samples are not to be
+    // further away from the points' own volume the domains are not to be
     // trusted
     constexpr double smallest = 0.2, largest = 5;
+    // of a cell: less may be rounding
+    constexpr double smallest_part = 1e-8;
 
     const unsigned int rank =
       Utilities::MPI::this_mpi_process(grid.communicator());
-    std::map<unsigned int, double> filled, excess; // at the surface, behind it
-    for (const auto &cell : sample_boundary_cells(points, occupancy, locator))
+    // without points, at the surface, behind it
+    std::map<unsigned int, double> empty, filled, excess;
+    for (const auto &cell : fill_of_boundary_cells(points, occupancy))
       if (grid.geometry().owner(cell.first) != rank)
         continue;
+      else if (occupancy.content(cell.first) == nullptr)
+        {
+          if (cell.second > smallest_part * grid.geometry().measure(cell.first))
+            empty.insert(cell);
+        }
       else if (!is_full(cell.first, occupancy))
         filled.insert(cell);
       else if (is_next_to_boundary(cell.first, occupancy))
@@ -200,10 +150,10 @@ namespace isochor
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       if (!occupancy.is_interior(points.cell[k]))
         filled.emplace(points.cell[k], 0.);
+    occupancy.share(empty);
     occupancy.share(filled);
     occupancy.share(excess);
     pass_on(occupancy, excess, filled);
-    level(occupancy, filled);
 
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       {
@@ -219,20 +169,79 @@ namespace isochor
              ++q)
           points.weight[q] *= factor;
       }
+    return empty;
   }
+
+
+
+  namespace
+  {
+    /** Whether points act on a node of @p cell. */
+    template <int dim>
+    bool
+    is_within_reach(const unsigned int        cell,
+                    const CellOccupancy<dim> &occupancy)
+    {
+      const auto &vertices = occupancy.grid.geometry().vertex_indices(cell);
+      return std::any_of(vertices.begin(),
+                         vertices.end(),
+                         [&](const unsigned int v) {
+                           return occupancy.is_active(v);
+                         });
+    }
+
+
+
+    /** The volumes that the simplex with @p corners shares with cells, found
+     * face by face from @p start on, in which it has its centroid. */
+    template <int dim>
+    void
+    find_overlaps(const SimplexGeometry<dim>            &geometry,
+                  const std::array<Point<dim>, dim + 1> &corners,
+                  const unsigned int                     start,
+                  std::map<unsigned int, double>        &overlaps)
+    {
+      std::vector<unsigned int> to_follow = {start};
+      std::set<unsigned int>    seen      = {start};
+      SimplexInCell<dim>        simplex;
+      overlaps.clear();
+      while (!to_follow.empty())
+        {
+          const unsigned int cell = to_follow.back();
+          to_follow.pop_back();
+          for (unsigned int c = 0; c <= dim; ++c)
+            simplex[c] = geometry.barycentric(cell, corners[c]);
+          const double overlap =
+            geometry.measure(cell) * overlap_with_cell<dim>(simplex);
+          if (cell != start && !(overlap > 0))
+            continue;
+          overlaps[cell] = overlap;
+          for (unsigned int f = 0; f <= dim; ++f)
+            {
+              const unsigned int next = geometry.neighbours(cell)[f];
+              // only across faces that the simplex reaches
+              if (next != SimplexGeometry<dim>::no_cell &&
+                  std::any_of(simplex.begin(),
+                              simplex.end(),
+                              [&](const auto &lambda) {
+                                return lambda[f] < 0;
+                              }) &&
+                  seen.insert(next).second)
+                to_follow.push_back(next);
+            }
+        }
+    }
+  } // namespace
 
 
 
   template <int dim>
   std::map<unsigned int, double>
-  BodyQuadrature<dim>::sample_boundary_cells(
+  BodyQuadrature<dim>::fill_of_boundary_cells(
     const PointArrays<dim>   &points,
-    const CellOccupancy<dim> &occupancy,
-    const PointLocator<dim>  &locator) const
+    const CellOccupancy<dim> &occupancy) const
   {
     const SimplexGeometry<dim> &geometry = grid.geometry();
-    const Quadrature<dim>       samples =
-      material_point_rule<dim>(dim == 2 ? 36 : 64);
 
     // domains in the cells around a cell may reach into it
     std::set<unsigned int> near;
@@ -242,7 +251,9 @@ namespace isochor
         for (const unsigned int v : geometry.vertex_indices(content.cell))
           near.insert(v);
 
-    std::map<unsigned int, double> filled;
+    std::map<unsigned int, double>  filled;
+    std::array<Point<dim>, dim + 1> corners;
+    std::map<unsigned int, double>  overlaps;
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       {
         const unsigned int cell     = points.cell[k];
@@ -256,20 +267,19 @@ namespace isochor
              ++q)
           {
             const Point<dim> centre = location(points, k, q);
-            const double     V = determinant(points.F[q]) * points.volume[q];
-            for (unsigned int s = 0; s < samples.size(); ++s)
-              {
-                Tensor<1, dim> r = points.domain[q][0];
-                for (unsigned int d = 0; d < dim; ++d)
-                  r += samples.point(s)[d] *
-                       (points.domain[q][d + 1] - points.domain[q][0]);
-                const auto place =
-                  locator.locate(centre + points.F[q] * r, cell);
-                // where the grid or the points end it counts for the own cell
-                const bool in_body =
-                  place.found && occupancy.content(place.cell) != nullptr;
-                filled[in_body ? place.cell : cell] += samples.weight(s) * V;
-              }
+            for (unsigned int c = 0; c <= dim; ++c)
+              corners[c] = centre + points.F[q] * points.domain[q][c];
+            find_overlaps(geometry, corners, cell, overlaps);
+            // what is out of reach of the nodes counts for the own cell
+            const double V       = determinant(points.F[q]) * points.volume[q];
+            double       outside = V;
+            for (const auto &overlap : overlaps)
+              if (is_within_reach(overlap.first, occupancy))
+                {
+                  filled[overlap.first] += overlap.second;
+                  outside -= overlap.second;
+                }
+            filled[cell] += outside;
           }
       }
 

@@ -240,35 +240,36 @@ namespace isochor
 
   template <int dim>
   void
-  BodyQuadrature<dim>::add_hole_points(PointArrays<dim>         &points,
-                                       const CellOccupancy<dim> &occupancy,
-                                       const MixedKernel<dim>   &kernel) const
+  BodyQuadrature<dim>::add_hole_points(
+    PointArrays<dim>              &points,
+    const CellOccupancy<dim>      &occupancy,
+    const MixedKernel<dim>        &kernel,
+    std::map<unsigned int, double> cells) const
   {
     const SimplexGeometry<dim> &geometry = grid.geometry();
     const unsigned int          rank =
       Utilities::MPI::this_mpi_process(grid.communicator());
     std::vector<unsigned int> holes; // of this rank
     VertexStates<dim>         states;
-    unsigned int              n_holes = 0;
     for (const auto &content : occupancy.occupied_cells())
       if (content.is_hole)
-        {
-          ++n_holes;
-          if (geometry.owner(content.cell) == rank)
-            holes.push_back(content.cell);
-          for (const unsigned int v : geometry.vertex_indices(content.cell))
-            {
-              MeanStates<dim> around;
-              add_points_around(v, points, occupancy, kernel, around);
-              if (!around.empty())
-                states[{content.cell, v}] = around;
-            }
-        }
-    if (Utilities::MPI::max(n_holes, grid.communicator()) == 0)
+        cells[content.cell] = geometry.measure(content.cell);
+    if (Utilities::MPI::max(cells.size(), grid.communicator()) == 0)
       return;
+    for (const auto &fill : cells)
+      {
+        if (geometry.owner(fill.first) == rank)
+          holes.push_back(fill.first);
+        for (const unsigned int v : geometry.vertex_indices(fill.first))
+          {
+            MeanStates<dim> around;
+            add_points_around(v, points, occupancy, kernel, around);
+            if (!around.empty())
+              states[{fill.first, v}] = around;
+          }
+      }
     exchange(geometry, points.n_history, states);
 
-    std::sort(holes.begin(), holes.end());
     for (const unsigned int cell : holes)
       {
         const auto           state   = state_at_centroid(cell, states);
@@ -282,7 +283,7 @@ namespace isochor
         points.shape.back().fill(1. / (dim + 1));
         points.volume.push_back(0);
         points.mass.push_back(0);
-        points.weight.push_back(geometry.measure(cell) / determinant(F));
+        points.weight.push_back(cells.at(cell) / determinant(F));
         points.pressure.push_back(0);
         points.F.push_back(F);
         points.material.push_back(state.first);
