@@ -169,7 +169,8 @@ namespace isochor
     double full = 0;
     for (const unsigned int cell : occupancy.cells_at(vertex))
       full += grid.geometry().measure(cell) / (dim + 1);
-    return volume_at[vertex] >= smallest_support * full;
+    // rounding must not decide, or a scene that is moved would be another
+    return volume_at[vertex] >= (1 - 1e-8) * smallest_support * full;
   }
 
 

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
+#include <sstream>
 
 namespace isochor
 {
@@ -116,7 +118,9 @@ namespace isochor
   Expression<dim>::Expression(const std::string     &formula,
                               const std::string     &parameter,
                               const FormulaVariables variables)
-    : function(std::make_shared<FunctionParser<dim>>(1))
+    : formula(formula)
+    , parameter(parameter)
+    , function(std::make_shared<FunctionParser<dim>>(1))
   {
     check_comparisons(formula, parameter);
     try
@@ -140,6 +144,21 @@ namespace isochor
                                "mathematical functions."));
       }
     check_variables<dim>(formula, parameter, variables);
+  }
+
+
+
+  template <int dim>
+  void
+  Expression<dim>::throw_not_finite(const Point<dim> &x, const double t) const
+  {
+    std::ostringstream place;
+    place << '(' << x << "), t = " << t;
+    AssertThrow(false,
+                ExcMessage("The formula <" + formula + "> of the parameter <" +
+                           parameter + "> has no finite value at " +
+                           place.str() + "."));
+    std::abort();
   }
 
 

@@ -138,6 +138,12 @@ namespace isochor
                     ExcMessage("The parameter <" + name + "> needs " +
                                std::to_string(dim) + " components on <" +
                                entry.first + ">."));
+        for (const auto &other : surfaces)
+          AssertThrow(other.place.parameter != name ||
+                        other.place.name != entry.first,
+                      ExcMessage("The parameter <" + name +
+                                 "> names the boundary <" + entry.first +
+                                 "> twice."));
         surfaces.push_back(surface);
       }
   }

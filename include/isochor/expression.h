@@ -7,6 +7,7 @@
 
 #include <deal.II/base/function_parser.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -41,14 +42,22 @@ namespace isochor
       const std::string     &parameter,
       const FormulaVariables variables = FormulaVariables::space_and_time);
 
+    /** The value at @p x and @p t. @throws ExcMessage if it isn't finite. */
     double
     operator()(const Point<dim> &x, const double t) const
     {
       function->set_time(t);
-      return function->value(x);
+      const double value = function->value(x);
+      if (!std::isfinite(value))
+        throw_not_finite(x, t);
+      return value;
     }
 
   private:
+    [[noreturn]] void
+    throw_not_finite(const Point<dim> &x, const double t) const;
+
+    std::string                          formula, parameter;
     std::shared_ptr<FunctionParser<dim>> function;
   };
 
