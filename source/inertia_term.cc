@@ -158,7 +158,8 @@ namespace isochor
                         "be projected to the nodes to more than " +
                           std::to_string(error) +
                           " of their size. Use more <Material points/Points "
-                          "per cell>, or larger steps.");
+                          "per cell>, larger steps or, with <Quadrature/Type = "
+                          "CPDI>, <Dynamics/Acceleration = carried>.");
   }
 
 
