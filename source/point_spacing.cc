@@ -102,18 +102,17 @@ namespace isochor
 
     std::ostringstream text;
     text.precision(3);
-    text
-      << "At t = " << time
-      << " the material points are too far apart for the grid: " << sums[0]
-      << " cells inside of the body, " << 100 * sums[1] / sums[2]
-      << " % of its volume, hold none. They resist nothing or, "
-         "as holes, with a guess of the state there. The largest point has "
-      << share
-      << " times the volume of its cell. Seed more points (<Material "
-         "points/Points per cell>, <Material points/Lattice spacing>, or a "
-         "finer <Material points/Body mesh>), make the cells larger "
-         "(<Grid>), or let large points be split (<Material points/Split "
-         "at share of cell> = 0.5).";
+    text << "At t = " << time
+         << " the material points are too far apart for the grid: " << sums[0]
+         << " cells inside of the body, " << 100 * sums[1] / sums[2]
+         << " % of its volume, hold none. They resist nothing or, "
+            "as holes, with a guess of the state there. The largest point has "
+         << share
+         << " times the volume of its cell. Seed more points (<Material "
+            "points/Points per cell>, <Material points/Lattice spacing>, or a "
+            "finer <Material points/Body mesh>), make the cells larger "
+            "(<Grid>), or let large points be split (<Material points/Split "
+            "at share of cell> = 0.5).";
     std::set<unsigned int> held(points.cell.begin(), points.cell.end());
     for (const auto &corner : points.corner_cells)
       held.insert(corner.second);

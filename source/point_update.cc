@@ -102,8 +102,7 @@ namespace isochor
               properties[l.acceleration + a] = motion.second[a];
             }
           if (step_energy)
-            *step_energy +=
-              properties[l.mass] / 2 * motion.first.norm_square();
+            *step_energy += properties[l.mass] / 2 * motion.first.norm_square();
         }
     });
   }

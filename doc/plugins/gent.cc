@@ -52,7 +52,7 @@ namespace isochor
         push_forward(kinematics.F, unit_symmetric_tensor<3>()) /
         std::cbrt(J * J);
       const SymmetricTensor<2, 3> dev_b_bar = deviator(b_bar);
-      const double                rest = 1 - (trace(b_bar) - 3) / limit;
+      const double                rest      = 1 - (trace(b_bar) - 3) / limit;
       if (rest <= 0)
         return StressStatus::return_map_failed; // the step will be cut
 
@@ -62,8 +62,8 @@ namespace isochor
       response.tangent = isochoric_modulus<dim>(modulus * trace(b_bar) / 3,
                                                 response.deviatoric_stress);
       const SymmetricTensor<2, dim> direction = in_plane<dim>(dev_b_bar);
-      response.tangent += 2 * modulus / (limit * rest) *
-                          outer_product(direction, direction);
+      response.tangent +=
+        2 * modulus / (limit * rest) * outer_product(direction, direction);
       set_elastic_volume_change(J, response);
       return StressStatus::success;
     }

@@ -40,8 +40,7 @@ namespace isochor
         {
           const auto   properties = point.get_properties();
           const double V_0        = properties[layout.volume];
-          const auto   F =
-            deformation_gradient<dim>(properties.data(), layout);
+          const auto   F = deformation_gradient<dim>(properties.data(), layout);
           sums[0] += V_0;
           sums[1] += V_0 * F[0][0];
           sums[2] += V_0 * F[1][1];

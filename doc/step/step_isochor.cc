@@ -109,16 +109,17 @@ namespace Step
       return StressStatus::success;
     }
 
-    // $\bar W = \frac{G}{2} (\mathrm{tr}\, \bar b - 3) + C (\mathrm{tr}\, \bar b
+    // $\bar W = \frac{G}{2} (\mathrm{tr}\, \bar b - 3) + C (\mathrm{tr}\, \bar
+    // b
     // - 3)^2$, for the energies in the statistics.
     double
     deviatoric_energy(const Tensor<2, dim> &F,
                       const double * /*history*/) const override
     {
-      const double J      = determinant(F);
-      const double excess = trace(push_forward(F, unit_symmetric_tensor<3>())) /
-                              std::cbrt(J * J) -
-                            3;
+      const double J = determinant(F);
+      const double excess =
+        trace(push_forward(F, unit_symmetric_tensor<3>())) / std::cbrt(J * J) -
+        3;
       return (elasticity.shear_modulus / 2 + C * excess) * excess;
     }
 

@@ -195,7 +195,7 @@ namespace isochor
       double       velocity, acceleration;
     };
     std::vector<Stopped> stopped;
-    bool                       prescribed = false;
+    bool                 prescribed = false;
 
     /** What assemble() works with. */
     NodalField                inertial_acceleration;

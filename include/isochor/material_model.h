@@ -180,8 +180,8 @@ namespace isochor
     {}
 
     /** The part of the stored elastic energy that goes with dev τ, in J per
-     * m^dim of reference volume; p²/(2K) is the other one. For statistics: a law
-     * that doesn't tell has `nan` there. */
+     * m^dim of reference volume; p²/(2K) is the other one. For statistics: a
+     * law that doesn't tell has `nan` there. */
     virtual double
     deviatoric_energy(const Tensor<2, dim> & /*F*/,
                       const double * /*history*/) const
