@@ -35,7 +35,8 @@ namespace isochor
    * (see NodalTies): there is no stiffness, no coefficient, and no work done by
    * a tie. This is aggregation: Badia, Verdugo & Martín, Comput. Methods Appl.
    * Mech. Eng. 336 (2018) 533-553; as a discrete extension: Burman, Hansbo &
-   * Larson, arXiv:2205.01340 (2022).
+   * Larson, "On the design of locking free ghost penalty stabilization and the
+   * relation to CutFEM with discrete extension", 2022.
    *
    * R is looked for layer by layer through the cells that hold material,
    * beginning with those around I, so that it belongs to the same body. Of the
