@@ -109,7 +109,7 @@ test_free_fall()
       test::check_error("free fall, " + formulation.first + ", dim " +
                           std::to_string(dim),
                         Utilities::MPI::max(error, MPI_COMM_WORLD),
-                        1e-9);
+                        2e-10);
     }
 }
 
