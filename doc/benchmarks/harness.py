@@ -1,0 +1,278 @@
+# Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Run scenes over their choices, measure error and cost, and say what pays.
+
+A *problem* is a question with a known answer, as the tip displacement of Cook's
+membrane at a given Poisson ratio. A *series* is one way to answer it (a
+formulation, a quadrature, a kind of grid, ...), run at several *sizes*. The
+errors of a run are relative and have a sign; their names end with the kind of
+quantity, as "u_y(A), displacement".
+"""
+
+import csv
+import os
+import re
+import statistics as stat
+import subprocess
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path.insert(0, str(ROOT / "prm" / "tools"))
+
+import isochor_output as output  # noqa: E402
+import numpy as np  # noqa: E402
+
+TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001)
+
+
+@dataclass(frozen=True)
+class Run:
+    """One run of the program. @p full: not in a quick benchmark."""
+
+    problem: str
+    series: str
+    size: int
+    prm: Path
+    overrides: dict = field(default_factory=dict)
+    full: bool = False
+    processes: int = 1
+
+    @property
+    def name(self):
+        text = f"{self.problem}-{self.series}-{self.size}"
+        return re.sub(r"[^A-Za-z0-9.=+]+", "_", text)
+
+
+@dataclass
+class Cost:
+    """CPU and wall seconds of each repetition, and the largest memory (MB)."""
+
+    cpu: list
+    wall: list
+    memory: float = 0.0
+
+
+class Scene:
+    """What the benchmarks know about a scene; see scenes.py."""
+
+    name = ""
+    title = ""
+    # what the size counts, for the tables
+    size_label = "cells"
+
+    def prepare(self, directory, quick):
+        """Make meshes and the like in @p directory."""
+
+    def runs(self, directory):
+        """All runs, in the order in which they are made."""
+        raise NotImplementedError
+
+    def errors(self, run, directory):
+        """{quantity: relative error} of the run that wrote @p directory."""
+        raise NotImplementedError
+
+
+# ------------------------------------------------------------- measuring ---
+
+
+def command_of(executable, run, directory):
+    command = [executable, str(run.prm)]
+    if run.processes > 1:
+        command = ["mpirun", "-np", str(run.processes)] + command
+    for name, value in run.overrides.items():
+        command += ["--set", f"{name}={value}"]
+    return command + ["--output-directory", str(directory)]
+
+
+def execute(executable, run, directory, cost, limit):
+    """Run once; adds to @p cost. CPU time is what the system counts for the
+    process, loading and initialisation included. Raises OutputError."""
+    directory.mkdir(parents=True, exist_ok=True)
+    for old in directory.glob("*"):
+        if old.is_file():
+            old.unlink()
+    environment = dict(
+        os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1"
+    )
+    start = os.times().elapsed
+    command = ["timeout", str(limit)] + command_of(executable, run, directory)
+    with open(directory / "isochor.log", "w") as log:
+        process = subprocess.Popen(
+            command, stdout=log, stderr=subprocess.STDOUT, env=environment
+        )
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    cost.wall.append(os.times().elapsed - start)
+    cost.cpu.append(usage.ru_utime + usage.ru_stime)
+    cost.memory = max(cost.memory, usage.ru_maxrss / 1024)
+    if process.returncode != 0:
+        tail = (directory / "isochor.log").read_text(errors="replace")
+        raise output.OutputError(
+            f"code {process.returncode}: " + " ".join(tail.split()[-60:])
+        )
+
+
+def sections(directory):
+    """{name of a phase: wall seconds} from the table that ends a run."""
+    text = (Path(directory) / "isochor.log").read_text(errors="replace")
+    pattern = r"^\| ([a-z][a-z -]*?) +\| +\d+ \| +([0-9.e+-]+)s \|"
+    return {
+        name: float(seconds)
+        for name, seconds in re.findall(pattern, text, re.MULTILINE)
+    }
+
+
+def warnings_of(directory):
+    """The number of warnings of a run, from its last line."""
+    text = (Path(directory) / "isochor.log").read_text(errors="replace")
+    found = re.search(r"^(\d+) warnings?", text, re.MULTILINE)
+    return int(found.group(1)) if found else 0
+
+
+def measure(executable, baseline, scene, run, directory, repeat, limit):
+    """One row of the scene's table: what was run, errors and cost. With a
+    @p baseline, another executable, each repetition runs both in turn."""
+    row = {
+        "problem": run.problem,
+        "series": run.series,
+        "size": run.size,
+        "status": "ok",
+    }
+    cost, other = Cost([], []), Cost([], [])
+    place = directory / run.name
+    try:
+        for _ in range(repeat):
+            execute(executable, run, place, cost, limit)
+            if baseline:
+                execute(baseline, run, directory / "baseline", other, limit)
+        numbers = output.read_statistics(place)
+        row["equations"] = int(max(numbers["Equations"]))
+        row["points"] = int(max(numbers["Number of material points"]))
+        row["steps"] = len(numbers["Step"])
+        row["iterations"] = int(sum(numbers["Newton iterations"]))
+        row["factorisations"] = int(sum(numbers["Factorisations"]))
+        row["cuts"] = int(sum(numbers["Step cuts"]))
+        row["warnings"] = warnings_of(place)
+        for quantity, error in scene.errors(run, place).items():
+            row[f"error {quantity}"] = error
+        for section, seconds in sections(place).items():
+            row[f"time {section}"] = seconds
+    except (output.OutputError, OSError, ValueError) as problem:
+        row["status"] = "failed: " + " ".join(str(problem).split())[:300]
+    if cost.cpu:
+        row["cpu"] = round(stat.median(cost.cpu), 4)
+        row["cpu min"] = round(min(cost.cpu), 4)
+        row["cpu max"] = round(max(cost.cpu), 4)
+        row["wall"] = round(stat.median(cost.wall), 4)
+        row["memory"] = round(cost.memory, 1)
+    if baseline and other.cpu and len(other.cpu) == len(cost.cpu):
+        ratios = [a / b for a, b in zip(cost.cpu, other.cpu)]
+        row["cpu over baseline"] = round(stat.median(ratios), 4)
+    return row
+
+
+def write_rows(path, rows):
+    columns = list(dict.fromkeys(key for row in rows for key in row))
+    with open(path, "w", newline="") as stream:
+        writer = csv.DictWriter(stream, columns, lineterminator="\n")
+        writer.writeheader()
+        for row in rows:
+            writer.writerow(
+                {
+                    key: f"{value:.6g}" if isinstance(value, float) else value
+                    for key, value in row.items()
+                }
+            )
+
+
+def read_rows(path):
+    """What write_rows() wrote; numbers are floats, empty entries left out."""
+    rows = []
+    with open(path, newline="") as stream:
+        for entry in csv.DictReader(stream):
+            row = {}
+            for key, text in entry.items():
+                if text == "":
+                    continue
+                try:
+                    row[key] = float(text)
+                except ValueError:
+                    row[key] = text
+            rows.append(row)
+    return rows
+
+
+# -------------------------------------------------------------- choosing ---
+
+
+def quantities(rows):
+    return list(
+        dict.fromkeys(
+            key[len("error ") :]
+            for row in rows
+            for key in row
+            if key.startswith("error ")
+        )
+    )
+
+
+def reliable_error(rows, row, quantity):
+    """The error of @p row that can be relied on: the largest one of its series
+    at this and at finer sizes, so that a curve that crosses the exact value
+    by chance gains nothing. None if there is none."""
+    key = f"error {quantity}"
+    finer = [
+        abs(other[key])
+        for other in rows
+        if other.get("problem") == row["problem"]
+        and other.get("series") == row["series"]
+        and other["size"] >= row["size"]
+        and key in other
+    ]
+    return max(finer) if key in row and finer else None
+
+
+def pareto_front(points):
+    """Those (cost, error, ...) of which none other is cheaper and better."""
+    front = []
+    for point in sorted(points):
+        if not front or point[1] < front[-1][1]:
+            front.append(point)
+    return front
+
+
+def front_of(rows, problem, quantity):
+    """Pareto front of a problem: a list of (cpu, error, row)."""
+    points = []
+    for number, row in enumerate(rows):
+        if row["problem"] == problem and "cpu" in row:
+            error = reliable_error(rows, row, quantity)
+            if error is not None and error > 0:
+                points.append((row["cpu"], error, number))
+    return [(c, e, rows[k]) for c, e, k in pareto_front(points)]
+
+
+def cheapest(rows, problem, quantity, tolerance):
+    """The row that reaches @p tolerance in the least CPU time, or None."""
+    for _, error, row in front_of(rows, problem, quantity):
+        if error <= tolerance:
+            return row
+    return None
+
+
+def observed_order(rows, problem, series, quantity):
+    """Order of the error in 1/size between the two finest runs of a series
+    whose error keeps its sign, else None."""
+    key = f"error {quantity}"
+    points = sorted(
+        (row["size"], row[key])
+        for row in rows
+        if row["problem"] == problem and row["series"] == series and key in row
+    )
+    if len(points) < 2 or points[-1][1] * points[-2][1] <= 0:
+        return None
+    (n, e), (m, f) = points[-2:]
+    return float(np.log(e / f) / np.log(m / n))
