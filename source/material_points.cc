@@ -122,7 +122,8 @@ namespace isochor
     prm.leave_subsection();
     check_combinations();
     // fail now and not after an hour of meshing
-    material_point_rule<dim>(parameters.points_per_cell);
+    if (!can_be_tiled<dim>(parameters.points_per_cell))
+      material_point_rule<dim>(parameters.points_per_cell);
     Expression<dim>(parameters.region,
                     "Material points/Region",
                     FormulaVariables::space);
@@ -202,11 +203,15 @@ namespace isochor
       Expression<dim>                 condition;
     };
     std::vector<Zone> zones;
-    const auto        add_zone = [&zones](const unsigned int     n_points,
-                                   const Expression<dim> &condition) {
-      zones.push_back({material_point_rule<dim>(n_points),
-                       material_point_domains<dim>(n_points),
-                       condition});
+    const auto        add_zone = [&](const unsigned int     n_points,
+                              const Expression<dim> &condition) {
+      if (point_layout.with_domains)
+        {
+          const auto points = material_points_with_domains<dim>(n_points);
+          zones.push_back({points.rule, points.domains, condition});
+        }
+      else
+        zones.push_back({material_point_rule<dim>(n_points), {}, condition});
     };
     add_zone(parameters.points_per_cell, Expression<dim>("1", ""));
     for (const auto &zone :
@@ -245,7 +250,8 @@ namespace isochor
               {
                 const Tensor<1, dim> edge = corners[d + 1] - corners[0];
                 seed.location += rule.point(q)[d] * edge;
-                for (unsigned int c = 0; c <= dim; ++c)
+                for (unsigned int c = 0; c <= dim && point_layout.with_domains;
+                     ++c)
                   seed.domain[c] += zones[zone].domains[q][c][d] * edge;
               }
             seeds.push_back(seed);

@@ -75,12 +75,73 @@ namespace isochor
       return sum / (dim + 1.);
     }
 
+    /** The dim + 1 simplices between a simplex' centroid and its faces. */
+    template <int dim>
+    std::vector<std::array<Point<dim>, dim + 1>>
+    split_at_centroid(const std::array<Point<dim>, dim + 1> &corners)
+    {
+      std::vector<std::array<Point<dim>, dim + 1>> parts(dim + 1, corners);
+      for (unsigned int f = 0; f <= dim; ++f)
+        parts[f][f] = centroid<dim>(corners);
+      return parts;
+    }
+
+    /** The (dim + 1)! simplices of the barycentric subdivision: each between a
+     * vertex, the middle of an edge at it, that of a face at this edge, ... and
+     * the centroid. */
+    template <int dim>
+    std::vector<std::array<Point<dim>, dim + 1>>
+    split_barycentrically(const std::array<Point<dim>, dim + 1> &corners)
+    {
+      std::vector<std::array<Point<dim>, dim + 1>> parts;
+      std::array<unsigned int, dim + 1>            order;
+      std::iota(order.begin(), order.end(), 0);
+      do
+        {
+          std::array<Point<dim>, dim + 1> part;
+          Point<dim>                      sum;
+          for (unsigned int i = 0; i <= dim; ++i)
+            {
+              sum += corners[order[i]];
+              part[i] = sum / (i + 1.);
+            }
+          parts.push_back(part);
+        }
+      while (std::next_permutation(order.begin(), order.end()));
+      return parts;
+    }
+
+    /** @p n_points simplices of equal volume that tile the unit simplex: k^dim,
+     * or each of these split at its centroid or barycentrically; none if there
+     * is no such tiling. */
+    template <int dim>
+    std::vector<std::array<Point<dim>, dim + 1>>
+    tile(const unsigned int n_points)
+    {
+      if (const unsigned int k = subdivisions<dim>(n_points))
+        return subdivide<dim>(k);
+      constexpr unsigned int n_barycentric = (dim == 2 ? 6 : 24);
+      for (const unsigned int m : {dim + 1u, n_barycentric})
+        if (const unsigned int k =
+              (n_points % m == 0 ? subdivisions<dim>(n_points / m) : 0))
+          {
+            std::vector<std::array<Point<dim>, dim + 1>> simplices;
+            for (const auto &corners : subdivide<dim>(k))
+              for (const auto &part : m == dim + 1 ?
+                                        split_at_centroid<dim>(corners) :
+                                        split_barycentrically<dim>(corners))
+                simplices.push_back(part);
+            return simplices;
+          }
+      return {};
+    }
+
     template <int dim>
     Quadrature<dim>
-    subdivision_rule(const unsigned int k)
+    centroid_rule(const std::vector<std::array<Point<dim>, dim + 1>> &simplices)
     {
       std::vector<Point<dim>> points;
-      for (const auto &corners : subdivide<dim>(k))
+      for (const auto &corners : simplices)
         points.push_back(centroid<dim>(corners));
       return Quadrature<dim>(points,
                              std::vector<double>(points.size(),
@@ -156,7 +217,7 @@ namespace isochor
   material_point_rule(const unsigned int n_points)
   {
     if (const unsigned int k = subdivisions<dim>(n_points))
-      return subdivision_rule<dim>(k);
+      return centroid_rule<dim>(subdivide<dim>(k));
 
     if constexpr (dim == 2)
       {
@@ -218,39 +279,44 @@ namespace isochor
 
 
   template <int dim>
-  std::vector<CornerVectors<dim>>
-  material_point_domains(const unsigned int n_points)
+  PointsWithDomains<dim>
+  material_points_with_domains(const unsigned int n_points)
   {
-    std::vector<std::array<Point<dim>, dim + 1>> simplices;
-    std::vector<double>                          scales;
-    if (const unsigned int k = subdivisions<dim>(n_points))
-      {
-        simplices = subdivide<dim>(k);
-        scales.assign(simplices.size(), 1.);
-      }
-    else
-      {
-        const Quadrature<dim> rule = material_point_rule<dim>(n_points);
-        std::array<Point<dim>, dim + 1> unit;
-        for (unsigned int d = 0; d < dim; ++d)
-          unit[d + 1][d] = 1;
-        for (const double weight : rule.get_weights())
-          {
-            simplices.push_back(unit);
-            scales.push_back(std::pow(weight, 1. / dim));
-          }
-      }
-
+    const auto simplices = tile<dim>(n_points);
+    AssertThrow(
+      !simplices.empty(),
+      ExcMessage(
+        "With this <Quadrature/Type> the points own parts of the body, "
+        "and a cell can't be divided into " +
+        std::to_string(n_points) +
+        " equal parts (<Material points/Points per cell> or <Points "
+        "per cell in zones>). Choose " +
+        (dim == 2 ? "1, 3, 4, 6, 9, 12, 16, 24, 25, ... k^2, 3 k^2, "
+                    "6 k^2." :
+                    "1, 4, 8, 24, 27, 32, 64, ... k^3, 4 k^3, "
+                    "24 k^3.")));
     std::vector<CornerVectors<dim>> domains(simplices.size());
     for (unsigned int q = 0; q < simplices.size(); ++q)
       for (unsigned int c = 0; c <= dim; ++c)
-        domains[q][c] =
-          scales[q] * (simplices[q][c] - centroid<dim>(simplices[q]));
-    return domains;
+        domains[q][c] = simplices[q][c] - centroid<dim>(simplices[q]);
+    return {centroid_rule<dim>(simplices), domains};
   }
 
 
 
+  template <int dim>
+  bool
+  can_be_tiled(const unsigned int n_points)
+  {
+    return !tile<dim>(n_points).empty();
+  }
+
+
+
+  template bool
+  can_be_tiled<2>(const unsigned int);
+  template bool
+  can_be_tiled<3>(const unsigned int);
   template Quadrature<2>
   material_point_rule<2>(const unsigned int);
   template Quadrature<3>
@@ -259,8 +325,8 @@ namespace isochor
   box_simplices<2>();
   template std::vector<std::array<Point<3>, 4>>
   box_simplices<3>();
-  template std::vector<CornerVectors<2>>
-  material_point_domains<2>(const unsigned int);
-  template std::vector<CornerVectors<3>>
-  material_point_domains<3>(const unsigned int);
+  template PointsWithDomains<2>
+  material_points_with_domains<2>(const unsigned int);
+  template PointsWithDomains<3>
+  material_points_with_domains<3>(const unsigned int);
 } // namespace isochor

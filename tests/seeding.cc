@@ -64,6 +64,56 @@ test_rule(const unsigned int n, const unsigned int degree)
                     1e-13);
 }
 
+/** The domains of the points tile the cell: they have the points' volumes,
+ * which sum to that of the cell, their centroids are the points, none reaches
+ * out of the cell, and no two centroids lie in one domain. */
+template <int dim>
+void
+test_domains(const unsigned int n)
+{
+  const auto [rule, domains] = material_points_with_domains<dim>(n);
+  bool   valid               = rule.size() == n && domains.size() == n;
+  double error               = 0;
+  for (unsigned int q = 0; valid && q < n; ++q)
+    {
+      Tensor<2, dim> edges;
+      Tensor<1, dim> sum;
+      for (unsigned int c = 0; c <= dim; ++c)
+        {
+          sum += domains[q][c];
+          double rest = 1;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const double x = rule.point(q)[d] + domains[q][c][d];
+              valid          = valid && x > -1e-12;
+              rest -= x;
+              if (c > 0)
+                edges[d][c - 1] = domains[q][c][d] - domains[q][0][d];
+            }
+          valid = valid && rest > -1e-12;
+        }
+      test::add_error(error, sum.norm());
+      test::add_error(error, std::abs(std::abs(determinant(edges)) - 1. / n));
+      for (unsigned int other = 0; other < n; ++other)
+        {
+          const Tensor<1, dim> l =
+            invert(edges) * (rule.point(other) - rule.point(q) - domains[q][0]);
+          double smallest = 1;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              smallest -= l[d];
+              valid = valid && (other != q || l[d] > 0.01);
+            }
+          for (unsigned int d = 0; d < dim; ++d)
+            smallest = std::min(smallest, l[d]);
+          valid = valid && (smallest > 0) == (other == q);
+        }
+    }
+  const std::string label =
+    std::to_string(n) + " points, dim " + std::to_string(dim);
+  test::check("domains tile the cell, " + label, valid && error < 1e-13, "");
+}
+
 template <int dim>
 void
 test_refused(const unsigned int n)
@@ -287,6 +337,10 @@ main(int argc, char **argv)
     test_refused<2>(n);
   for (const unsigned int n : {0, 2, 3, 9, 10})
     test_refused<3>(n);
+  for (const unsigned int n : {1, 3, 4, 6, 9, 12, 24, 54})
+    test_domains<2>(n);
+  for (const unsigned int n : {1, 4, 8, 24, 32, 64})
+    test_domains<3>(n);
   test_bodies_2d();
   test_bodies_3d();
 }

@@ -119,7 +119,7 @@ def series_table(scene, rows):
         header = ["problem", "choice"]
         header += [f"{size:g}" for size in sizes] + ["order"]
         parts.append(
-            f"Error of the {quantity} (CPU seconds) over the "
+            f"Error: {quantity} (CPU seconds), over the "
             f"{scene.size_label}:\n\n" + table(header, body)
         )
     return "\n\n".join(parts)
@@ -197,24 +197,23 @@ def draw_error_over(rows, scene, abscissa, label, quantity, path):
                 (handles["Pareto front"],) = axis.step(
                     x, y, where="post", color="k", lw=2.5, alpha=0.35
                 )
-                for cost, error, row in front[-1:]:
-                    axis.annotate(
-                        f"{row['series']}, {row['size']:g}",
-                        (cost, error),
-                        xytext=(-4, -12),
-                        textcoords="offset points",
-                        ha="right",
-                        fontsize=7,
-                    )
+                row = front[-1][2]
+                axis.set_title(
+                    f"best: {row['series']}, {row['size']:g}",
+                    fontsize=7,
+                    loc="right",
+                    y=-0.26,
+                )
+        set_ticks(axis)
         axis.set(title=problem, xlabel=label)
         axis.grid(True, which="major", color="0.9")
-    axes[0][0].set_ylabel(f"relative error of the {quantity}")
+    axes[0][0].set_ylabel(f"relative error: {quantity}")
     figure.suptitle(scene.title)
     figure.legend(
         handles.values(),
         handles.keys(),
-        loc="outside lower center" if hasattr(figure, "legends") and False else "lower center",
-        bbox_to_anchor=(0.5, -0.02 - 0.045 * ((len(handles) + 2) // 3)),
+        loc="upper center",
+        bbox_to_anchor=(0.5, -0.01),
         ncol=3,
         fontsize=8,
     )
@@ -223,6 +222,19 @@ def draw_error_over(rows, scene, abscissa, label, quantity, path):
             path.with_suffix(f".{suffix}"), bbox_inches="tight", dpi=110
         )
     plt.close(figure)
+
+
+def set_ticks(axis):
+    """Round numbers on a logarithmic abscissa that spans about a decade."""
+    low, high = axis.get_xlim()
+    ticks = [
+        m * 10.0**k
+        for k in range(-2, 8)
+        for m in ((1, 2, 5) if high / low < 100 else (1,))
+        if low <= m * 10.0**k <= high
+    ]
+    axis.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+    axis.xaxis.set_minor_formatter(plt.NullFormatter())
 
 
 def draw_sections(all_rows, path):
