@@ -172,12 +172,12 @@ namespace
   {
     try
       {
-        test::run_scene<2>("Linear solver/Type = Keep matrix\n"
+        test::run_scene<2>("Linear solver/Solver = Keep matrix\n"
                            "Formulation/Type = u-p\n"
-                           "Material/Density = 0\n"
+                           "Material/Density = 1\n"
                            "Boundary conditions/Displacement = bottom: x=0, "
                            "y=0; left: x=0; right: x=0\n"
-                           "Boundary conditions/Gravity = 0, 0\n"
+                           "Boundary conditions/Gravity = 0, -1e-6*t\n"
                            "Dynamics/Inertia = false\n" +
                            settings);
       }
@@ -260,15 +260,15 @@ main(int argc, char **argv)
     {
       const auto   beta  = refine(kind, 1);
       const double slope = std::log2(beta[1] / beta[2]);
-      test::check("with PPP, beta >= 0.3 and does not fall with h, " + kind,
-                  beta[2] > 0.3 && slope < 0.1,
+      test::check("with PPP, beta > 0.5 and does not fall with h, " + kind,
+                  beta[2] > 0.5 && slope < 0.1,
                   std::to_string(beta[2]) + ", slope " + std::to_string(slope));
     }
   for (const std::string kind : {"/", "jittered"})
     {
       const auto beta = refine(kind, 0);
       test::check("without, beta vanishes, " + kind,
-                  beta[2] < 0.05 || std::log2(beta[1] / beta[2]) > 0.5,
+                  beta[2] < 0.01,
                   std::to_string(beta[2]));
     }
 
@@ -294,8 +294,8 @@ main(int argc, char **argv)
             std::cout << quadrature << ", cut " << f << ": " << beta
                       << std::endl;
         }
-      test::check("no cut takes more than a third of beta, " + quadrature,
-                  smallest > whole / 1.5,
+      test::check("no cut takes more than a tenth of beta, " + quadrature,
+                  smallest > 0.9 * whole,
                   std::to_string(smallest) + " of " + std::to_string(whole));
     }
 }
