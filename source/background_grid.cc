@@ -100,6 +100,14 @@ namespace isochor
                       "/",
                       Patterns::Selection("/|\\|backslash|alternating"),
                       "Direction of the diagonals of a structured mesh.");
+    prm.declare_entry(
+      "Offset",
+      dim == 2 ? "0, 0" : "0, 0, 0",
+      Patterns::List(Patterns::Double(-0.9, 0.9), dim, dim),
+      "By how much of a cell the inner grid lines (planes) of a "
+      "box or trapezoid are moved along each axis; its sides "
+      "stay. What changes with it is decided by the place of "
+      "the grid: see the option --grid-offsets.");
     prm.declare_entry("File", "", Patterns::Anything(), "A gmsh .msh file.");
     prm.declare_entry(
       "Stretch",
@@ -141,6 +149,8 @@ namespace isochor
     for (const int n : Utilities::string_to_int(
            Utilities::split_string_list(prm.get("Subdivisions"))))
       parameters.subdivisions.push_back(n);
+    parameters.offset = Utilities::string_to_double(
+      Utilities::split_string_list(prm.get("Offset")));
 
     for (const auto &motion :
          split_named_list(prm.get("Stretch"), "Grid/Stretch"))
@@ -237,7 +247,8 @@ namespace isochor
   void
   BackgroundGrid<dim>::create_structured()
   {
-    const StructuredGrid<dim> lattice(parameters.subdivisions);
+    const StructuredGrid<dim> lattice(parameters.subdivisions,
+                                      parameters.offset);
     const auto vertices = lattice.vertices([this](const Point<dim> &unit) {
       return parameters.type == "box" ? place_in_box(unit) :
                                         place_in_trapezoid(unit);

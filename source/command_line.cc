@@ -4,12 +4,14 @@
  * --------------------------------------------------------------------- */
 
 #include <isochor/command_line.h>
-#include <isochor/edit_distance.h>
+#include <isochor/command_line_options.h>
+#include <isochor/grid_offsets.h>
 #include <isochor/parameter_file.h>
 #include <isochor/shared_libraries.h>
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <iostream>
 #include <optional>
 #include <set>
@@ -23,176 +25,6 @@ namespace isochor
 {
   namespace
   {
-    const char *const usage =
-      "Usage: isochor [options] scene.prm\n"
-      "       mpirun -n 4 isochor [options] scene.prm\n"
-      "\n"
-      "Options:\n"
-      "  --help                    Print this text.\n"
-      "  --version                 Print the versions of Isochor and of the\n"
-      "                            libraries below it.\n"
-      "  --print-parameters        Print all parameters, documented, as a\n"
-      "                            parameter file: the defaults, or with a\n"
-      "                            scene or overrides what these make of "
-      "them.\n"
-      "  --validate                Read the scene and set everything up to the\n"
-      "                            equations of the first step, but don't run\n"
-      "                            it or write any file.\n"
-      "  --set Section/Entry=value Override a parameter of the scene.\n"
-      "                            Can be repeated; the last one wins.\n"
-      "  --output-directory DIR    The same as --set Output/Directory=DIR.\n"
-      "  --restart                 The same as --set Checkpoint/Resume=true.\n"
-      "  --quiet                   Print errors and warnings only.\n"
-      "\n"
-      "Examples:\n"
-      "  isochor --print-parameters --set Dimension=3 > all.prm\n"
-      "  isochor --set \"Material/Poisson ratio=0.499\" scene.prm\n"
-      "\n"
-      "Exit status: 0 success, 1 error in the scene or the run, 2 error in the\n"
-      "command line.\n";
-
-
-
-    struct Options
-    {
-      bool                            help             = false;
-      bool                            version          = false;
-      bool                            print_parameters = false;
-      bool                            validate         = false;
-      bool                            quiet            = false;
-      std::string                     scene; ///< empty if none is given
-      std::vector<ParameterStatement> overrides;
-    };
-
-
-
-    /** Reads argv into Options; each option is one line of a table. */
-    class OptionParser
-    {
-    public:
-      /** Throws ParameterError for what is not a legal command line. */
-      Options
-      parse(const std::vector<std::string> &arguments);
-
-    private:
-      struct Option
-      {
-        std::string                              name;
-        bool                                     takes_value;
-        std::function<void(const std::string &)> apply;
-      };
-
-      const Option &
-      find(const std::string &name) const;
-
-      void
-      override_with(const std::string &text, const std::string &origin);
-
-      void
-      set_scene(const std::string &name);
-
-      Options options;
-
-      const std::vector<Option> table = {
-        {"--help", false, [this](const auto &) { options.help = true; }},
-        {"--version", false, [this](const auto &) { options.version = true; }},
-        {"--print-parameters",
-         false,
-         [this](const auto &) { options.print_parameters = true; }},
-        {"--validate",
-         false,
-         [this](const auto &) { options.validate = true; }},
-        {"--set",
-         true,
-         [this](const auto &text) { override_with(text, "--set"); }},
-        {"--output-directory",
-         true,
-         [this](const auto &directory) {
-           override_with("Output/Directory=" + directory, "--output-directory");
-         }},
-        {"--restart",
-         false,
-         [this](const auto &) {
-           override_with("Checkpoint/Resume=true", "--restart");
-         }},
-        {"--quiet", false, [this](const auto &) { options.quiet = true; }}};
-    };
-
-
-
-    Options
-    OptionParser::parse(const std::vector<std::string> &arguments)
-    {
-      for (auto argument = arguments.begin(); argument != arguments.end();
-           ++argument)
-        {
-          if (argument->empty() || argument->front() != '-')
-            {
-              set_scene(*argument);
-              continue;
-            }
-          const auto    equals    = argument->find('=');
-          const Option &option    = find(argument->substr(0, equals));
-          const bool    has_value = equals != std::string::npos;
-          if (has_value && !option.takes_value)
-            throw ParameterError("the option " + option.name +
-                                 " takes no value, got <" + *argument + ">");
-          std::string value = has_value ? argument->substr(equals + 1) : "";
-          if (option.takes_value && !has_value)
-            {
-              if (++argument == arguments.end())
-                throw ParameterError("the option " + option.name +
-                                     " needs a value");
-              value = *argument;
-            }
-          option.apply(value);
-        }
-      const bool needs_scene =
-        !options.help && !options.version && !options.print_parameters;
-      if (needs_scene && options.scene.empty())
-        throw ParameterError("no parameter file given");
-      return options;
-    }
-
-
-
-    const OptionParser::Option &
-    OptionParser::find(const std::string &name) const
-    {
-      const auto nearest = std::min_element(
-        table.begin(), table.end(), [&](const Option &a, const Option &b) {
-          return edit_distance(name, a.name) < edit_distance(name, b.name);
-        });
-      if (nearest->name != name)
-        throw ParameterError("unknown option <" + name + ">; did you mean " +
-                             nearest->name + "?");
-      return *nearest;
-    }
-
-
-
-    void
-    OptionParser::override_with(const std::string &text,
-                                const std::string &origin)
-    {
-      options.overrides.push_back(parse_override(text, "option " + origin));
-    }
-
-
-
-    void
-    OptionParser::set_scene(const std::string &name)
-    {
-      if (name.empty())
-        throw ParameterError("the name of the parameter file is empty");
-      if (!options.scene.empty())
-        throw ParameterError("more than one parameter file given: <" +
-                             options.scene + "> and <" + name + ">");
-      options.scene = name;
-    }
-
-
-
     void
     print_versions()
     {
@@ -272,10 +104,102 @@ namespace isochor
 
 
 
+    /** ExcMessage is written for the user. Other exceptions of deal.II are
+     * likely defects, of which the place in the sources matters too. */
+    std::string
+    describe(const std::exception &exception)
+    {
+      const auto *message =
+        dynamic_cast<const StandardExceptions::ExcMessage *>(&exception);
+      if (message == nullptr)
+        return exception.what();
+      std::ostringstream text;
+      message->print_info(text);
+      return Utilities::trim(text.str());
+    }
+
+
+
+    /** Declare all parameters in @p prm, which is empty, and read the scene. */
+    unsigned int
+    read_parameters(const std::vector<ParameterStatement> &statements,
+                    const Program                         &program,
+                    ParameterHandler                      &prm)
+    {
+      const unsigned int dim = find_dimension(statements);
+      declare_dimension(prm);
+      declare_shared_libraries(prm);
+      program.declare(prm, dim, n_numbered_subsections(statements, "Material"));
+      apply_parameters(statements, prm);
+      return dim;
+    }
+
+
+
+    /** Run the scene of @p statements with several places of the grid. */
     void
-    execute(const Options  &options,
-            const Program  &program,
-            const MPI_Comm &comm)
+    run_grid_offsets(const std::vector<ParameterStatement> &statements,
+                     const unsigned int                     n_runs,
+                     const Program                         &program,
+                     const MPI_Comm                        &comm)
+    {
+      const bool       is_root = Utilities::MPI::this_mpi_process(comm) == 0;
+      OffsetStatistics results;
+      std::string      directory;
+      for (unsigned int k = 0; k < n_runs; ++k)
+        {
+          ParameterHandler   prm;
+          const unsigned int dim = read_parameters(statements, program, prm);
+          prm.enter_subsection("Output");
+          directory              = prm.get("Directory");
+          const std::string part = directory + "/offset-" + std::to_string(k);
+          prm.set("Directory", part);
+          prm.leave_subsection();
+          prm.enter_subsection("Grid");
+          AssertThrow(prm.get("Type") == "box" ||
+                        prm.get("Type") == "trapezoid",
+                      ExcMessage("The option --grid-offsets moves the lines of "
+                                 "a box or a trapezoid, but <Grid/Type> is <" +
+                                 prm.get("Type") + ">."));
+          prm.set("Offset", grid_offset(k, dim));
+          prm.leave_subsection();
+          if (is_root)
+            std::cout << "\n--- Grid offset " << k << " of " << n_runs << ": "
+                      << grid_offset(k, dim) << " of a cell" << std::endl;
+          try
+            {
+              program.execute(prm, dim, false);
+              if (is_root)
+                results.add(part);
+            }
+          catch (const std::exception &exception)
+            {
+              // several ranks might not agree on that, so let them end
+              if (Utilities::MPI::n_mpi_processes(comm) > 1)
+                throw;
+              results.add_failure(k, describe(exception));
+            }
+        }
+      if (!is_root)
+        return;
+      std::ofstream file(directory + "/grid_offsets.txt");
+      results.print(file);
+      std::cout << "\nAt the end of " << n_runs << " runs with the grid moved "
+                << "below the body (also in " << directory
+                << "/grid_offsets.txt):\n\n";
+      results.print(std::cout);
+      AssertThrow(results.n_failures() == 0,
+                  ExcMessage(std::to_string(results.n_failures()) + " of " +
+                             std::to_string(n_runs) +
+                             " runs failed; the table is that of the others."));
+    }
+
+
+
+    void
+    execute(const CommandLineOptions &options,
+            const Program            &program,
+            const MPI_Comm           &comm)
     {
       const bool is_root = Utilities::MPI::this_mpi_process(comm) == 0;
 
@@ -287,12 +211,8 @@ namespace isochor
                         options.overrides.end());
 
       load_shared_libraries(statements);
-      const unsigned int dim = find_dimension(statements);
       ParameterHandler   prm;
-      declare_dimension(prm);
-      declare_shared_libraries(prm);
-      program.declare(prm, dim, n_numbered_subsections(statements, "Material"));
-      apply_parameters(statements, prm);
+      const unsigned int dim = read_parameters(statements, program, prm);
 
       if (options.print_parameters)
         {
@@ -307,6 +227,11 @@ namespace isochor
       std::optional<SilencedOutput> silence;
       if (options.quiet)
         silence.emplace();
+      if (options.n_grid_offsets > 0 && !options.validate)
+        {
+          run_grid_offsets(statements, options.n_grid_offsets, program, comm);
+          return;
+        }
       program.execute(prm, dim, options.validate);
       if (options.validate && is_root)
         std::cout << options.scene << ": valid" << std::endl;
@@ -353,22 +278,6 @@ namespace isochor
            std::set<std::string>(messages.begin(), messages.end()))
         std::cerr << "isochor: error: " << m << std::endl;
     }
-
-
-
-    /** ExcMessage is written for the user. Other exceptions of deal.II are
-     * likely defects, of which the place in the sources matters too. */
-    std::string
-    describe(const std::exception &exception)
-    {
-      const auto *message =
-        dynamic_cast<const StandardExceptions::ExcMessage *>(&exception);
-      if (message == nullptr)
-        return exception.what();
-      std::ostringstream text;
-      message->print_info(text);
-      return Utilities::trim(text.str());
-    }
   } // namespace
 
 
@@ -383,10 +292,10 @@ namespace isochor
     const Utilities::MPI::DuplicatedCommunicator failures(comm);
     const bool is_root = Utilities::MPI::this_mpi_process(comm) == 0;
 
-    Options options;
+    CommandLineOptions options;
     try
       {
-        options = OptionParser().parse({argv + std::min(argc, 1), argv + argc});
+        options = parse_command_line({argv + std::min(argc, 1), argv + argc});
       }
     catch (const ParameterError &error)
       {
@@ -399,7 +308,7 @@ namespace isochor
     if (options.help || options.version)
       {
         if (is_root && options.help)
-          std::cout << usage;
+          std::cout << command_line_usage;
         else if (is_root)
           print_versions();
         return 0;

@@ -40,8 +40,10 @@ namespace isochor
 
   template <int dim>
   StructuredGrid<dim>::StructuredGrid(
-    const std::vector<unsigned int> &subdivisions)
-    : n_vertices(1)
+    const std::vector<unsigned int> &subdivisions,
+    const std::vector<double>       &offset)
+    : offset(offset)
+    , n_vertices(1)
     , n_boxes(1)
   {
     for (unsigned int d = 0; d < dim; ++d)
@@ -92,7 +94,11 @@ namespace isochor
         const auto index = lattice_indices(v);
         Point<dim> unit;
         for (unsigned int d = 0; d < dim; ++d)
-          unit[d] = static_cast<double>(index[d]) / n[d];
+          {
+            const bool   inside = index[d] > 0 && index[d] < n[d];
+            const double moved  = (offset.empty() || !inside ? 0. : offset[d]);
+            unit[d]             = (index[d] + moved) / n[d];
+          }
         vertices[v] = place(unit);
       }
     return vertices;

@@ -132,6 +132,7 @@ namespace isochor
       std::vector<Point<2>>     corners;
       double                    depth;
       std::vector<unsigned int> subdivisions;
+      std::vector<double>       offset;
       std::string               diagonals;
       std::string               file;
       int                       stretch_axis = -1;

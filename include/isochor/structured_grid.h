@@ -29,7 +29,10 @@ namespace isochor
   class StructuredGrid
   {
   public:
-    explicit StructuredGrid(const std::vector<unsigned int> &subdivisions);
+    /** @param offset By how much of a box the inner planes are moved along each
+     * axis, in (-1, 1); none if empty. */
+    explicit StructuredGrid(const std::vector<unsigned int> &subdivisions,
+                            const std::vector<double>       &offset = {});
 
     /** All vertices; @p place maps the unit cube to the grid. */
     std::vector<Point<dim>>
@@ -49,6 +52,7 @@ namespace isochor
   private:
     std::array<unsigned int, dim> n;      ///< boxes per direction
     std::array<unsigned int, dim> stride; ///< of vertex numbers
+    std::vector<double>           offset; ///< empty or one per direction
     unsigned int                  n_vertices, n_boxes;
 
     std::array<unsigned int, dim>
