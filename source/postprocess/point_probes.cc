@@ -7,6 +7,7 @@
 #include <isochor/postprocessor.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -167,6 +168,23 @@ namespace isochor
       probe.is_new       = false;
     }
 
+    /** Whether the probe lies within what a material point stands for, at
+     * t = 0: 1.5 of its size reach to the corners of sharp triangles. */
+    static bool
+    lies_in_body(const StepResult<dim> &result, const Probe &probe)
+    {
+      const PointLayout &l    = result.points.layout();
+      bool               near = false;
+      for (const auto &particle : result.points.handler())
+        {
+          const double *properties = particle.get_properties().data();
+          near = near || particle.get_location().distance(probe.location) <
+                           1.5 * std::pow(properties[l.volume], 1. / dim);
+        }
+      return Utilities::MPI::max(near ? 1 : 0,
+                                 result.step.grid.communicator()) == 1;
+    }
+
     /**
      * Displacement increment, pressure and the number of ranks that found the
      * probe in an occupied cell, summed over them. Among the cells around the
@@ -180,9 +198,11 @@ namespace isochor
       const StepContext<dim>     &step     = result.step;
       const SimplexGeometry<dim> &geometry = step.grid.geometry();
       unsigned int                best     = numbers::invalid_unsigned_int;
-      // at the start exactly in the body; later a point of the surface may have
-      // left the last cell that holds a material point, as boundary points do
-      double best_fit = result.time.step == 0 ? -1e-2 : -1;
+      // a point of the surface may lie beyond the last cell that holds a
+      // material point, as boundary points do; one outside of the body is an
+      // error at the start
+      double best_fit =
+        result.time.step == 0 && !lies_in_body(result, probe) ? -1e-2 : -1;
       for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         {
           const auto &vertices = geometry.vertex_indices(step.points.cell[k]);
