@@ -439,15 +439,26 @@ def cycles(bench):
     steps = 10
     figure, axis = plt.subplots(figsize=(6, 3.4), constrained_layout=True)
     for quadrature in ("cell-filled", "cell-filled + boundary", "CPDI"):
-        numbers = bench.run(
-            SCENES / "cycles.prm",
-            {
-                "Quadrature/Type": quadrature,
-                "Time/End time": count,
-                "Time/Step size": 1 / steps,
-            },
-            f"cycles {quadrature}",
-        )
+        try:
+            numbers = bench.run(
+                SCENES / "cycles.prm",
+                {
+                    "Quadrature/Type": quadrature,
+                    "Time/End time": count,
+                    "Time/Step size": 1 / steps,
+                },
+                f"cycles {quadrature}",
+            )
+        except output.OutputError as problem:
+            # cells at the surface that count as full: known not to bear it
+            bench.check(
+                "cycles",
+                f"{quadrature}: ends early",
+                "error: " + str(problem)[:120],
+                "no drift, or (cell-filled) an error",
+                quadrature == "cell-filled" and "isochor: error" in str(problem),
+            )
+            continue
         volume = numbers["Material volume (m^2)"]
         tip = numbers["Displacement y of P (m)"]
         peak = tip[steps // 4 :: steps]
