@@ -6,6 +6,7 @@
 
 #include <isochor/discrete_extension.h>
 #include <isochor/mpi_sums.h>
+#include <isochor/nearest_cells.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -299,7 +300,8 @@ namespace isochor
                                    Statistics             &statistics) const
   {
     // number of ties, of free nodes; work of the extension and of the body
-    std::array<double, 4> sums{{0, double(n_free), 0, energy}};
+    std::array<double, 4> sums{
+      {0, double(n_free), 0, energy + work_of_rounding(step, unknowns)}};
     for (unsigned int k = 0; k < found.size(); ++k)
       if (step.nodes.node(found[k].vertex) < step.nodes.n_owned())
         {
@@ -333,6 +335,38 @@ namespace isochor
           "nearby is filled well enough to tie them to. The matrix may be badly "
           "conditioned. A part of the body is thin or small against the cells: "
           "use smaller cells there.");
+  }
+
+
+
+  template <int dim>
+  double
+  DiscreteExtension<dim>::work_of_rounding(const StepContext<dim> &step,
+                                           const NodalField &unknowns) const
+  {
+    // displacements are solved to some 1e-12 of the largest: in a body that
+    // moves as if rigid the rest is noise
+    constexpr double noise   = 1e-8;
+    double           largest = 0;
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      for (unsigned int a = 0; a < dim; ++a)
+        largest = std::max(largest,
+                           std::abs(unknowns.local_element(
+                             node * step.n_components + a)));
+    largest = noise * Utilities::MPI::max(largest, grid.communicator());
+    double work = 0;
+    for (unsigned int k = 0; k < step.points.cell.size(); ++k)
+      {
+        const double strain =
+          largest / cell_size(grid.geometry(), step.points.cell[k]);
+        for (unsigned int q = step.points.cell_start[k];
+             q < step.points.cell_start[k + 1];
+             ++q)
+          work +=
+            step.points.weight[q] * strain * strain *
+            step.kernel.materials[step.points.material[q]]->shear_modulus();
+      }
+    return work;
   }
 
 

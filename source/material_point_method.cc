@@ -553,7 +553,12 @@ namespace isochor
       grid.set_vertices(grid.vertices_at_time(time.time));
     grid_reset.start(time.time);
     // here and not after the last step, which may end outside of the grid
-    points.relocate(*locator);
+    const auto n_changed = points.relocate(*locator);
+    if (quadrature.is_plain() && time.step > 0)
+      spacing.watch_changes_of_cells(n_changed,
+                                     points.handler().n_global_particles(),
+                                     time.time,
+                                     warnings);
     refinement.refine(points, grid, *locator);
     points.gather(arrays);
     quadrature.start_step(arrays, *locator, kernel, needs_occupancy, occupancy);
@@ -700,15 +705,18 @@ namespace isochor
     if (!dynamic || time.step > 0)
       return report;
     // a trial errs by O(h); two, one of them back in time, by O(h²)
-    const double size = context().step_size();
-    for (const double trial : {size, -size})
+    const StepContext<dim> step = context();
+    for (const double trial : {step.step_size(), -step.step_size()})
       {
-        inertia.start_trial(trial);
+        inertia.start_trial(step, trial, boundary_conditions);
         start_again();
         report = trial > 0 ? updated_lagrangian_phase() : find_equilibrium();
         if (report.converged)
-          inertia.finish_trial(context(), unknowns, arrays);
-        inertia.end_trial();
+          inertia.finish_trial(context(),
+                               unknowns,
+                               boundary_conditions,
+                               arrays);
+        inertia.end_trial(step, boundary_conditions);
         if (!report.converged)
           return report;
       }

@@ -26,6 +26,10 @@ namespace isochor
     constexpr double       tolerated_difference = 0.03;
     constexpr unsigned int n_resets_tolerated   = 5;
 
+    /** The part of the points that may change cells with the plain quadrature
+     * without a word. */
+    constexpr double tolerated_changes = 0.1;
+
     template <int dim>
     Point<dim>
     centroid(const SimplexGeometry<dim> &geometry, const unsigned int cell)
@@ -164,6 +168,31 @@ namespace isochor
 
 
   template <int dim>
+  void
+  PointSpacing<dim>::watch_changes_of_cells(const double n_changed,
+                                            const double n_points,
+                                            const double time,
+                                            Warnings    &warnings)
+  {
+    const double before = changes_per_point;
+    changes_per_point += n_changed / n_points;
+    // once: it can only become more
+    if (before > tolerated_changes || changes_per_point <= tolerated_changes)
+      return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "Up to t = " << time << " " << 100 * changes_per_point
+         << " % of the material points have changed their cell. With "
+            "<Quadrature/Type = points> forces jump then: stresses are wrong "
+            "by as much as they vary in a cell, however small the cells are, "
+            "and the body is too soft. Use <Quadrature/Type = CPDI>, or keep "
+            "the grid (<Grid reset/Steps between resets>).";
+    warnings.add("points that change cells", text.str());
+  }
+
+
+
+  template <int dim>
   double
   PointSpacing<dim>::largest_share(const PointArrays<dim> &points) const
   {
@@ -248,24 +277,22 @@ namespace isochor
   unsigned int
   PointSpacing<dim>::n_pieces(const std::set<unsigned int> &cells) const
   {
-    // trees over the vertices, of which the lowest is the root
+    // trees over the cells, of which the lowest is the root
     std::map<unsigned int, unsigned int> parent;
-    const auto                           root = [&](unsigned int v) {
-      while (parent.at(v) != v)
-        v = parent[v] = parent.at(parent.at(v));
-      return v;
+    const auto                           root = [&](unsigned int cell) {
+      while (parent.at(cell) != cell)
+        cell = parent[cell] = parent.at(parent.at(cell));
+      return cell;
     };
     for (const unsigned int cell : gather_from_all(cells, grid.communicator()))
-      {
-        const auto &vertices = grid.geometry().vertex_indices(cell);
-        for (const unsigned int v : vertices)
-          parent.emplace(v, v);
-        for (const unsigned int v : vertices)
+      parent.emplace(cell, cell);
+    for (const auto &entry : parent)
+      for (const unsigned int other : grid.geometry().neighbours(entry.first))
+        if (parent.count(other) != 0)
           {
-            const unsigned int a = root(vertices[0]), b = root(v);
+            const unsigned int a = root(entry.first), b = root(other);
             parent[std::max(a, b)] = std::min(a, b);
           }
-      }
     return std::count_if(parent.begin(), parent.end(), [](const auto &entry) {
       return entry.first == entry.second;
     });

@@ -108,6 +108,28 @@ namespace isochor
       return false;
     }
 
+    /**
+     * For conditions that move_body(): a trial step in dynamics begins, of size
+     * @p trial_size (positive or negative, s), which looks for the initial
+     * acceleration; 0: it is over. What the condition prescribes is the
+     * increment h V + h²/2 A then, with V and A the velocity and acceleration
+     * of its motion at the start of @p step, by the parabola through its places
+     * at the start, the middle and the end. See InertiaTerm.
+     */
+    virtual void
+    set_trial(const StepContext<dim> & /*step*/, const double /*trial_size*/)
+    {}
+
+    /** In a trial: whether what is prescribed on this rank's part of the body
+     * has another velocity than the body, which has @p velocity (dim per node).
+     */
+    virtual bool
+    starts_suddenly(const StepContext<dim> & /*step*/,
+                    const NodalField & /*velocity*/) const
+    {
+      return false;
+    }
+
     /** Add the forces on the body (N) that assemble() accounts for, as
      * add_external_force(): what residuals are measured against. */
     virtual void

@@ -143,6 +143,11 @@ namespace isochor
     add_ties_of_others(
       const std::map<unsigned int, std::vector<unsigned int>> &questions,
       std::map<unsigned int, Tie>                             &ties);
+    /** The work that is nothing but rounding where the body moves by the
+     * increments @p unknowns without strain, at most. Collective. */
+    double
+    work_of_rounding(const StepContext<dim> &step,
+                     const NodalField       &unknowns) const;
     double
     work(const StepContext<dim> &step,
          const NodalField       &unknowns,
