@@ -23,6 +23,7 @@ namespace isochor
                                             const CellOccupancy<dim> &occupancy)
     : grid(grid)
     , occupancy(occupancy)
+    , dependent(occupancy)
   {}
 
 
@@ -81,6 +82,10 @@ namespace isochor
                                  std::vector<unsigned int> &vertices)
   {
     sum_support(points);
+    dependent.update(
+      points,
+      [this](const unsigned int vertex) { return support(vertex); },
+      smallest_support);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()),
                    vertices.end());
@@ -164,14 +169,24 @@ namespace isochor
 
 
   template <int dim>
-  bool
-  DiscreteExtension<dim>::is_supported(const unsigned int vertex) const
+  double
+  DiscreteExtension<dim>::support(const unsigned int vertex) const
   {
     double full = 0;
     for (const unsigned int cell : occupancy.cells_at(vertex))
       full += grid.geometry().measure(cell) / (dim + 1);
+    return volume_at[vertex] / full;
+  }
+
+
+
+  template <int dim>
+  bool
+  DiscreteExtension<dim>::is_supported(const unsigned int vertex) const
+  {
     // rounding must not decide, or a scene that is moved would be another
-    return volume_at[vertex] >= (1 - 1e-8) * smallest_support * full;
+    return support(vertex) >= (1 - 1e-8) * smallest_support &&
+           !dependent.contain(vertex);
   }
 
 

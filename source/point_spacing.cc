@@ -114,9 +114,12 @@ namespace isochor
          << share
          << " times the volume of its cell. Seed more points (<Material "
             "points/Points per cell>, <Material points/Lattice spacing>, or a "
-            "finer <Material points/Body mesh>), make the cells larger "
-            "(<Grid>), or let large points be split (<Material points/Split "
-            "at share of cell> = 0.5).";
+            "finer <Material points/Body mesh>), or make the cells larger "
+            "(<Grid>)."
+         << (points.domain.empty() ?
+               " Large points can also be split (<Material points/Split at "
+               "share of cell> = 0.5)." :
+               "");
     std::set<unsigned int> held(points.cell.begin(), points.cell.end());
     for (const auto &corner : points.corner_cells)
       held.insert(corner.second);

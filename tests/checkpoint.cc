@@ -94,6 +94,9 @@ namespace
   {
     ParameterHandler prm;
     MaterialPointMethod<dim>::declare_parameters(prm);
+    prm.enter_subsection("Quadrature");
+    prm.set("Type", "points"); // if the scene doesn't say otherwise
+    prm.leave_subsection();
     prm.parse_input_from_string(scene);
     prm.enter_subsection("Output");
     prm.set("Directory", directory);
