@@ -7,6 +7,7 @@
 #include <isochor/discrete_extension.h>
 #include <isochor/mpi_sums.h>
 #include <isochor/nearest_cells.h>
+#include <isochor/plain_message.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -333,17 +334,17 @@ namespace isochor
     if (share > 0.01)
       step.warnings.add(
         "nodes tied to the body carry load",
-        "At t = " + std::to_string(step.time) + " s " +
+        "At t = " + rounded(step.time) + " s " +
           std::to_string(static_cast<unsigned int>(sums[0])) +
           " nodes that hardly any material touches hand " +
-          std::to_string(100 * share) +
+          rounded(100 * share) +
           " % of the internal work on to the cells they are tied to. A part of "
           "the body is too thin for the grid: use smaller cells there, or a "
           "smaller <Cut cells/Smallest support>.");
     if (sums[1] > 0)
       step.warnings.add(
         "unsupported nodes that could not be tied",
-        "At t = " + std::to_string(step.time) + " s " +
+        "At t = " + rounded(step.time) + " s " +
           std::to_string(static_cast<unsigned int>(sums[1])) +
           " nodes are touched by hardly any material (less than the part "
           "<Cut cells/Smallest support> of the cells around them), and no cell "
@@ -368,7 +369,7 @@ namespace isochor
         largest = std::max(largest,
                            std::abs(unknowns.local_element(
                              node * step.n_components + a)));
-    largest = noise * Utilities::MPI::max(largest, grid.communicator());
+    largest     = noise * Utilities::MPI::max(largest, grid.communicator());
     double work = 0;
     for (unsigned int k = 0; k < step.points.cell.size(); ++k)
       {

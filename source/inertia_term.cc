@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/inertia_term.h>
+#include <isochor/plain_message.h>
 #include <isochor/prescribed_motion.h>
 
 #include <algorithm>
@@ -154,13 +155,13 @@ namespace isochor
       if (const double m = mass.lumped.local_element(i / dim);
           !held[i] && m > 0)
         solution.local_element(i) = load.local_element(i) / m;
-    const double error = 
+    const double error =
       mass.solve(step, load, held, ties, solution, with_domains);
     if (!(error < 1e-8))
       step.warnings.add("projection of velocities",
                         "Velocities or accelerations of the points could not "
                         "be projected to the nodes to more than " +
-                          std::to_string(error) +
+                          rounded(error) +
                           " of their size. Use more <Material points/Points "
                           "per cell>, larger steps or, with <Quadrature/Type = "
                           "CPDI>, <Dynamics/Acceleration = carried>.");
@@ -209,7 +210,7 @@ namespace isochor
             continue;
           const double first = middle.increment[entry] - start.increment[entry],
                        second = end.increment[entry] - middle.increment[entry];
-          const auto [v, a] = parabola_at_start(first, second, dt);
+          const auto [v, a]   = parabola_at_start(first, second, dt);
           if (!held[i])
             stopped.push_back({i, v + a * dt, a});
           else if (node < step.nodes.n_owned())

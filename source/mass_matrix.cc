@@ -15,8 +15,7 @@ namespace isochor
 {
   template <int dim>
   void
-  MassMatrix<dim>::reinit(const StepContext<dim> &step,
-                          const bool              with_domains)
+  MassMatrix<dim>::reinit(const StepContext<dim> &step, const bool with_domains)
   {
     const PointArrays<dim> &points = step.points;
     step.nodes.initialize(lumped, 1);
@@ -208,7 +207,7 @@ namespace isochor
     double *const       y = result.begin();
     for (unsigned int q = 0; q < domain_inertia.size(); ++q)
       {
-        const auto     stencil = step.points.stencil(step.grid.geometry(), 0, q);
+        const auto stencil = step.points.stencil(step.grid.geometry(), 0, q);
         Tensor<2, dim> gradient;
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
           {
@@ -217,12 +216,14 @@ namespace isochor
             for (unsigned int a = 0; a < dim; ++a)
               gradient[a] += nodal[a] * stencil.gradient[I];
           }
-        gradient = gradient * Tensor<2, dim>(domain_inertia[q]);
+        const SymmetricTensor<2, dim> force =
+          symmetrize(Tensor<2, dim>(symmetrize(gradient)) *
+                     Tensor<2, dim>(domain_inertia[q]));
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
           {
             double *const nodal = y + step.nodes.node(stencil.vertex[I]) * dim;
             for (unsigned int a = 0; a < dim; ++a)
-              nodal[a] += gradient[a] * stencil.gradient[I];
+              nodal[a] += (force * stencil.gradient[I])[a];
           }
       }
   }
@@ -296,7 +297,7 @@ namespace isochor
                          const std::vector<unsigned char> &held,
                          const NodalTies                  &ties,
                          NodalField                       &solution,
-                         const bool with_domains) const
+                         const bool                        with_domains) const
   {
     // The matrix scaled to a unit diagonal, so that residuals of nodes with
     // little mass count for what they do to their points.
@@ -370,9 +371,8 @@ namespace isochor
     if (size == 0. && residual.l2_norm() == 0.)
       return 0.;
 
-    const double           goal = std::max(size, residual.l2_norm());
-    ScaledMatrix           matrix{
-      *this, step, held, ties, scale, with_domains, scale};
+    const double goal = std::max(size, residual.l2_norm());
+    ScaledMatrix matrix{*this, step, held, ties, scale, with_domains, scale};
     IterationNumberControl control(200, 1e-14 * goal, false, false);
     SolverCG<NodalField>   cg(control);
     cg.solve(matrix, correction, residual, PreconditionIdentity());

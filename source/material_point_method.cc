@@ -293,6 +293,11 @@ namespace isochor
   void
   MaterialPointMethod<dim>::run_steps()
   {
+    if (time.finished())
+      warnings.add("nothing left to do",
+                   "The checkpoint is of t = " + std::to_string(time.time) +
+                     ", <Time/End time> is " + std::to_string(time.end_time()) +
+                     ": no step was made. Set a later end to go on.");
     while (!time.finished())
       {
         try
@@ -341,8 +346,12 @@ namespace isochor
   {
     const StepContext<dim> step    = context();
     bool                   dragged = false;
+    bool                   loaded  = external_force.l2_norm() > 0;
     for (const auto &condition : boundary_conditions)
-      dragged = dragged || condition->moves_body(step);
+      {
+        dragged = dragged || condition->moves_body(step);
+        loaded  = loaded || condition->follows_body();
+      }
     return failure_report.explain({step,
                                    unknowns,
                                    system,
@@ -352,6 +361,7 @@ namespace isochor
                                    solver_report,
                                    constraints,
                                    dragged,
+                                   loaded,
                                    dynamic,
                                    output_directory});
   }
@@ -1003,7 +1013,8 @@ namespace isochor
       // on a grid that is kept nothing drifts
       if (project_volume && grid_reset.due())
         volume_projection.apply(step, points);
-      failure_report.remember(step, unknowns);
+      if (!dynamic)
+        failure_report.remember(step, unknowns);
       warn_if_nothing_moves(newton);
       time.accept(newton.n_factorisations);
     }

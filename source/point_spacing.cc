@@ -86,6 +86,8 @@ namespace isochor
                            const bool              at_start,
                            Warnings               &warnings) const
   {
+    if (at_start)
+      warn_of_hinges(points, warnings);
     const MPI_Comm comm  = grid.communicator();
     const double   share = Utilities::MPI::max(largest_share(points), comm);
     if (share <= harmless_share)
@@ -131,6 +133,34 @@ namespace isochor
            << n_body << ".";
     AssertThrow(!at_start || n_held <= n_body, ExcMessage(text.str()));
     warnings.add("material points too far apart for the grid", text.str());
+  }
+
+
+
+  template <int dim>
+  void
+  PointSpacing<dim>::warn_of_hinges(const PointArrays<dim> &points,
+                                    Warnings               &warnings) const
+  {
+    // domains connect what the cells of the points don't
+    if (points.has_stencils())
+      return;
+    const std::set<unsigned int> cells(points.cell.begin(), points.cell.end());
+    const unsigned int           by_faces = n_pieces(cells),
+                       by_vertices        = n_pieces(cells, false);
+    if (by_faces == by_vertices)
+      return;
+    warnings.add("a part of the body hangs on a vertex",
+                 "The cells that hold material points form " +
+                   std::to_string(by_faces) + " pieces that share faces, but " +
+                   std::to_string(by_vertices) +
+                   " that share vertices: a part of the body hangs on others "
+                   "by " +
+                   (dim == 2 ? "a vertex" : "vertices or edges") +
+                   " and turns freely. In statics there may be no equilibrium. "
+                   "Move the body against the grid, seed more points "
+                   "(<Material points/Points per cell>), or use "
+                   "<Quadrature/Type = CPDI>.");
   }
 
 
@@ -278,7 +308,8 @@ namespace isochor
 
   template <int dim>
   unsigned int
-  PointSpacing<dim>::n_pieces(const std::set<unsigned int> &cells) const
+  PointSpacing<dim>::n_pieces(const std::set<unsigned int> &cells,
+                              const bool                    by_faces) const
   {
     // trees over the cells, of which the lowest is the root
     std::map<unsigned int, unsigned int> parent;
@@ -289,13 +320,24 @@ namespace isochor
     };
     for (const unsigned int cell : gather_from_all(cells, grid.communicator()))
       parent.emplace(cell, cell);
+    std::map<unsigned int, unsigned int> cell_at_vertex;
+    const auto                           connect = [&](const unsigned int cell,
+                             const unsigned int other) {
+      const unsigned int a = root(cell), b = root(other);
+      parent[std::max(a, b)] = std::min(a, b);
+    };
     for (const auto &entry : parent)
-      for (const unsigned int other : grid.geometry().neighbours(entry.first))
-        if (parent.count(other) != 0)
-          {
-            const unsigned int a = root(entry.first), b = root(other);
-            parent[std::max(a, b)] = std::min(a, b);
-          }
+      if (by_faces)
+        {
+          for (const unsigned int other :
+               grid.geometry().neighbours(entry.first))
+            if (parent.count(other) != 0)
+              connect(entry.first, other);
+        }
+      else
+        for (const unsigned int v : grid.geometry().vertex_indices(entry.first))
+          connect(entry.first,
+                  cell_at_vertex.emplace(v, entry.first).first->second);
     return std::count_if(parent.begin(), parent.end(), [](const auto &entry) {
       return entry.first == entry.second;
     });

@@ -94,9 +94,6 @@ namespace
   {
     ParameterHandler prm;
     MaterialPointMethod<dim>::declare_parameters(prm);
-    prm.enter_subsection("Quadrature");
-    prm.set("Type", "points"); // if the scene doesn't say otherwise
-    prm.leave_subsection();
     prm.parse_input_from_string(scene);
     prm.enter_subsection("Output");
     prm.set("Directory", directory);
@@ -284,6 +281,7 @@ void
 test_split_points(const MPI_Comm comm)
 {
   const std::vector<std::pair<std::string, std::string>> shrinking = {
+    {"Quadrature/Type", "cell-filled"},
     {"Material points/Split at share of cell", "0.1"},
     {"Grid/Stretch", "y: 0 -> 0, 4 -> -6*t"}};
   const std::string a = "checkpoint-split-a", b = "checkpoint-split-b";

@@ -100,6 +100,14 @@ namespace isochor
       return true;
     }
 
+    /** Whether assemble() adds a load that turns with the body, such as a
+     * pressure. */
+    virtual bool
+    follows_body() const
+    {
+      return false;
+    }
+
     /** Whether assemble() sets this rank's part of the body in motion over the
      * step. The first residual of such a step is no measure of forces. */
     virtual bool

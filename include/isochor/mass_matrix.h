@@ -74,14 +74,15 @@ namespace isochor
      * acts there. @p solution is where the iteration starts; its ghosts are
      * updated at the end. Nodes without mass get zero. Collective.
      *
-     * @p with_domains solves M + B instead, with the inertia of the points'
-     * domains about their centres,
-     *   B_IJ = Σ_p ∇N_pI · C_p ∇N_pJ,   C_p = ∫ ρ (x - x_p) ⊗ (x - x_p) dv.
-     * M has rank one for each point, and is singular where fewer points than
-     * nodes are; M + B is the mass matrix of fields that are linear on the
-     * domains, and isn't. For loads that are not of the form Σ m_p N_I f_p, and
-     * can be anything in the directions that M can't see. B is zero for
-     * translations, which therefore keep the momentum.
+     * @p with_domains solves M + B instead, with the inertia against stretching
+     * of the points' domains,
+     *   v·B w = Σ_p D_p(v) : (C_p D_p(w)),   C_p = ∫ ρ (x - x_p) ⊗ (x - x_p)
+     * dv, D_p the symmetric part of Σ_I v_I ⊗ ∇N_pI. M has rank one for each
+     * point and component, and is singular where fewer points than nodes are; M
+     * + B, the mass of fields that are linear on the domains but for their
+     * spin, isn't. For loads that are not of the form Σ m_p N_I f_p, and can be
+     * anything in the directions that M can't see. B exerts neither force nor
+     * torque: linear and angular momentum are those of M.
      * @return the residual relative to the load, in the norm of the diagonal.
      */
     double
@@ -123,7 +124,7 @@ namespace isochor
 
     /** M_IJ, J <= I, of the cells; empty if points have stencils. */
     std::vector<std::array<double, n_entries>> cell_mass;
-    /** M_II and B_II by node. */
+    /** M_II, and G·C G that bounds B_II, by node. */
     NodalField diagonal, diagonal_of_domains;
     /** C_p by point (kg m^2). */
     std::vector<SymmetricTensor<2, dim>> domain_inertia;

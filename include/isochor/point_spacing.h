@@ -73,10 +73,14 @@ namespace isochor
                       const unsigned int      k,
                       const unsigned int      q,
                       std::set<unsigned int> &covered) const;
-    /** Into how many pieces, not connected by any face, the cells of all ranks
-     * fall: one that hangs on a vertex turns freely about it. */
+    /** Into how many pieces, not connected by any face, or by any vertex, the
+     * cells of all ranks fall. */
     unsigned int
-    n_pieces(const std::set<unsigned int> &cells) const;
+    n_pieces(const std::set<unsigned int> &cells,
+             const bool                    by_faces = true) const;
+    /** Warn if, at the start, a part of the body hangs on a vertex. */
+    void
+    warn_of_hinges(const PointArrays<dim> &points, Warnings &warnings) const;
 
     const BackgroundGrid<dim> &grid;
     /** For how many resets the volumes have differed. */

@@ -66,6 +66,11 @@ namespace isochor
     bool
     has_symmetric_matrix() const override;
     bool
+    follows_body() const override
+    {
+      return !has_symmetric_matrix();
+    }
+    bool
     moves_body(const StepContext<dim> &step) const override;
     void
     add_boundary_force(const StepContext<dim> &step,
