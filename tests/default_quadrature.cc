@@ -39,6 +39,7 @@ namespace isochor
             "Momentum x (kg m/s)",
             "Kinetic energy (J)",
             "Share of ties in internal work",
+            "Tied nodes",
             "Reaction y on all by boundary points (N)"})
         try
           {
@@ -92,7 +93,8 @@ test_slivers()
     }
 }
 
-/** The tip of a diamond lies in a cell two of whose nodes nothing else touches.
+/** The tip of a diamond lies in a cell two of whose nodes nothing else touches,
+ * though a sixth of what they could have: the mean of both is all that counts.
  */
 void
 test_tip()
@@ -107,19 +109,18 @@ test_tip()
       {
         const auto problem = test::run_scene<2>(
           cpdi + "Formulation/Type = " + formulation +
-          "\nGrid/Lower corner = -2, -1.3\nGrid/Upper corner = 2, 1.7\n"
+          "\nGrid/Lower corner = -2.2, -1.25\nGrid/Upper corner = 1.8, 1.75\n"
           "Grid/Subdivisions = 8, 6\nMaterial points/Body mesh = diamond.msh\n"
-          "Material points/Points per cell = 64\n"
+          "Material points/Points per cell = 4\n"
           "Boundary conditions/Surfaces of body = foot: y < 0\n"
           "Boundary conditions/Mesh of body surfaces = diamond.msh\n"
           "Boundary conditions/Displacement of body = foot: x = 0, y = 0\n"
           "Boundary conditions/Gravity = 0, -10\n"
           "Postprocess/Point probes = P: 0, 0.5\n");
-        const double u = columns()["Displacement y of P (m)"].back();
-        // of a body of this size, rho g L^2 / E and a little less
+        const double n = columns()["Tied nodes"].back();
         test::check("tip of a diamond, " + formulation,
-                    u < 0 && u > -0.02,
-                    std::to_string(u));
+                    n >= 2,
+                    std::to_string(n) + " nodes tied");
       }
     catch (const std::exception &exc)
       {
