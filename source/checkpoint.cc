@@ -202,7 +202,7 @@ namespace isochor
     last_time        = std::chrono::steady_clock::now();
     if (resume)
       return resume_from_newest(state);
-    return remove_old();
+    return put_aside_old();
   }
 
 
@@ -221,13 +221,16 @@ namespace isochor
 
   template <int dim>
   std::string
-  Checkpoint<dim>::remove_old() const
+  Checkpoint<dim>::put_aside_old() const
   {
     std::string notice;
+    if (Utilities::MPI::this_mpi_process(grid->communicator()) != 0)
+      return notice;
     for (unsigned int slot = 0; slot < n_slots; ++slot)
       {
-        const Slot old = read_slot(slot);
-        if (std::remove(file_name(slot).c_str()) == 0)
+        const Slot        old  = read_slot(slot);
+        const std::string file = file_name(slot);
+        if (std::rename(file.c_str(), (file + ".old").c_str()) == 0)
           notice += (notice.empty() ? "" : " and ") +
                     (old.contents ?
                        "after step " + std::to_string(old.contents->time.step) +
@@ -235,8 +238,12 @@ namespace isochor
                        std::string("an unreadable one"));
       }
     return notice.empty() ? "" :
-                            "Removed the checkpoints of an earlier run in <" +
-                              directory + ">: " + notice + ".";
+                            "This run starts at t = 0. The checkpoints of an "
+                            "earlier one in <" +
+                              directory + "> (" + notice +
+                              ") are kept with the ending '.old' until the "
+                              "next run; to go on from them take '.old' away "
+                              "and use --restart.";
   }
 
 

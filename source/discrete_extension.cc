@@ -6,6 +6,8 @@
 
 #include <isochor/discrete_extension.h>
 #include <isochor/mpi_sums.h>
+#include <isochor/nearest_cells.h>
+#include <isochor/plain_message.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -22,6 +24,7 @@ namespace isochor
                                             const CellOccupancy<dim> &occupancy)
     : grid(grid)
     , occupancy(occupancy)
+    , dependent(occupancy)
   {}
 
 
@@ -80,6 +83,10 @@ namespace isochor
                                  std::vector<unsigned int> &vertices)
   {
     sum_support(points);
+    dependent.update(
+      points,
+      [this](const unsigned int vertex) { return support(vertex); },
+      smallest_support);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()),
                    vertices.end());
@@ -163,14 +170,24 @@ namespace isochor
 
 
   template <int dim>
-  bool
-  DiscreteExtension<dim>::is_supported(const unsigned int vertex) const
+  double
+  DiscreteExtension<dim>::support(const unsigned int vertex) const
   {
     double full = 0;
     for (const unsigned int cell : occupancy.cells_at(vertex))
       full += grid.geometry().measure(cell) / (dim + 1);
+    return volume_at[vertex] / full;
+  }
+
+
+
+  template <int dim>
+  bool
+  DiscreteExtension<dim>::is_supported(const unsigned int vertex) const
+  {
     // rounding must not decide, or a scene that is moved would be another
-    return volume_at[vertex] >= (1 - 1e-8) * smallest_support * full;
+    return support(vertex) >= (1 - 1e-8) * smallest_support &&
+           !dependent.contain(vertex);
   }
 
 
@@ -299,7 +316,8 @@ namespace isochor
                                    Statistics             &statistics) const
   {
     // number of ties, of free nodes; work of the extension and of the body
-    std::array<double, 4> sums{{0, double(n_free), 0, energy}};
+    std::array<double, 4> sums{
+      {0, double(n_free), 0, energy + work_of_rounding(step, unknowns)}};
     for (unsigned int k = 0; k < found.size(); ++k)
       if (step.nodes.node(found[k].vertex) < step.nodes.n_owned())
         {
@@ -316,23 +334,55 @@ namespace isochor
     if (share > 0.01)
       step.warnings.add(
         "nodes tied to the body carry load",
-        "At t = " + std::to_string(step.time) + " s " +
+        "At t = " + rounded(step.time) + " s " +
           std::to_string(static_cast<unsigned int>(sums[0])) +
           " nodes that hardly any material touches hand " +
-          std::to_string(100 * share) +
+          rounded(100 * share) +
           " % of the internal work on to the cells they are tied to. A part of "
           "the body is too thin for the grid: use smaller cells there, or a "
           "smaller <Cut cells/Smallest support>.");
     if (sums[1] > 0)
       step.warnings.add(
         "unsupported nodes that could not be tied",
-        "At t = " + std::to_string(step.time) + " s " +
+        "At t = " + rounded(step.time) + " s " +
           std::to_string(static_cast<unsigned int>(sums[1])) +
           " nodes are touched by hardly any material (less than the part "
           "<Cut cells/Smallest support> of the cells around them), and no cell "
           "nearby is filled well enough to tie them to. The matrix may be badly "
           "conditioned. A part of the body is thin or small against the cells: "
           "use smaller cells there.");
+  }
+
+
+
+  template <int dim>
+  double
+  DiscreteExtension<dim>::work_of_rounding(const StepContext<dim> &step,
+                                           const NodalField &unknowns) const
+  {
+    // displacements are solved to some 1e-12 of the largest: in a body that
+    // moves as if rigid the rest is noise
+    constexpr double noise   = 1e-8;
+    double           largest = 0;
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      for (unsigned int a = 0; a < dim; ++a)
+        largest = std::max(largest,
+                           std::abs(unknowns.local_element(
+                             node * step.n_components + a)));
+    largest     = noise * Utilities::MPI::max(largest, grid.communicator());
+    double work = 0;
+    for (unsigned int k = 0; k < step.points.cell.size(); ++k)
+      {
+        const double strain =
+          largest / cell_size(grid.geometry(), step.points.cell[k]);
+        for (unsigned int q = step.points.cell_start[k];
+             q < step.points.cell_start[k + 1];
+             ++q)
+          work +=
+            step.points.weight[q] * strain * strain *
+            step.kernel.materials[step.points.material[q]]->shear_modulus();
+      }
+    return work;
   }
 
 

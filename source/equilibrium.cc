@@ -203,16 +203,20 @@ namespace isochor
       return report;
     InertiaTerm<dim> &inertia = scene.inertia;
     // a trial errs by O(h); two, one of them back in time, by O(h²)
-    const double size = setup.context().step_size();
-    for (const double trial : {size, -size})
+    const StepContext<dim> step       = setup.context();
+    const auto            &conditions = scene.boundary_conditions;
+    for (const double trial : {step.step_size(), -step.step_size()})
       {
-        inertia.start_trial(trial);
+        inertia.start_trial(step, trial, conditions);
         start_again();
         at_start = true;
         report   = trial > 0 ? solve_with_contact() : find_root();
         if (report.converged)
-          inertia.finish_trial(setup.context(), unknowns, setup.point_arrays());
-        inertia.end_trial();
+          inertia.finish_trial(setup.context(),
+                               unknowns,
+                               conditions,
+                               setup.point_arrays());
+        inertia.end_trial(step, conditions);
         if (!report.converged)
           return report;
       }

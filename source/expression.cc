@@ -120,6 +120,9 @@ namespace isochor
                               const FormulaVariables variables)
     : formula(formula)
     , parameter(parameter)
+    , compares(formula.find_first_of("<>") != std::string::npos &&
+               formula.find_first_of("&|?") == std::string::npos &&
+               formula.find("if") == std::string::npos)
     , function(std::make_shared<FunctionParser<dim>>(1))
   {
     check_comparisons(formula, parameter);

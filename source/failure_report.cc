@@ -21,17 +21,9 @@ namespace isochor
   {
     /** By which the displacement per load has grown where a body flows. */
     constexpr double large_growth = 10;
-
-
-
-    std::string
-    as_text(const double value)
-    {
-      std::ostringstream text;
-      text.precision(4);
-      text << value;
-      return text.str();
-    }
+    /** So many steps one after the other that are this fast are worth a
+     * warning. */
+    constexpr unsigned int many_steps = 5;
 
 
 
@@ -69,9 +61,9 @@ namespace isochor
         place.fill(0.);
       sum_over_ranks(place, comm);
       std::string text =
-        as_text(std::sqrt(std::max(all, 0.))) + " N at the node (";
+        rounded(std::sqrt(std::max(all, 0.))) + " N at the node (";
       for (unsigned int d = 0; d < dim; ++d)
-        text += (d > 0 ? ", " : "") + as_text(place[d]);
+        text += (d > 0 ? ", " : "") + rounded(place[d]);
       return text + ")";
     }
 
@@ -158,9 +150,27 @@ namespace isochor
     if (last_speed > 0)
       slowest = slowest > 0 ? std::min(slowest, last_speed) : last_speed;
     if (!(last_speed > large_growth * slowest))
-      soft_since = -1;
-    else if (soft_since < 0)
+      {
+        soft_since = -1;
+        n_soft     = 0;
+        return;
+      }
+    if (soft_since < 0)
       soft_since = step.old_time;
+    if (++n_soft == many_steps)
+      step.warnings.add(
+        "the body gives way",
+        "Since t = " + rounded(soft_since) +
+          " the displacement per time is more than " + rounded(large_growth) +
+          " times that of the slowest step so far (" +
+          rounded(last_speed / slowest) +
+          " times at t = " + rounded(step.time) +
+          "). If loads drive the body, they are beyond what it can carry: it "
+          "flows or falls, and without inertia its speed means nothing. Look "
+          "at t = " +
+          rounded(soft_since) +
+          " for the limit load; to follow the body beyond, use "
+          "<Dynamics/Inertia = true>.");
   }
 
 
@@ -180,18 +190,18 @@ namespace isochor
   std::string
   FailureReport<dim>::Evidence::text() const
   {
-    std::string text = "the displacement per load was " + as_text(growth) +
+    std::string text = "the displacement per load was " + rounded(growth) +
                        " times that of the stiffest step in the last step "
                        "that converged";
     if (soft_since >= 0)
-      text += " (more than " + as_text(large_growth) +
-              " times since t = " + as_text(soft_since) + ")";
+      text += " (more than " + rounded(large_growth) +
+              " times since t = " + rounded(soft_since) + ")";
     if (growth_of_trial >= 0)
-      text += ", " + as_text(growth_of_trial) +
+      text += ", " + rounded(growth_of_trial) +
               " times in the last iterate of the one that failed";
     if (plastic_share >= 0)
       text +=
-        ", " + as_text(100 * plastic_share) + " % of the volume has yielded";
+        ", " + rounded(100 * plastic_share) + " % of the volume has yielded";
     if (n_negative_pivots >= 0)
       text += ", the last matrix has " + std::to_string(n_negative_pivots) +
               " negative pivot(s) of displacements (a stable state has none)";
@@ -252,7 +262,7 @@ namespace isochor
       {
         return plain_message(exc);
       }
-    return "The last good state, at t = " + as_text(step.old_time) +
+    return "The last good state, at t = " + rounded(step.old_time) +
            ", is in <" + directory + "/failure-points.pvd>.";
   }
 
@@ -266,8 +276,8 @@ namespace isochor
     const LoadStepping     &time     = failure.time;
     const Evidence          evidence = collect(failure);
 
-    std::string text = "The step from t = " + as_text(time.time) + " of size " +
-                       as_text(time.next_time() - time.time) +
+    std::string text = "The step from t = " + rounded(time.time) + " of size " +
+                       rounded(time.next_time() - time.time) +
                        " failed and can't be cut back further (<Time/Minimum "
                        "step size>): " +
                        failure.newton.failure + ".\n";
@@ -275,14 +285,24 @@ namespace isochor
       text += "It is the very first step, so that the scene is to be looked "
               "at: are all bodies held, the loads in the units of the "
               "stiffness (<Material/Young modulus>, <Material/Density>), and "
-              "<Time/Step size> small enough for what happens in it?";
+              "<Time/Step size> small enough for what happens in it? A "
+              "displacement that is prescribed by a constant acts in this step "
+              "as a whole, however small the step: let it grow with t.";
     else if (failure.dynamic)
       text += "In dynamics there is a solution if the step is small enough: "
               "lower <Time/Minimum step size>, or look at the files for what "
               "goes wrong.";
+    else if (!failure.loaded)
+      text += "Only displacements are prescribed, so that this is no limit "
+              "load, which they could pass, but a step that is too large for "
+              "what happens in it, or a grid that is too coarse (" +
+              evidence.text() +
+              "). Lower <Time/Minimum step size>, look for what happens at "
+              "the place of the residual, or use <Dynamics/Inertia = true> "
+              "where the body snaps.";
     else if (evidence.has_lost_stiffness())
       text +=
-        "No equilibrium found: limit load near t = " + as_text(time.time) +
+        "No equilibrium found: limit load near t = " + rounded(time.time) +
         ". Evidence: " + evidence.text() +
         ". To follow the body beyond, prescribe displacements instead of "
         "loads, or give it inertia (<Dynamics/Inertia = true>).";

@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/inertia_term.h>
+#include <isochor/plain_message.h>
+#include <isochor/prescribed_motion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,9 +84,10 @@ namespace isochor
     MaterialPoints<dim>                                        &points,
     const bool                                                  is_first)
   {
-    mass.reinit(step);
+    by_stresses = from_stresses && !is_first;
+    mass.reinit(step, by_stresses);
     mass.collect(step, step.points.velocity, momentum);
-    if (from_stresses && !is_first)
+    if (by_stresses)
       collect_forces(step, conditions, points);
     else
       mass.collect(step, step.points.acceleration, force);
@@ -144,19 +147,21 @@ namespace isochor
   InertiaTerm<dim>::project(const StepContext<dim> &step,
                             const NodalField       &load,
                             const NodalTies        &ties,
-                            NodalField             &solution) const
+                            NodalField             &solution,
+                            const bool              with_domains) const
   {
     solution.zero_out_ghost_values();
     for (unsigned int i = 0; i < step.nodes.n_owned() * dim; ++i)
       if (const double m = mass.lumped.local_element(i / dim);
           !held[i] && m > 0)
         solution.local_element(i) = load.local_element(i) / m;
-    const double error = mass.solve(step, load, held, ties, solution);
+    const double error =
+      mass.solve(step, load, held, ties, solution, with_domains);
     if (!(error < 1e-8))
       step.warnings.add("projection of velocities",
                         "Velocities or accelerations of the points could not "
                         "be projected to the nodes to more than " +
-                          std::to_string(error) +
+                          rounded(error) +
                           " of their size. Use more <Material points/Points "
                           "per cell>, larger steps or, with <Quadrature/Type = "
                           "CPDI>, <Dynamics/Acceleration = carried>.");
@@ -205,21 +210,17 @@ namespace isochor
             continue;
           const double first = middle.increment[entry] - start.increment[entry],
                        second = end.increment[entry] - middle.increment[entry];
-          double a            = 4 * (second - first) / (dt * dt);
-          if (std::abs(second - first) <=
-              1e-12 * std::max(std::abs(first), std::abs(second)))
-            a = 0; // rounding
-          const double mean = (first + second) / dt;
+          const auto [v, a]   = parabola_at_start(first, second, dt);
           if (!held[i])
-            stopped.push_back({i, mean + a * dt / 2, a});
+            stopped.push_back({i, v + a * dt, a});
           else if (node < step.nodes.n_owned())
             {
               acceleration.local_element(i) = a;
-              velocity.local_element(i)     = mean - a * dt / 2;
+              velocity.local_element(i)     = v;
             }
         }
     project(step, momentum, constraints.ties, velocity);
-    project(step, force, constraints.ties, acceleration);
+    project(step, force, constraints.ties, acceleration, by_stresses);
     prescribed = true;
   }
 
@@ -227,9 +228,27 @@ namespace isochor
 
   template <int dim>
   void
-  InertiaTerm<dim>::start_trial(const double trial_step)
+  InertiaTerm<dim>::start_trial(
+    const StepContext<dim>                                     &step,
+    const double                                                trial_step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
   {
     trial_size = trial_step;
+    for (const auto &condition : conditions)
+      condition->set_trial(step, trial_step);
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::end_trial(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
+  {
+    trial_size = 0;
+    for (const auto &condition : conditions)
+      condition->set_trial(step, 0.);
   }
 
 
@@ -253,11 +272,19 @@ namespace isochor
 
   template <int dim>
   void
-  InertiaTerm<dim>::finish_trial(const StepContext<dim> &step,
-                                 const NodalField       &unknowns,
-                                 PointArrays<dim>       &points)
+  InertiaTerm<dim>::finish_trial(
+    const StepContext<dim>                                     &step,
+    const NodalField                                           &unknowns,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    PointArrays<dim>                                           &points)
   {
-    const bool impulse = starts_suddenly(step);
+    unsigned int by_surface = 0;
+    for (const auto &condition : conditions)
+      if (condition->starts_suddenly(step, velocity))
+        by_surface = 1;
+    const bool impulse =
+      starts_suddenly(step) ||
+      Utilities::MPI::max(by_surface, step.grid.communicator()) != 0;
     finish_step(step, unknowns);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];

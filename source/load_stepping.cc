@@ -60,6 +60,9 @@ namespace isochor
     prm.enter_subsection("Time");
     end       = prm.get_double("End time");
     step_size = prm.get_double("Step size");
+    AssertThrow(end > 0,
+                ExcMessage("The parameter <Time/End time> must be positive: "
+                           "a run begins at t = 0."));
     AssertThrow(step_size > 0,
                 ExcMessage("The parameter <Time/Step size> must be positive."));
     first_step_size = step_size;

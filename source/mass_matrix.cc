@@ -15,7 +15,7 @@ namespace isochor
 {
   template <int dim>
   void
-  MassMatrix<dim>::reinit(const StepContext<dim> &step)
+  MassMatrix<dim>::reinit(const StepContext<dim> &step, const bool with_domains)
   {
     const PointArrays<dim> &points = step.points;
     step.nodes.initialize(lumped, 1);
@@ -43,6 +43,28 @@ namespace isochor
         }
     lumped.compress(VectorOperation::add);
     diagonal.compress(VectorOperation::add);
+    domain_inertia.clear();
+    if (!with_domains)
+      return;
+    step.nodes.initialize(diagonal_of_domains, 1);
+    for (unsigned int q = 0; q < points.n_points(); ++q)
+      {
+        // of a simplex: the second moment of its corners over (d + 1) (d + 2)
+        SymmetricTensor<2, dim> C;
+        for (const Tensor<1, dim> &corner : points.domain[q])
+          {
+            const Tensor<1, dim> r = points.F[q] * corner;
+            C += symmetrize(outer_product(r, r));
+          }
+        C *= points.mass[q] / ((dim + 1) * (dim + 2));
+        domain_inertia.push_back(C);
+        const auto stencil = points.stencil(step.grid.geometry(), 0, q);
+        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+          diagonal_of_domains.local_element(
+            step.nodes.node(stencil.vertex[I])) +=
+            stencil.gradient[I] * (C * stencil.gradient[I]);
+      }
+    diagonal_of_domains.compress(VectorOperation::add);
   }
 
 
@@ -177,6 +199,39 @@ namespace isochor
 
   template <int dim>
   void
+  MassMatrix<dim>::add_product_of_domains(const StepContext<dim> &step,
+                                          const NodalField       &field,
+                                          NodalField             &result) const
+  {
+    const double *const x = field.begin();
+    double *const       y = result.begin();
+    for (unsigned int q = 0; q < domain_inertia.size(); ++q)
+      {
+        const auto stencil = step.points.stencil(step.grid.geometry(), 0, q);
+        Tensor<2, dim> gradient;
+        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+          {
+            const double *const nodal =
+              x + step.nodes.node(stencil.vertex[I]) * dim;
+            for (unsigned int a = 0; a < dim; ++a)
+              gradient[a] += nodal[a] * stencil.gradient[I];
+          }
+        const SymmetricTensor<2, dim> force =
+          symmetrize(Tensor<2, dim>(symmetrize(gradient)) *
+                     Tensor<2, dim>(domain_inertia[q]));
+        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+          {
+            double *const nodal = y + step.nodes.node(stencil.vertex[I]) * dim;
+            for (unsigned int a = 0; a < dim; ++a)
+              nodal[a] += (force * stencil.gradient[I])[a];
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
   MassMatrix<dim>::vmult(const StepContext<dim> &step,
                          const NodalField       &field,
                          NodalField             &result) const
@@ -241,7 +296,8 @@ namespace isochor
                          const NodalField                 &load,
                          const std::vector<unsigned char> &held,
                          const NodalTies                  &ties,
-                         NodalField                       &solution) const
+                         NodalField                       &solution,
+                         const bool                        with_domains) const
   {
     // The matrix scaled to a unit diagonal, so that residuals of nodes with
     // little mass count for what they do to their points.
@@ -249,7 +305,9 @@ namespace isochor
     NodalField         scale, residual, correction;
     step.nodes.initialize(scale, dim);
     for (unsigned int i = 0; i < n; ++i)
-      scale.local_element(i) = diagonal.local_element(i / dim);
+      scale.local_element(i) =
+        diagonal.local_element(i / dim) +
+        (with_domains ? diagonal_of_domains.local_element(i / dim) : 0.);
     for (unsigned int k = 0; k < ties.size(); ++k)
       if (ties.node[k] < step.nodes.n_owned())
         for (unsigned int a = 0; a < dim; ++a)
@@ -276,6 +334,7 @@ namespace isochor
       const std::vector<unsigned char> &held;
       const NodalTies                  &ties;
       const NodalField                 &scale;
+      const bool                        with_domains;
       mutable NodalField                scaled;
 
       void
@@ -287,6 +346,8 @@ namespace isochor
         mass.interpolate(held, ties, scaled);
         result = 0.;
         mass.add_product(step, scaled, result);
+        if (with_domains)
+          mass.add_product_of_domains(step, scaled, result);
         result.compress(VectorOperation::add);
         mass.hand_on(step, held, ties, result);
         result.scale(scale);
@@ -294,7 +355,11 @@ namespace isochor
     };
 
     interpolate(held, ties, solution);
-    vmult(step, solution, residual);
+    step.nodes.initialize(residual, dim);
+    add_product(step, solution, residual);
+    if (with_domains)
+      add_product_of_domains(step, solution, residual);
+    residual.compress(VectorOperation::add);
     residual.sadd(-1., 1., load);
     hand_on(step, held, ties, residual);
     residual.scale(scale);
@@ -306,8 +371,8 @@ namespace isochor
     if (size == 0. && residual.l2_norm() == 0.)
       return 0.;
 
-    const double           goal = std::max(size, residual.l2_norm());
-    ScaledMatrix           matrix{*this, step, held, ties, scale, scale};
+    const double goal = std::max(size, residual.l2_norm());
+    ScaledMatrix matrix{*this, step, held, ties, scale, with_domains, scale};
     IterationNumberControl control(200, 1e-14 * goal, false, false);
     SolverCG<NodalField>   cg(control);
     cg.solve(matrix, correction, residual, PreconditionIdentity());

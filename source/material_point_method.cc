@@ -150,6 +150,13 @@ namespace isochor
   void
   MaterialPointMethod<dim>::run_steps()
   {
+    if (scene.time.finished())
+      scene.warnings.add("nothing left to do",
+                         "The checkpoint is of t = " +
+                           std::to_string(scene.time.time) +
+                           ", <Time/End time> is " +
+                           std::to_string(scene.time.end_time()) +
+                           ": no step was made. Set a later end to go on.");
     while (!scene.time.finished())
       {
         try
@@ -249,7 +256,8 @@ namespace isochor
       // on a grid that is kept nothing drifts
       if (setup.reset().due())
         grid_to_points.project_volume(step, scene.points);
-      failure_report.remember(step, unknowns);
+      if (!scene.dynamic)
+        failure_report.remember(step, unknowns);
       warn_if_nothing_moves(scene, newton, unknowns);
       scene.time.accept(newton.n_factorisations);
     }
@@ -282,8 +290,12 @@ namespace isochor
   {
     const StepContext<dim> step    = setup.context();
     bool                   dragged = false;
+    bool                   loaded  = equilibrium.has_dead_loads();
     for (const auto &condition : scene.boundary_conditions)
-      dragged = dragged || condition->moves_body(step);
+      {
+        dragged = dragged || condition->moves_body(step);
+        loaded  = loaded || condition->follows_body();
+      }
     return failure_report.explain({step,
                                    equilibrium.nodal_unknowns(),
                                    equilibrium.mixed_system(),
@@ -293,6 +305,7 @@ namespace isochor
                                    equilibrium.linear().report(),
                                    equilibrium.nodal_constraints(),
                                    dragged,
+                                   loaded,
                                    scene.dynamic,
                                    output_directory});
   }

@@ -282,13 +282,13 @@ namespace isochor
 
 
   template <int dim>
-  void
+  types::particle_index
   MaterialPoints<dim>::relocate(const PointLocator<dim> &locator)
   {
     groups.clear();
     const RelocationReport<dim> report = isochor::relocate(particles, locator);
     if (report.n_lost == 0)
-      return;
+      return report.n_moved;
 
     constexpr std::size_t               most = 3; // places to list
     std::string                         places;
@@ -332,6 +332,7 @@ namespace isochor
                                   boundaries + "." + all_places +
                                   " Enlarge the grid, or hold the body by "
                                   "boundary conditions."));
+    return report.n_moved;
   }
 
 

@@ -106,6 +106,9 @@ namespace isochor
         {
           if (!continues)
             line_origin = file.string() + ":" + std::to_string(number);
+          // the mark of UTF-8 that some editors put first
+          if (number == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0)
+            line.erase(0, 3);
           joined    = (continues ? joined : "") + Utilities::trim(line);
           continues = !joined.empty() && joined.back() == '\\';
           if (continues)

@@ -26,6 +26,10 @@ namespace isochor
     constexpr double       tolerated_difference = 0.03;
     constexpr unsigned int n_resets_tolerated   = 5;
 
+    /** The part of the points that may change cells with the plain quadrature
+     * without a word. */
+    constexpr double tolerated_changes = 0.1;
+
     template <int dim>
     Point<dim>
     centroid(const SimplexGeometry<dim> &geometry, const unsigned int cell)
@@ -82,6 +86,8 @@ namespace isochor
                            const bool              at_start,
                            Warnings               &warnings) const
   {
+    if (at_start)
+      warn_of_hinges(points, warnings);
     const MPI_Comm comm  = grid.communicator();
     const double   share = Utilities::MPI::max(largest_share(points), comm);
     if (share <= harmless_share)
@@ -110,9 +116,12 @@ namespace isochor
          << share
          << " times the volume of its cell. Seed more points (<Material "
             "points/Points per cell>, <Material points/Lattice spacing>, or a "
-            "finer <Material points/Body mesh>), make the cells larger "
-            "(<Grid>), or let large points be split (<Material points/Split "
-            "at share of cell> = 0.5).";
+            "finer <Material points/Body mesh>), or make the cells larger "
+            "(<Grid>)."
+         << (points.domain.empty() ?
+               " Large points can also be split (<Material points/Split at "
+               "share of cell> = 0.5)." :
+               "");
     std::set<unsigned int> held(points.cell.begin(), points.cell.end());
     for (const auto &corner : points.corner_cells)
       held.insert(corner.second);
@@ -124,6 +133,34 @@ namespace isochor
            << n_body << ".";
     AssertThrow(!at_start || n_held <= n_body, ExcMessage(text.str()));
     warnings.add("material points too far apart for the grid", text.str());
+  }
+
+
+
+  template <int dim>
+  void
+  PointSpacing<dim>::warn_of_hinges(const PointArrays<dim> &points,
+                                    Warnings               &warnings) const
+  {
+    // domains connect what the cells of the points don't
+    if (points.has_stencils())
+      return;
+    const std::set<unsigned int> cells(points.cell.begin(), points.cell.end());
+    const unsigned int           by_faces = n_pieces(cells),
+                       by_vertices        = n_pieces(cells, false);
+    if (by_faces == by_vertices)
+      return;
+    warnings.add("a part of the body hangs on a vertex",
+                 "The cells that hold material points form " +
+                   std::to_string(by_faces) + " pieces that share faces, but " +
+                   std::to_string(by_vertices) +
+                   " that share vertices: a part of the body hangs on others "
+                   "by " +
+                   (dim == 2 ? "a vertex" : "vertices or edges") +
+                   " and turns freely. In statics there may be no equilibrium. "
+                   "Move the body against the grid, seed more points "
+                   "(<Material points/Points per cell>), or use "
+                   "<Quadrature/Type = CPDI>.");
   }
 
 
@@ -159,6 +196,31 @@ namespace isochor
             "(<Formulation/Project volume change>), or use <Quadrature/Type = "
             "CPDI>.";
     warnings.add("volume in the grid differs from the material's", text.str());
+  }
+
+
+
+  template <int dim>
+  void
+  PointSpacing<dim>::watch_changes_of_cells(const double n_changed,
+                                            const double n_points,
+                                            const double time,
+                                            Warnings    &warnings)
+  {
+    const double before = changes_per_point;
+    changes_per_point += n_changed / n_points;
+    // once: it can only become more
+    if (before > tolerated_changes || changes_per_point <= tolerated_changes)
+      return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "Up to t = " << time << " " << 100 * changes_per_point
+         << " % of the material points have changed their cell. With "
+            "<Quadrature/Type = points> forces jump then: stresses are wrong "
+            "by as much as they vary in a cell, however small the cells are, "
+            "and the body is too soft. Use <Quadrature/Type = CPDI>, or keep "
+            "the grid (<Grid reset/Steps between resets>).";
+    warnings.add("points that change cells", text.str());
   }
 
 
@@ -246,26 +308,36 @@ namespace isochor
 
   template <int dim>
   unsigned int
-  PointSpacing<dim>::n_pieces(const std::set<unsigned int> &cells) const
+  PointSpacing<dim>::n_pieces(const std::set<unsigned int> &cells,
+                              const bool                    by_faces) const
   {
-    // trees over the vertices, of which the lowest is the root
+    // trees over the cells, of which the lowest is the root
     std::map<unsigned int, unsigned int> parent;
-    const auto                           root = [&](unsigned int v) {
-      while (parent.at(v) != v)
-        v = parent[v] = parent.at(parent.at(v));
-      return v;
+    const auto                           root = [&](unsigned int cell) {
+      while (parent.at(cell) != cell)
+        cell = parent[cell] = parent.at(parent.at(cell));
+      return cell;
     };
     for (const unsigned int cell : gather_from_all(cells, grid.communicator()))
-      {
-        const auto &vertices = grid.geometry().vertex_indices(cell);
-        for (const unsigned int v : vertices)
-          parent.emplace(v, v);
-        for (const unsigned int v : vertices)
-          {
-            const unsigned int a = root(vertices[0]), b = root(v);
-            parent[std::max(a, b)] = std::min(a, b);
-          }
-      }
+      parent.emplace(cell, cell);
+    std::map<unsigned int, unsigned int> cell_at_vertex;
+    const auto                           connect = [&](const unsigned int cell,
+                             const unsigned int other) {
+      const unsigned int a = root(cell), b = root(other);
+      parent[std::max(a, b)] = std::min(a, b);
+    };
+    for (const auto &entry : parent)
+      if (by_faces)
+        {
+          for (const unsigned int other :
+               grid.geometry().neighbours(entry.first))
+            if (parent.count(other) != 0)
+              connect(entry.first, other);
+        }
+      else
+        for (const unsigned int v : grid.geometry().vertex_indices(entry.first))
+          connect(entry.first,
+                  cell_at_vertex.emplace(v, entry.first).first->second);
     return std::count_if(parent.begin(), parent.end(), [](const auto &entry) {
       return entry.first == entry.second;
     });

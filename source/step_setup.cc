@@ -148,7 +148,13 @@ namespace isochor
       scene.grid.set_vertices(scene.grid.vertices_at_time(time));
     grid_reset.start(time);
     // here and not after the last step, which may end outside of the grid
-    scene.points.relocate(*locator);
+    const auto n_changed = scene.points.relocate(*locator);
+    if (quadrature.is_plain() && scene.time.step > 0)
+      spacing.watch_changes_of_cells(
+        n_changed,
+        scene.points.handler().n_global_particles(),
+        time,
+        scene.warnings);
     refinement.refine(scene.points, scene.grid, *locator);
     scene.points.gather(arrays);
     quadrature.start_step(

@@ -5,6 +5,7 @@
 #include <isochor/surface_forces.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace isochor
 {
@@ -110,13 +111,67 @@ namespace isochor
   {
     const auto          &prescribed = condition_at(b).displacement;
     const Tensor<1, dim> u          = displacement(step, unknowns, b);
-    const Point<dim>     X          = points.reference_location(b);
     const double         k          = stiffness(b);
     Tensor<1, dim>       force;
     for (unsigned int a = 0; a < dim; ++a)
       if (!prescribed[a].empty())
-        force[a] = -k * (u[a] - prescribed[a].front()(X, step.time));
+        force[a] = -k * (u[a] - target(step, b, a));
     return force;
+  }
+
+
+
+  template <int dim>
+  std::pair<double, double>
+  SurfaceForces<dim>::initial_motion(const unsigned int b,
+                                     const unsigned int a) const
+  {
+    const auto      &u     = condition_at(b).displacement[a].front();
+    const Point<dim> X     = points.reference_location(b);
+    const double     dt    = trial.end - trial.start;
+    const double     start = u(X, trial.start), end = u(X, trial.end),
+                 middle = u(X, trial.start + dt / 2);
+    return parabola_at_start(middle - start, end - middle, dt);
+  }
+
+
+
+  template <int dim>
+  double
+  SurfaceForces<dim>::target(const StepContext<dim> &step,
+                             const unsigned int      b,
+                             const unsigned int      a) const
+  {
+    if (trial.size == 0)
+      return condition_at(b).displacement[a].front()(
+        points.reference_location(b), step.time);
+    const auto [V, A] = initial_motion(b, a);
+    return trial.size * (V + trial.size / 2 * A);
+  }
+
+
+
+  template <int dim>
+  bool
+  SurfaceForces<dim>::starts_suddenly(const StepContext<dim> &step,
+                                      const NodalField       &velocity) const
+  {
+    for (unsigned int b = 0; b < points.size(); ++b)
+      for (unsigned int a = 0; a < dim; ++a)
+        {
+          if (condition_at(b).displacement[a].empty())
+            continue;
+          const double V     = initial_motion(b, a).first;
+          const auto   nodes = points.stencil(b);
+          double       v     = 0;
+          for (unsigned int I = 0; I < nodes.n_nodes; ++I)
+            v += nodes.shape[I] *
+                 velocity.local_element(step.nodes.node(nodes.vertex[I]) * dim +
+                                        a);
+          if (std::abs(V - v) > 1e-8 * std::max(std::abs(V), std::abs(v)))
+            return true;
+        }
+    return false;
   }
 
 

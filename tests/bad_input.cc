@@ -102,6 +102,7 @@ main(int argc, char **argv)
   const std::string loads = "Boundary conditions", points = "Material points";
 
   test_scene("no mistake", scene(""), 0, {});
+  test_scene("the mark of UTF-8", "\xEF\xBB\xBF" + scene(""), 0, {});
 
   test_entry("unknown parameter",
              "Material",

@@ -281,6 +281,7 @@ void
 test_split_points(const MPI_Comm comm)
 {
   const std::vector<std::pair<std::string, std::string>> shrinking = {
+    {"Quadrature/Type", "cell-filled"},
     {"Material points/Split at share of cell", "0.1"},
     {"Grid/Stretch", "y: 0 -> 0, 4 -> -6*t"}};
   const std::string a = "checkpoint-split-a", b = "checkpoint-split-b";

@@ -72,7 +72,9 @@ namespace isochor
      * are about them read MaterialPointMethod::all_warnings(). */
     inline const bool silent = (std::cerr.rdbuf(nullptr), true);
 
-    /** Run the scene described by @p settings, see set_parameters(). */
+    /** Run the scene described by @p settings, see set_parameters(). With the
+     * plain quadrature, if they don't say otherwise: most tests are about what
+     * doesn't depend on it. */
     template <int dim>
     std::unique_ptr<MaterialPointMethod<dim>>
     run_scene(const std::string &settings)
@@ -80,6 +82,7 @@ namespace isochor
       ParameterHandler prm;
       MaterialPointMethod<dim>::declare_parameters(prm);
       set_parameters(prm,
+                     "Quadrature/Type = points\n"
                      "Output/Directory = .\nOutput/Terminal = quiet\n"
                      "Postprocess/Write grid = false\n"
                      "Postprocess/Write material points = false\n" +

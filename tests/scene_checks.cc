@@ -190,12 +190,14 @@ namespace
            {"against: translation in x (the one"});
     expect("free to turn about a node",
            messages<2>("Grid/Subdivisions = 1, 1\n"
+                       "Quadrature/Type = points\n"
                        "Material points/Region = y > x\n"
                        "Boundary conditions/Displacement = bottom: x = 0, y = "
                        "0\n"),
            {"against: rotation about (0, 0) (the one"});
     expect("one of two bodies",
            messages<2>(held + "x = 0, y = 0\n"
+                              "Quadrature/Type = points\n"
                               "Material points/Region = (y-0.25)*(y-0.75) > "
                               "0\n"),
            {"Nothing holds a body", "rotation (the one around (0.5, 0.875)"});
@@ -452,6 +454,68 @@ namespace
   }
 
   void
+  test_small_mistakes()
+  {
+    expect("a wall that pushes outwards",
+           messages<2>("Grid/Subdivisions = 4, 4\n"
+                       "Boundary conditions/Displacement = left: x = 0; "
+                       "bottom: y = 0; top: y >= 0.1*t\n"),
+           {"WARNING a wall that pushes outwards", "top: y >= ...", "'<='"});
+    expect("walls that push inwards",
+           messages<2>("Grid/Subdivisions = 4, 4\n"
+                       "Boundary conditions/Displacement = left: x = 0; "
+                       "bottom: y >= 0; top: y <= -0.1*t\n"),
+           {});
+    expect("two probes of one name",
+           messages<2>(good + "Postprocess/Point probes = P: 0.1, 0.1; "
+                              "P: 0.2, 0.2\n"),
+           {"ERROR", "Postprocess/Point probes", "<P> twice"});
+    expect("no time",
+           messages<2>(good + "Time/End time = 0\n"),
+           {"ERROR", "Time/End time", "positive"});
+    expect("hanging on a vertex",
+           messages<2>(good + "Quadrature/Type = points\n"
+                              "Material points/Region = (x < 0.5 && y < 0.5) "
+                              "|| (x > 0.5 && y > 0.5)\n"),
+           {"WARNING a part of the body hangs on a vertex",
+            "2 pieces",
+            "Quadrature/Type = CPDI"});
+    expect("a comparison without a value",
+           messages<2>(good + "Material points/Region = sqrt(x-0.5) < 1\n"),
+           {"ERROR", "Material points/Region", "no finite value"});
+    expect("a comparison that is guarded",
+           messages<2>(good +
+                       "Material points/Region = x>0.5 && sqrt(x-0.5) < 1\n"),
+           {});
+  }
+
+  /** What a run says of itself. */
+  void
+  test_runs()
+  {
+    const std::string bar =
+      "Grid/Upper corner = 2, 1\nGrid/Subdivisions = 8, 4\n"
+      "Material points/Region = x < 1\nBoundary conditions/Displacement = "
+      "left: x = 0; bottom: y = 0; top: y = -0.2*t\nTime/Step size = 0.1\n"
+      "Grid/Stretch = y: 0 -> 0, 1 -> -0.2*t\n"
+      "Material points/Points per cell = 4\n";
+    expect("points that change cells",
+           messages<2>(bar + "Quadrature/Type = points\n", false),
+           {"WARNING points that change cells",
+            "% of the material points",
+            "<Quadrature/Type = CPDI>"});
+    expect("domains that change cells", messages<2>(bar, false), {});
+
+    const std::string block =
+      "Grid/Subdivisions = 4, 4\nQuadrature/Type = points\n";
+    expect("a constant that is too large",
+           messages<2>(block + "Boundary conditions/Displacement = bottom: "
+                               "x=0, y=0; top: y = -1.5\n",
+                       false),
+           {"ERROR", "the very first step", "let it grow with t"});
+  }
+
+  void
   test_validation()
   {
     std::filesystem::remove_all("scene_checks");
@@ -486,4 +550,6 @@ main(int argc, char **argv)
   test_idle();
   test_formulas();
   test_meshes();
+  test_small_mistakes();
+  test_runs();
 }

@@ -212,6 +212,9 @@ namespace Step
       subsection Material points
         set Points per cell = 3
       end
+      subsection Quadrature
+        set Type = points
+      end
       subsection Formulation
         set Type          = u-p
         set Stabilisation = PPP

@@ -90,7 +90,7 @@ namespace isochor
       cell_filled,
       cell_filled_with_boundary,
       cpdi
-    } type = Type::points;
+    } type = Type::cpdi;
 
     /** Reference volume scaled to fill the cells. */
     void

@@ -100,10 +100,40 @@ namespace isochor
       return true;
     }
 
+    /** Whether assemble() adds a load that turns with the body, such as a
+     * pressure. */
+    virtual bool
+    follows_body() const
+    {
+      return false;
+    }
+
     /** Whether assemble() sets this rank's part of the body in motion over the
      * step. The first residual of such a step is no measure of forces. */
     virtual bool
     moves_body(const StepContext<dim> & /*step*/) const
+    {
+      return false;
+    }
+
+    /**
+     * For conditions that move_body(): a trial step in dynamics begins, of size
+     * @p trial_size (positive or negative, s), which looks for the initial
+     * acceleration; 0: it is over. What the condition prescribes is the
+     * increment h V + h²/2 A then, with V and A the velocity and acceleration
+     * of its motion at the start of @p step, by the parabola through its places
+     * at the start, the middle and the end. See InertiaTerm.
+     */
+    virtual void
+    set_trial(const StepContext<dim> & /*step*/, const double /*trial_size*/)
+    {}
+
+    /** In a trial: whether what is prescribed on this rank's part of the body
+     * has another velocity than the body, which has @p velocity (dim per node).
+     */
+    virtual bool
+    starts_suddenly(const StepContext<dim> & /*step*/,
+                    const NodalField & /*velocity*/) const
     {
       return false;
     }

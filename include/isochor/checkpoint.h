@@ -117,9 +117,10 @@ namespace isochor
     restore(const Contents &contents, const State &state) const;
     std::string
     resume_from_newest(const State &state);
-    /** Remove the checkpoints of an earlier run; returns what to tell. */
+    /** Rename the checkpoints of an earlier run; returns what rank 0 is to
+     * tell. */
     std::string
-    remove_old() const;
+    put_aside_old() const;
 
     unsigned int step_interval = 0;
     double       wall_interval = 0;

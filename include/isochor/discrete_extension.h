@@ -8,6 +8,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <isochor/cell_occupancy.h>
+#include <isochor/dependent_nodes.h>
 #include <isochor/equation_term.h>
 #include <isochor/statistics.h>
 
@@ -25,7 +26,8 @@ namespace isochor
    *   φ_I = Σ_p J_p w_p N_pI / Σ_{e∋I} |e|/(d+1),
    *
    * w_p the volume of integration; a hole counts as full. A node with φ_I below
-   * the parameter `Smallest support` is unsupported. Its unknowns, displacement
+   * the parameter `Smallest support` is unsupported; so is one with less than
+   * this part of its stiffness of its own (see DependentNodes). Its unknowns, displacement
    * and pressure, are the linear continuation of those of a cell R all of whose
    * nodes are supported,
    *
@@ -129,6 +131,9 @@ namespace isochor
   private:
     void
     sum_support(const PointArrays<dim> &points);
+    /** φ_I, of vertices near this rank. */
+    double
+    support(const unsigned int vertex) const;
     bool
     is_supported(const unsigned int vertex) const;
     /** The tie of the unsupported @p vertex; without masters if there is no
@@ -143,6 +148,11 @@ namespace isochor
     add_ties_of_others(
       const std::map<unsigned int, std::vector<unsigned int>> &questions,
       std::map<unsigned int, Tie>                             &ties);
+    /** The work that is nothing but rounding where the body moves by the
+     * increments @p unknowns without strain, at most. Collective. */
+    double
+    work_of_rounding(const StepContext<dim> &step,
+                     const NodalField       &unknowns) const;
     double
     work(const StepContext<dim> &step,
          const NodalField       &unknowns,
@@ -167,6 +177,7 @@ namespace isochor
     /** Σ_p J_p w_p N_pI by vertex, near this rank; and where it isn't zero. */
     std::vector<double>       volume_at;
     std::vector<unsigned int> summed;
+    DependentNodes<dim>       dependent;
     std::vector<Tie>          found;
     /** Unsupported nodes of this rank that could not be tied. */
     unsigned int n_free = 0;

@@ -75,6 +75,12 @@ namespace isochor
     void
     remember_motion();
 
+    /** Whether dead loads act in the step, weight included. Collective. */
+    bool
+    has_dead_loads() const
+    {
+      return external_force.l2_norm() > 0;
+    }
     const NodalField &
     nodal_unknowns() const
     {

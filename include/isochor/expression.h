@@ -7,6 +7,7 @@
 
 #include <deal.II/base/function_parser.h>
 
+#include <cfenv>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -42,13 +43,17 @@ namespace isochor
       const std::string     &parameter,
       const FormulaVariables variables = FormulaVariables::space_and_time);
 
-    /** The value at @p x and @p t. @throws ExcMessage if it isn't finite. */
+    /** The value at @p x and @p t. @throws ExcMessage if it isn't finite, or
+     * compares what isn't a number, as `sqrt(x - 1) < 1` for x = 0. */
     double
     operator()(const Point<dim> &x, const double t) const
     {
       function->set_time(t);
+      if (compares)
+        std::feclearexcept(FE_INVALID);
       const double value = function->value(x);
-      if (!std::isfinite(value))
+      if (!std::isfinite(value) ||
+          (compares && std::fetestexcept(FE_INVALID) != 0))
         throw_not_finite(x, t);
       return value;
     }
@@ -57,7 +62,10 @@ namespace isochor
     [[noreturn]] void
     throw_not_finite(const Point<dim> &x, const double t) const;
 
-    std::string                          formula, parameter;
+    std::string formula, parameter;
+    /** Whether the formula is a comparison, with nothing that could be meant to
+     * exclude where it has no value. */
+    bool                                 compares;
     std::shared_ptr<FunctionParser<dim>> function;
   };
 

@@ -36,13 +36,16 @@ namespace isochor
       const LinearSolverReport  &solver;
       const NodalConstraints    &constraints;
       /** Whether boundary points drag the body. */
-      bool               dragged;
+      bool dragged;
+      /** Whether loads act, not displacements only. */
+      bool               loaded;
       bool               dynamic;
       const std::string &directory;
     };
 
-    /** A step has converged: remember how fast it moved the body. Collective.
-     */
+    /** A step without inertia has converged: remember how fast it moved the
+     * body, and warn if that is much faster than before for several steps.
+     * Collective. */
     void
     remember(const StepContext<dim> &step, const NodalField &unknowns);
 
@@ -98,7 +101,8 @@ namespace isochor
     double last_speed = 0, slowest = 0;
     /** The start of the first of the steps up to the last one that were all
      * much faster than the slowest; negative if that one wasn't. */
-    double soft_since = -1;
+    double       soft_since = -1;
+    unsigned int n_soft     = 0; ///< their number
   };
 } // namespace isochor
 

@@ -83,10 +83,13 @@ namespace isochor
      *   Δu = h v_n + h²/2 a,   M a + f_int(u_n + Δu) = f_ext(0).
      * Pressures that a constraint or a bulk modulus which the step does not
      * resolve answer with are part of it. (Newmark's β = 1/2, γ = 1: a_n has no
-     * influence.)
+     * influence.) @p step is the first step itself.
      */
     void
-    start_trial(const double trial_step);
+    start_trial(
+      const StepContext<dim>                                     &step,
+      const double                                                trial_step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
     /** The increments of a trial: those of the prescribed motion in
      * @p constraints. */
     void
@@ -98,12 +101,14 @@ namespace isochor
      * resolve has to follow at once, too, or it would oscillate with each step:
      * the points get the velocity (a_+ - a_-) h/4, which is V where the motion
      * in both trials is all prescribed, and of second order in h for what h
-     * resolves.
+     * resolves. Collective.
      */
     void
-    finish_trial(const StepContext<dim> &step,
-                 const NodalField       &unknowns,
-                 PointArrays<dim>       &points);
+    finish_trial(
+      const StepContext<dim>                                     &step,
+      const NodalField                                           &unknowns,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      PointArrays<dim>                                           &points);
     /** Whether the equations are those of a trial. */
     bool
     in_trial() const
@@ -112,10 +117,9 @@ namespace isochor
     }
     /** Back to the equations of a step. */
     void
-    end_trial()
-    {
-      trial_size = 0;
-    }
+    end_trial(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
 
     void
     collect_elements(const StepContext<dim> &step,
@@ -171,13 +175,15 @@ namespace isochor
     project(const StepContext<dim> &step,
             const NodalField       &load,
             const NodalTies        &ties,
-            NodalField             &solution) const;
+            NodalField             &solution,
+            const bool              with_domains = false) const;
 
     TimeIntegrator       integrator;
     const TimeIntegrator trial_integrator{0.5, 1., 0.};
     double               trial_size    = 0;
     double               kept_part     = 0; ///< η
     bool                 from_stresses = false;
+    bool                 by_stresses   = false; ///< in this step
 
     MassMatrix<dim> mass;
     /** All with dim components per node. Σ_p m_p N_I v_p and M a_n; the

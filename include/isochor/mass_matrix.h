@@ -26,9 +26,11 @@ namespace isochor
   class MassMatrix
   {
   public:
-    /** Take the points of @p step, and their nodes. Collective. */
+    /** Take the points of @p step, and their nodes; if they have domains,
+     * @p with_domains also the inertia of these about their centres.
+     * Collective. */
     void
-    reinit(const StepContext<dim> &step);
+    reinit(const StepContext<dim> &step, const bool with_domains = false);
 
     /** Elements of this rank: cells that hold points or, if points have
      * stencils of their own, points. */
@@ -71,6 +73,16 @@ namespace isochor
      * are. Entries of nodes with @p ties follow others, and the load on them
      * acts there. @p solution is where the iteration starts; its ghosts are
      * updated at the end. Nodes without mass get zero. Collective.
+     *
+     * @p with_domains solves M + B instead, with the inertia against stretching
+     * of the points' domains,
+     *   v·B w = Σ_p D_p(v) : (C_p D_p(w)),   C_p = ∫ ρ (x - x_p) ⊗ (x - x_p)
+     * dv, D_p the symmetric part of Σ_I v_I ⊗ ∇N_pI. M has rank one for each
+     * point and component, and is singular where fewer points than nodes are; M
+     * + B, the mass of fields that are linear on the domains but for their
+     * spin, isn't. For loads that are not of the form Σ m_p N_I f_p, and can be
+     * anything in the directions that M can't see. B exerts neither force nor
+     * torque: linear and angular momentum are those of M.
      * @return the residual relative to the load, in the norm of the diagonal.
      */
     double
@@ -78,7 +90,8 @@ namespace isochor
           const NodalField                 &load,
           const std::vector<unsigned char> &held,
           const NodalTies                  &ties,
-          NodalField                       &solution) const;
+          NodalField                       &solution,
+          const bool                        with_domains = false) const;
 
     /** Σ_p m_p N_I, by node. */
     NodalField lumped;
@@ -89,6 +102,11 @@ namespace isochor
     add_product(const StepContext<dim> &step,
                 const NodalField       &field,
                 NodalField             &result) const;
+    /** The same with B. */
+    void
+    add_product_of_domains(const StepContext<dim> &step,
+                           const NodalField       &field,
+                           NodalField             &result) const;
 
     /** Move what acts on tied entries to those they follow. Collective. */
     void
@@ -106,8 +124,10 @@ namespace isochor
 
     /** M_IJ, J <= I, of the cells; empty if points have stencils. */
     std::vector<std::array<double, n_entries>> cell_mass;
-    /** M_II by node. */
-    NodalField diagonal;
+    /** M_II, and G·C G that bounds B_II, by node. */
+    NodalField diagonal, diagonal_of_domains;
+    /** C_p by point (kg m^2). */
+    std::vector<SymmetricTensor<2, dim>> domain_inertia;
   };
 } // namespace isochor
 

@@ -104,7 +104,8 @@ namespace isochor
     std::vector<unsigned int>   stencil_vertex;
     std::vector<double>         stencil_shape;
     std::vector<Tensor<1, dim>> stencil_gradient;
-    /** Pairs (point, cell) for the corners of domains, dim + 1 a point. */
+    /** Pairs (point, cell) for the corners of domains, at least dim + 1 a
+     * point: the cells whose nodes corners touch. */
     std::vector<std::pair<unsigned int, unsigned int>> corner_cells;
     /** Cells that domains overlap and all of whose nodes are active, with the
      * part of the points' Σ V_0/G in them. */
@@ -320,7 +321,7 @@ namespace isochor
     /** Bring every point to the cell and rank where it now lies.
      * @throws ExcPointsLeftGrid if points left the grid, saying where; they are
      * then kept in the cells they were in. Collective. */
-    void
+    types::particle_index
     relocate(const PointLocator<dim> &locator);
 
     Particles::ParticleHandler<dim> &

@@ -15,6 +15,16 @@ namespace isochor
 {
   using namespace dealii;
 
+  /** @p number with four digits, for messages. */
+  inline std::string
+  rounded(const double number)
+  {
+    std::ostringstream text;
+    text.precision(4);
+    text << number;
+    return text.str();
+  }
+
   /** What an exception has to say to users: of those of deal.II the message
    * alone, without the place in the sources. */
   inline std::string

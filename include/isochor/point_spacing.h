@@ -50,6 +50,15 @@ namespace isochor
                     const double            time,
                     Warnings               &warnings);
 
+    /** For the plain quadrature: @p n_changed of @p n_points have changed their
+     * cell at the reset at @p time. Warn once they are too many for its
+     * stresses. The same on all ranks. */
+    void
+    watch_changes_of_cells(const double n_changed,
+                           const double n_points,
+                           const double time,
+                           Warnings    &warnings);
+
   private:
     /** The largest J V_0 / |e| of this rank's points. */
     double
@@ -64,14 +73,20 @@ namespace isochor
                       const unsigned int      k,
                       const unsigned int      q,
                       std::set<unsigned int> &covered) const;
-    /** Into how many pieces, not connected by any node, the cells of all ranks
-     * fall. */
+    /** Into how many pieces, not connected by any face, or by any vertex, the
+     * cells of all ranks fall. */
     unsigned int
-    n_pieces(const std::set<unsigned int> &cells) const;
+    n_pieces(const std::set<unsigned int> &cells,
+             const bool                    by_faces = true) const;
+    /** Warn if, at the start, a part of the body hangs on a vertex. */
+    void
+    warn_of_hinges(const PointArrays<dim> &points, Warnings &warnings) const;
 
     const BackgroundGrid<dim> &grid;
     /** For how many resets the volumes have differed. */
     unsigned int n_resets_apart = 0;
+    /** How often a point has changed its cell so far, in the mean. */
+    double changes_per_point = 0;
   };
 } // namespace isochor
 

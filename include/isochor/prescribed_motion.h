@@ -7,6 +7,10 @@
 
 #include <isochor/expression.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace isochor
 {
   /**
@@ -24,6 +28,19 @@ namespace isochor
   {
     return displacement(x, time) -
            (old_time > 0 ? displacement(x, old_time) : 0.);
+  }
+
+  /** Velocity and acceleration at the start of a step of size @p dt, of the
+   * parabola through the places at its start, middle and end: @p first and
+   * @p second are the increments over its halves. */
+  inline std::pair<double, double>
+  parabola_at_start(const double first, const double second, const double dt)
+  {
+    double a = 4 * (second - first) / (dt * dt);
+    if (std::abs(second - first) <=
+        1e-12 * std::max(std::abs(first), std::abs(second)))
+      a = 0; // rounding
+    return {(first + second) / dt - a * dt / 2, a};
   }
 } // namespace isochor
 

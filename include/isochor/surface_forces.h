@@ -6,6 +6,7 @@
 #define isochor_surface_forces_h
 
 #include <isochor/boundary_points.h>
+#include <isochor/prescribed_motion.h>
 #include <isochor/surface_conditions.h>
 
 namespace isochor
@@ -64,6 +65,43 @@ namespace isochor
       return condition_at(b).is_fixed() || !condition_at(b).pressure.empty();
     }
 
+    /** Prescribed displacements are increments of a trial from now on, see
+     * BoundaryCondition::set_trial(). */
+    void
+    set_trial(const StepContext<dim> &step, const double trial_size)
+    {
+      trial.size  = trial_size;
+      trial.start = step.old_time;
+      trial.end   = step.time;
+    }
+
+    /** What component @p a of the displacement of point @p b, which has to be
+     * prescribed, is to be at the end of the step or trial. */
+    double
+    target(const StepContext<dim> &step,
+           const unsigned int      b,
+           const unsigned int      a) const;
+
+    /** Whether that is another place than before. */
+    bool
+    moves(const StepContext<dim> &step,
+          const unsigned int      b,
+          const unsigned int      a) const
+    {
+      return (trial.size != 0 ?
+                target(step, b, a) :
+                prescribed_increment(condition_at(b).displacement[a].front(),
+                                     points.reference_location(b),
+                                     step.old_time,
+                                     step.time)) != 0;
+    }
+
+    /** Whether points with a prescribed component have another velocity than
+     * the body, which has @p velocity (dim per node). */
+    bool
+    starts_suddenly(const StepContext<dim> &step,
+                    const NodalField       &velocity) const;
+
     /** The penalty's force on the body (N). */
     Tensor<1, dim>
     penalty_force(const StepContext<dim> &step,
@@ -118,8 +156,19 @@ namespace isochor
                  const bool              with_matrix,
                  PointElement           &element) const;
 
+    /** V and A, components @p a of the prescribed motion of point @p b at the
+     * start of the step that is tried. */
+    std::pair<double, double>
+    initial_motion(const unsigned int b, const unsigned int a) const;
+
     const SurfaceConditions<dim> &conditions;
     BoundaryPoints<dim>          &points;
+
+    struct Trial
+    {
+      double size = 0;         ///< 0: none
+      double start = 0, end = 0; ///< of the step itself
+    } trial;
   };
 } // namespace isochor
 

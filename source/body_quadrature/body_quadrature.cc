@@ -20,16 +20,17 @@ namespace isochor
     prm.enter_subsection("Quadrature");
     prm.declare_entry(
       "Type",
-      "points",
+      "CPDI",
       Patterns::Selection("points|cell-filled|cell-filled + boundary|CPDI"),
-      "How the body is integrated. 'points': a sum over the material points, "
-      "the plain Material Point Method, whose stresses don't converge when "
-      "points cross cells. 'cell-filled': the points of interior cells share "
-      "the cell's measure. 'cell-filled + boundary': those of cells at the "
-      "surface also share what the body fills of the cell. 'CPDI': each point "
-      "is a simplex that deforms with the body; the most accurate, and about "
-      "twice the cost of assembly. Best with k^dim points per cell, which "
-      "tile it.");
+      "How the body is integrated. 'CPDI': each point is a simplex that "
+      "deforms with the body; the most accurate, and about twice the cost of "
+      "assembly. Best with k^dim points per cell, which tile it. 'points': a "
+      "sum over the material points, the plain Material Point Method, whose "
+      "stresses don't converge when points cross cells; the cheapest where "
+      "they don't. 'cell-filled': the points of interior cells share the "
+      "cell's measure; for material that flows far. 'cell-filled + boundary': "
+      "those of cells at the surface also share what the body fills of the "
+      "cell.");
     prm.leave_subsection();
   }
 

@@ -82,6 +82,30 @@ namespace isochor
           std::numeric_limits<double>::max());
     }
 
+    /** Whether a corner at @p place acts on nodes that none of @p cells has,
+     * however little. */
+    template <int dim>
+    bool
+    touches_other_nodes(const SimplexGeometry<dim>      &geometry,
+                        const LocateResult<dim>         &place,
+                        const std::vector<unsigned int> &cells)
+    {
+      for (unsigned int v = 0; v <= dim; ++v)
+        if (place.barycentric[v] >= no_support &&
+            std::none_of(cells.begin(),
+                         cells.end(),
+                         [&](const unsigned int cell) {
+                           const auto &nodes = geometry.vertex_indices(cell);
+                           return std::find(
+                                    nodes.begin(),
+                                    nodes.end(),
+                                    geometry.vertex_indices(place.cell)[v]) !=
+                                  nodes.end();
+                         }))
+          return true;
+      return false;
+    }
+
     /** The nodes of one domain, and sums over its corners. */
     template <int dim>
     class DomainStencil
@@ -190,6 +214,11 @@ namespace isochor
                   points.corner_cells.emplace_back(q, cell);
                   corner_shares.push_back(1. / cells.size());
                 }
+              if (touches_other_nodes(locator.geometry(), places[c], cells))
+                {
+                  points.corner_cells.emplace_back(q, places[c].cell);
+                  corner_shares.push_back(0.);
+                }
             }
           const auto gradients = barycentric_gradients<dim>(corners);
           stencil.clear();
@@ -228,7 +257,7 @@ namespace isochor
     for (unsigned int i = 0; i < corner_shares.size(); ++i)
       {
         const auto &[q, cell] = points.corner_cells[i];
-        if (occupancy.is_closed(cell))
+        if (corner_shares[i] > 0 && occupancy.is_closed(cell))
           volume_over_G[cell] +=
             corner_shares[i] * points.weight[q] / (dim + 1) /
             kernel.materials[points.material[q]]->shear_modulus();

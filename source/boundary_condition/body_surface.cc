@@ -66,11 +66,29 @@ namespace isochor
     bool
     has_symmetric_matrix() const override;
     bool
+    follows_body() const override
+    {
+      return !has_symmetric_matrix();
+    }
+    bool
     moves_body(const StepContext<dim> &step) const override;
     void
     add_boundary_force(const StepContext<dim> &step,
                        const NodalField       &unknowns,
                        NodalField             &force) const override;
+
+    void
+    set_trial(const StepContext<dim> &step, const double trial_size) override
+    {
+      if (points)
+        forces->set_trial(step, trial_size);
+    }
+    bool
+    starts_suddenly(const StepContext<dim> &step,
+                    const NodalField       &velocity) const override
+    {
+      return points && forces->starts_suddenly(step, velocity);
+    }
 
     void
     evaluate(const StepContext<dim> &step,
@@ -278,11 +296,9 @@ namespace isochor
   BodySurfaceConditions<dim>::moves_body(const StepContext<dim> &step) const
   {
     for (unsigned int b = 0; points && b < points->size(); ++b)
-      for (const auto &u : forces->condition_at(b).displacement)
-        if (!u.empty() && prescribed_increment(u.front(),
-                                               points->reference_location(b),
-                                               step.old_time,
-                                               step.time) != 0)
+      for (unsigned int a = 0; a < dim; ++a)
+        if (!forces->condition_at(b).displacement[a].empty() &&
+            forces->moves(step, b, a))
           return true;
     return false;
   }

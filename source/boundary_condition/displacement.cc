@@ -111,6 +111,41 @@ namespace isochor
                                                       parameter),
                               everywhere);
           }
+      warn_of_walls_inside(step);
+    }
+
+    /** A wall stands outside of the grid and pushes inwards. */
+    void
+    warn_of_walls_inside(const StepContext<dim> &step) const
+    {
+      for (const auto &condition : conditions)
+        {
+          if (condition.side == 0 || condition.boundary == "everywhere")
+            continue;
+          const types::boundary_id id =
+            step.grid.boundary_id(condition.boundary,
+                                  "Boundary conditions/Displacement");
+          const SimplexGeometry<dim> &geometry = step.grid.geometry();
+          Tensor<1, dim>              inwards;
+          for (const BoundaryFace &face : step.grid.boundary_faces())
+            if (face.id == id)
+              {
+                const auto g =
+                  geometry.gradients(face.cell)[face.opposite_vertex];
+                inwards += geometry.measure(face.cell) * g; // by area
+              }
+          const double push = condition.side * inwards[condition.component];
+          if (push < -0.5 * inwards.norm())
+            step.warnings.add(
+              "a wall that pushes outwards",
+              std::string("<Boundary conditions/Displacement = ") +
+                condition.boundary + ": " + "xyz"[condition.component] + " " +
+                (condition.side > 0 ? ">" : "<") +
+                "= ...> holds the body only as long as it is pulled away from "
+                "the boundary, as if a wall stood inside of it. A wall at "
+                "this boundary is '" +
+                (condition.side > 0 ? "<" : ">") + "='.");
+        }
     }
 
     void

@@ -50,6 +50,11 @@ namespace isochor
           for (unsigned int d = 0; d < dim; ++d)
             probe.location[d] = x[d];
           probe.origin = probe.location;
+          for (const Probe &other : probes)
+            AssertThrow(other.name != probe.name,
+                        ExcMessage("The parameter <" + name +
+                                   "> names the probe <" + probe.name +
+                                   "> twice."));
           probes.push_back(probe);
         }
     }

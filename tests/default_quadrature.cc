@@ -1,0 +1,219 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// What the default of <Quadrature/Type>, CPDI, has to be safe for: slivers,
+// corners of the body that touch several nodes alone, mass matrices that are
+// singular, surfaces that are moved suddenly.
+
+#include <fstream>
+#include <functional>
+#include <map>
+
+#include "scene.h"
+
+using namespace isochor;
+
+/** Columns of the statistics, a value per step, of the scene run last. */
+std::map<std::string, std::vector<double>> &
+columns()
+{
+  static std::map<std::string, std::vector<double>> c;
+  return c;
+}
+
+namespace isochor
+{
+  /** Fills columns(). */
+  template <int dim>
+  class Columns : public Postprocessor<dim>
+  {
+  public:
+    void
+    evaluate_points(const StepResult<dim> &result,
+                    Statistics            &statistics) override
+    {
+      if (result.time.step == 1)
+        columns().clear();
+      for (const std::string name :
+           {"Displacement y of P (m)",
+            "Momentum x (kg m/s)",
+            "Kinetic energy (J)",
+            "Share of ties in internal work",
+            "Tied nodes",
+            "Reaction y on all by boundary points (N)"})
+        try
+          {
+            columns()[name].push_back(statistics.get(name));
+          }
+        catch (const std::exception &)
+          {}
+    }
+  };
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Columns, "Z: after all others")
+} // namespace isochor
+
+const std::string cpdi = "Quadrature/Type = CPDI\n";
+
+std::string
+subjects(const MaterialPointMethod<2> &problem)
+{
+  std::string text;
+  for (const auto &warning : problem.all_warnings().all())
+    text += warning.subject + "; ";
+  return text;
+}
+
+/** A square whose top stands above a line of the grid by less than a millionth
+ * of a cell is the square that ends there. */
+void
+test_slivers()
+{
+  double exact = 0;
+  for (const double d : {0., 1e-9, 1e-7, 1e-5})
+    {
+      std::ostringstream height;
+      height.precision(15);
+      height << 2 * (1 - d); // four cells are 1 - d high
+      const auto problem = test::run_scene<2>(
+        cpdi + "Formulation/Type = u\nGrid/Upper corner = 2, " + height.str() +
+        "\nGrid/Subdivisions = 8, 8\nMaterial points/Body mesh = " SOURCE_DIR
+        "/square.msh\nMaterial points/Points per cell = 4\n"
+        "Boundary conditions/Displacement = bottom: x = 0, y = 0\n"
+        "Boundary conditions/Gravity = 0, -10\n"
+        "Postprocess/Point probes = P: 0.4, 0.9\n");
+      const double u = columns()["Displacement y of P (m)"].back();
+      if (d == 0)
+        exact = u;
+      std::ostringstream what;
+      what << "sliver of " << d;
+      test::check_error(what.str(), std::abs(u / exact - 1), 1e-6 + 5 * d);
+      test::check(what.str() + ", no warning",
+                  problem->all_warnings().all().empty(),
+                  subjects(*problem));
+    }
+}
+
+/** The tip of a diamond lies in a cell two of whose nodes nothing else touches,
+ * though a sixth of what they could have: the mean of both is all that counts.
+ */
+void
+test_tip()
+{
+  std::ofstream("diamond.msh")
+    << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 -1 0\n2 1 0 0\n"
+       "3 0 1 0\n4 -1 0 0\n5 0 0 0\n$EndNodes\n$Elements\n4\n"
+       "1 2 2 1 1 1 2 5\n2 2 2 1 1 2 3 5\n3 2 2 1 1 3 4 5\n4 2 2 1 1 4 1 5\n"
+       "$EndElements\n";
+  for (const std::string formulation : {"u", "u-p"})
+    try
+      {
+        const auto problem = test::run_scene<2>(
+          cpdi + "Formulation/Type = " + formulation +
+          "\nGrid/Lower corner = -2.2, -1.25\nGrid/Upper corner = 1.8, 1.75\n"
+          "Grid/Subdivisions = 8, 6\nMaterial points/Body mesh = diamond.msh\n"
+          "Material points/Points per cell = 4\n"
+          "Boundary conditions/Surfaces of body = foot: y < 0\n"
+          "Boundary conditions/Mesh of body surfaces = diamond.msh\n"
+          "Boundary conditions/Displacement of body = foot: x = 0, y = 0\n"
+          "Boundary conditions/Gravity = 0, -10\n"
+          "Postprocess/Point probes = P: 0, 0.5\n");
+        const double n = columns()["Tied nodes"].back();
+        test::check("tip of a diamond, " + formulation,
+                    n >= 2,
+                    std::to_string(n) + " nodes tied");
+      }
+    catch (const std::exception &exc)
+      {
+        test::check("tip of a diamond, " + formulation, false, exc.what());
+      }
+}
+
+/** A free block without load, seeded so that some nodes are touched by one
+ * domain only, moves on as it is. */
+void
+test_free_flight()
+{
+  test::run_scene<2>(
+    cpdi + "Grid/Upper corner = 6, 6\nGrid/Subdivisions = 6, 6\n"
+           "Material points/Points per cell = 4\nFormulation/Type = u\n"
+           "Material points/Region = x>1.704&&x<3.504&&y>1.76&&y<3.24\n"
+           "Material/Young modulus = 1e5\nDynamics/Inertia = true\n"
+           "Dynamics/Initial velocity = 0.01, 0\n"
+           "Time/Step size = 0.01\nTime/End time = 0.1\n");
+  const auto &momentum = columns()["Momentum x (kg m/s)"];
+  const auto &energy   = columns()["Kinetic energy (J)"];
+  double      error    = 0;
+  for (unsigned int i = 0; i < momentum.size(); ++i)
+    {
+      test::add_error(error, std::abs(momentum[i] / momentum[0] - 1));
+      test::add_error(error, std::abs(energy[i] / energy[0] - 1));
+    }
+  test::check("free flight, steps",
+              momentum.size() == 10,
+              std::to_string(momentum.size()));
+  test::check_error("free flight", error, 1e-9);
+}
+
+/** In a rigid translation nothing does work, ties included. */
+void
+test_rigid_motion()
+{
+  const auto problem = test::run_scene<2>(
+    cpdi + "Formulation/Type = u\nGrid/Lower corner = -0.5, -0.5\n"
+           "Grid/Upper corner = 1.5, 1.5\nGrid/Subdivisions = 8, 8\n"
+           "Material points/Points per cell = 4\n"
+           "Material points/Region = x>0 && x<1&& y<0.5 && y>0\n"
+           "Boundary conditions/Surfaces of body = all: 1\n"
+           "Boundary conditions/Displacement of body = all: x=0.001*t, "
+           "y=0.001*t\nTime/Step size = 0.5\n");
+  double share = 0;
+  for (const double s : columns()["Share of ties in internal work"])
+    test::add_error(share, s);
+  test::check_error("work of ties in a rigid motion", share, 0.01);
+  test::check("rigid motion, no warning",
+              problem->all_warnings().all().empty(),
+              subjects(*problem));
+}
+
+/** A stiff block is moved by its surface. The impulse of the start acts at
+ * once; what comes later is its mass times the acceleration of the motion. */
+void
+test_moved_surface(const std::string                         &u,
+                   const std::function<double(const double)> &a,
+                   const double                               tolerance)
+{
+  constexpr double mass = 250, dt = 0.005;
+  test::run_scene<2>(cpdi +
+                     "Formulation/Type = u\nGrid/Lower corner = -1, -1\n"
+                     "Grid/Upper corner = 1, 1\nGrid/Subdivisions = 16, 16\n"
+                     "Material points/Points per cell = 4\n"
+                     "Material points/Region = abs(x)<0.25 && abs(y)<0.25\n"
+                     "Material/Young modulus = 1e10\nDynamics/Inertia = true\n"
+                     "Boundary conditions/Surfaces of body = all: 1\n"
+                     "Boundary conditions/Displacement of body = all: x=0, y=" +
+                     u + "\nTime/End time = 0.05\nTime/Step size = 0.005\n");
+  const auto &force = columns()["Reaction y on all by boundary points (N)"];
+  double      error = 0;
+  for (unsigned int i = 0; i < force.size(); ++i)
+    test::add_error(error,
+                    std::abs(std::abs(force[i]) -
+                             std::abs(mass * a((i + 0.5) * dt))));
+  test::check_error("surface moved by " + u, error, tolerance);
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_slivers();
+  test_tip();
+  test_free_flight();
+  test_rigid_motion();
+  // the impulse is 250 N s, 50 kN in a step
+  test_moved_surface(
+    "t", [](const double) { return 0.; }, 250);
+  test_moved_surface(
+    "5*t^2", [](const double) { return 10.; }, 50);
+}
