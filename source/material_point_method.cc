@@ -49,6 +49,7 @@ namespace isochor
     , spacing(grid)
     , extension(grid, occupancy)
     , grid_reset(arrays, extension)
+    , linear_solver(warnings)
   {}
 
 
@@ -105,12 +106,7 @@ namespace isochor
     prm.leave_subsection();
 
     prm.enter_subsection("Linear solver");
-    prm.declare_entry("Solver",
-                      "MUMPS",
-                      Patterns::Selection(
-                        PluginRegistry<LinearSolver>::names()),
-                      "MUMPS: direct, LDL^T where the matrix is symmetric.");
-    PluginRegistry<LinearSolver>::declare_parameters(prm);
+    LinearSolverChoice::declare_parameters(prm);
     prm.leave_subsection();
 
     prm.enter_subsection("Postprocess");
@@ -214,8 +210,7 @@ namespace isochor
     prm.leave_subsection();
 
     prm.enter_subsection("Linear solver");
-    linear_solver = PluginRegistry<LinearSolver>::create(prm.get("Solver"));
-    linear_solver->parse_parameters(prm);
+    linear_solver.parse_parameters(prm);
     prm.leave_subsection();
 
     prm.enter_subsection("Postprocess");
@@ -807,9 +802,12 @@ namespace isochor
     problem.assemble = [this](const bool with_matrix) {
       return assemble(with_matrix);
     };
-    problem.solve = [this](const bool factorise) {
+    problem.solve = [this](const bool              factorise,
+                           const SolutionAccuracy &accuracy) {
+      linear_solver.set_accuracy(accuracy);
       return solve_linear_system(factorise);
     };
+    problem.is_iterative = [this]() { return linear_solver.is_iterative(); };
     problem.has_factorisation = [this]() {
       return factorised_pattern == system.matrix().pattern_id;
     };
@@ -923,13 +921,13 @@ namespace isochor
       {
         TimerOutput::Scope scope(timer, "factorisation");
         factorised_pattern = 0; // none, should this throw
-        solver_report      = linear_solver->factorise(system.matrix());
+        solver_report      = linear_solver.factorise(system.matrix());
         factorised_pattern = system.matrix().pattern_id;
       }
     LinearSolverReport report;
     {
       TimerOutput::Scope scope(timer, "solution");
-      report = linear_solver->solve(rhs, solution);
+      report = linear_solver.solve(rhs, solution);
     }
 
     for (unsigned int i = 0; i < nodes.n_local() * n_components; ++i)
@@ -1013,7 +1011,7 @@ namespace isochor
   void
   MaterialPointMethod<dim>::set_solver_statistics(const NewtonReport &newton)
   {
-    if (linear_solver->is_iterative())
+    if (linear_solver.is_iterative())
       statistics.set("Linear iterations", newton.n_linear_iterations());
     if (solver_report.knows_pivots)
       statistics.set("Negative pivots", solver_report.n_negative_pivots);

@@ -16,7 +16,7 @@
 #include <isochor/failure_report.h>
 #include <isochor/grid_reset.h>
 #include <isochor/inertia_term.h>
-#include <isochor/linear_solver.h>
+#include <isochor/linear_solver_choice.h>
 #include <isochor/load_stepping.h>
 #include <isochor/newton_solver.h>
 #include <isochor/point_refinement.h>
@@ -222,7 +222,7 @@ namespace isochor
     GridReset<dim>                                       grid_reset;
     std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
     std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;
-    std::unique_ptr<LinearSolver>                        linear_solver;
+    LinearSolverChoice                                   linear_solver;
     NewtonSolver                                         newton_solver;
     LoadStepping                                         time;
     LinearSolverReport                                   solver_report;
