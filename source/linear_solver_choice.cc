@@ -18,7 +18,7 @@ namespace isochor
     unsigned int
     crossover(const unsigned int dim)
     {
-      return dim == 2 ? 400000 : 20000;
+      return dim == 2 ? 2000000 : 8000;
     }
   } // namespace
 
