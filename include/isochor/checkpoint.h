@@ -6,9 +6,9 @@
 #define isochor_checkpoint_h
 
 #include <isochor/boundary_condition.h>
-#include <isochor/grid_reset.h>
 #include <isochor/last_motion.h>
 #include <isochor/postprocessor.h>
+#include <isochor/step_setup.h>
 
 #include <chrono>
 #include <cstdint>
@@ -42,7 +42,7 @@ namespace isochor
       MaterialPoints<dim>                                  &points;
       LoadStepping                                         &time;
       LastMotion                                           &last_motion;
-      GridReset<dim>                                       &grid_reset;
+      StepSetup<dim>                                       &setup;
       std::vector<std::unique_ptr<BoundaryCondition<dim>>> &boundary_conditions;
       std::vector<std::unique_ptr<Postprocessor<dim>>>     &postprocessors;
     };

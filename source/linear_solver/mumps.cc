@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <map>
 
@@ -66,6 +67,20 @@ namespace isochor
 
       DMUMPS_STRUC_C id;
     };
+
+    /** What is left of this machine's memory, in bytes, or infinity if the
+     * system doesn't tell. */
+    double
+    available_memory()
+    {
+      std::ifstream file("/proc/meminfo");
+      std::string   name;
+      double        kilobytes = 0;
+      while (file >> name)
+        if (name == "MemAvailable:" && file >> kilobytes)
+          return 1024. * kilobytes;
+      return std::numeric_limits<double>::infinity();
+    }
 
     /** The values of ICNTL(7) for the orderings inside MUMPS. */
     const std::map<std::string, int> mumps_orderings = {{"AMD", 0},
@@ -218,6 +233,7 @@ namespace isochor
         }
       mumps->id.perm_in = nullptr;
       check_ordering();
+      assert_enough_memory();
       pattern_id = A.pattern_id;
       share_ownership(A);
     }
@@ -301,6 +317,29 @@ namespace isochor
           id.perm_in  = permutation.data();
         }
       entry(id.icntl, 7) = 1; // the permutation given
+    }
+
+    /** Better an error than a run that the system ends. */
+    void
+    assert_enough_memory() const
+    {
+      MPI_Comm  machine;
+      const int ierr = MPI_Comm_split_type(
+        comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+      AssertThrowMPI(ierr);
+      const double needed =
+        Utilities::MPI::sum(1e6 * entry(mumps->id.info, 15), machine);
+      MPI_Comm_free(&machine);
+      const double lacking =
+        Utilities::MPI::max(needed - available_memory(), comm);
+      AssertThrow(lacking <= 0,
+                  ExcLinearSolverFailed(
+                    "MUMPS: to factorise the matrix of " +
+                    std::to_string(mumps->id.n) + " equations takes about " +
+                    std::to_string(std::lround(needed / 1e6)) + " MB, " +
+                    std::to_string(std::lround(lacking / 1e6)) +
+                    " MB more than the machine has left. Set <Linear "
+                    "solver/Solver = Block FGMRES> or use a coarser grid."));
     }
 
     /** MUMPS replaces an ordering that it was built without by another. */
