@@ -198,6 +198,8 @@ namespace isochor
       if (solver != "auto")
         inspect.idle({"Linear solver", "Largest direct system"}, with);
       const auto in_use = LinearSolverChoice::candidates(solver);
+      if (in_use.size() == 1) // a direct solver
+        inspect.idle({"Newton", "Inexact"}, with);
       for (const Path &path : list.subsections)
         if (path.size() == 2 && path[0] == "Linear solver" &&
             std::find(in_use.begin(), in_use.end(), path[1]) == in_use.end())

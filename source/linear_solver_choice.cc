@@ -5,8 +5,6 @@
 #include <isochor/linear_solver_choice.h>
 #include <isochor/plain_message.h>
 
-#include <algorithm>
-
 namespace isochor
 {
   namespace
@@ -107,8 +105,8 @@ namespace isochor
   {
     const unsigned int largest =
       largest_direct_system > 0 ? largest_direct_system : crossover(A.dim);
-    const bool directly =
-      !iterative || n_direct > 0 || (automatic && A.n_equations <= largest);
+    const bool directly = !iterative || failed_pattern == A.pattern_id ||
+                          (automatic && A.n_equations <= largest);
     return directly ? *direct : *iterative;
   }
 
@@ -119,8 +117,6 @@ namespace isochor
   {
     matrix = &A;
     in_use = &choose(A);
-    if (n_direct > 0)
-      --n_direct;
     try
       {
         return in_use->factorise(A);
@@ -141,10 +137,7 @@ namespace isochor
   {
     try
       {
-        const LinearSolverReport report = in_use->solve(b, x);
-        if (in_use == iterative.get())
-          n_direct_after_failure = 8;
-        return report;
+        return in_use->solve(b, x);
       }
     catch (const ExcLinearSolverFailed &exc)
       {
@@ -161,16 +154,13 @@ namespace isochor
   LinearSolverChoice::fall_back(const SparseSystem &A,
                                 const std::string  &failure)
   {
-    in_use                 = direct.get();
-    n_direct               = n_direct_after_failure;
-    n_direct_after_failure = std::min(2 * n_direct_after_failure, 1000u);
+    in_use         = direct.get();
+    failed_pattern = A.pattern_id;
     warnings.add("the iterative linear solver failed",
                  failure + " The direct solver " + direct_name +
-                   " takes over for this and the next " +
-                   std::to_string(n_direct) + " matrices of " +
-                   std::to_string(A.n_equations) +
-                   " equations. If it comes up often, set <Linear "
-                   "solver/Solver = " +
+                   " takes over for the " + std::to_string(A.n_equations) +
+                   " equations as long as their pattern stays. If it comes up "
+                   "often, set <Linear solver/Solver = " +
                    direct_name + ">, or raise <Linear solver/" +
                    iterative_name + "/Maximum iterations>.");
     return direct->factorise(A);

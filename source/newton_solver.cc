@@ -42,7 +42,8 @@ namespace isochor
                       "long as each iteration reduces the residual to this "
                       "fraction or less. It changes the way to the solution, "
                       "not the solution. 0: Newton's method proper, a new "
-                      "factorisation for each iteration.");
+                      "factorisation for each iteration. Iterative linear "
+                      "solvers get each matrix.");
     prm.declare_entry("Maximum backtracks",
                       "4",
                       Patterns::Integer(0),

@@ -18,7 +18,7 @@ namespace isochor
    * The linear solver of a run: the one that the parameters name or, with
    * `auto`, for each matrix the direct or the iterative one, by the number of
    * equations. Where an iterative solver fails, the direct one takes over, with
-   * a warning; after a while the iterative one is tried again.
+   * a warning, as long as the pattern of the matrix stays.
    */
   class LinearSolverChoice : public LinearSolver
   {
@@ -70,9 +70,9 @@ namespace isochor
 
     LinearSolver       *in_use = nullptr;
     const SparseSystem *matrix = nullptr;
-    /** After failures of the iterative solver: how many matrices more are the
-     * direct one's, and how many are so after the next failure. */
-    unsigned int n_direct = 0, n_direct_after_failure = 8;
+    /** The pattern that the iterative solver has failed with, 0: none. Nothing
+     * else is remembered: a resumed run would not know. */
+    unsigned long failed_pattern = 0;
   };
 } // namespace isochor
 
