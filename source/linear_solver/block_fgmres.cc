@@ -4,19 +4,14 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
-#include <deal.II/lac/trilinos_parallel_block_vector.h>
 #include <deal.II/lac/trilinos_precondition.h>
 
 #include <isochor/linear_solver.h>
-#include <isochor/trilinos_export.h>
+#include <isochor/saddle_point_matrix.h>
 
-#include <Epetra_Export.h>
-#include <Epetra_MultiVector.h>
-#include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace isochor
@@ -25,158 +20,6 @@ namespace isochor
   {
     using DistributedVector      = TrilinosWrappers::MPI::Vector;
     using DistributedBlockVector = TrilinosWrappers::MPI::BlockVector;
-
-    /**
-     * [[K, c B], [c B*, -c^2 C]] by blocks, without assembling the whole. The
-     * factor c gives forces and volumes, the residuals of the two fields, a
-     * common unit. If A is symmetric, B* is the transpose of B.
-     */
-    struct SaddlePointMatrix
-    {
-      SaddlePointMatrix(const SparseSystem   &A,
-                        const EquationSubset &displacements,
-                        const EquationSubset &pressures)
-        : K(A, displacements, displacements)
-        , B(A, displacements, pressures)
-        , minus_C(A, pressures, pressures)
-        , force(displacements.locally_owned, A.comm)
-        , volume(pressures.locally_owned, A.comm)
-        , scaled_pressure(volume)
-      {
-        if (!A.symmetric)
-          B_star = std::make_unique<TrilinosBlock>(A, pressures, displacements);
-        find_scale();
-      }
-
-      void
-      copy_values(const SparseSystem &A)
-      {
-        for (TrilinosBlock *block :
-             std::array<TrilinosBlock *, 4>{{&K, &B, B_star.get(), &minus_C}})
-          if (block != nullptr)
-            block->copy_values(A);
-        find_scale();
-      }
-
-      void
-      vmult(DistributedBlockVector       &dst,
-            const DistributedBlockVector &src) const
-      {
-        scaled_pressure.equ(scale, src.block(1));
-        K.vmult(dst.block(0), src.block(0));
-        B.vmult(force, scaled_pressure);
-        dst.block(0) += force;
-
-        minus_C.vmult(dst.block(1), scaled_pressure);
-        if (B_star)
-          B_star->vmult(volume, src.block(0));
-        else
-          B.Tvmult(volume, src.block(0));
-        dst.block(1).sadd(scale, scale, volume);
-      }
-
-      /** In bytes, on this rank. */
-      double
-      memory_consumption() const
-      {
-        double n_entries = 0.;
-        for (const TrilinosBlock *block : std::array<const TrilinosBlock *, 4>{
-               {&K, &B, B_star.get(), &minus_C}})
-          if (block != nullptr)
-            n_entries += block->matrix().NumMyNonzeros();
-        return n_entries * (sizeof(double) + sizeof(int));
-      }
-
-      TrilinosBlock                  K, B, minus_C;
-      std::unique_ptr<TrilinosBlock> B_star;
-      double                         scale = 1.; ///< c
-
-    private:
-      /** c = mean diagonal of K / mean norm of the rows of B: some G/h. */
-      void
-      find_scale()
-      {
-        Epetra_Vector diagonal(K.matrix().RowMap());
-        K.matrix().ExtractDiagonalCopy(diagonal);
-        double mean = 0.;
-        diagonal.MeanValue(&mean);
-        const double n     = K.matrix().NumGlobalRows();
-        const double row_B = B.matrix().NormFrobenius() / std::sqrt(n);
-        scale              = (mean > 0 && row_B > 0 ? mean / row_B : 1.);
-      }
-
-      mutable DistributedVector force, volume, scaled_pressure;
-    };
-
-    /**
-     * The diagonal of C + B^T diag(K)^{-1} B times a factor, an approximation
-     * of the Schur complement C + B* K^{-1} B. Up to a factor near one it is
-     * the pressure mass matrix, lumped and divided by the shear modulus, plus
-     * the diagonal of C: unlike the whole of that product, whose iteration
-     * counts grow as cells shrink, it is spectrally equivalent to the Schur
-     * complement of a Stokes-like system whatever the mesh size, and it needs
-     * no material constants. The factor is an experiment's: two takes the
-     * fewest iterations in 2D, three in 3D.
-     */
-    DistributedVector
-    schur_complement_diagonal(const SaddlePointMatrix &A,
-                              const EquationSubset    &pressures,
-                              const SparseSystem      &system)
-    {
-      const Epetra_CrsMatrix &K = A.K.matrix(), &B = A.B.matrix(),
-                             &minus_C = A.minus_C.matrix();
-      Epetra_Vector K_diagonal(K.RowMap()), C_diagonal(minus_C.RowMap()),
-        columns(B.ColMap()), sums(B.DomainMap());
-      K.ExtractDiagonalCopy(K_diagonal);
-      minus_C.ExtractDiagonalCopy(C_diagonal);
-      for (int i = 0; i < B.NumMyRows(); ++i)
-        {
-          int     n_entries;
-          double *values;
-          int    *indices;
-          B.ExtractMyRowView(i, n_entries, values, indices);
-          for (int k = 0; k < n_entries; ++k)
-            columns[indices[k]] += values[k] * values[k] / K_diagonal[i];
-        }
-      sums.Export(columns, Epetra_Export(B.ColMap(), B.DomainMap()), ::Add);
-
-      DistributedVector diagonal(pressures.locally_owned, system.comm);
-      const double      factor = (system.dim == 2 ? 2. : 3.);
-      for (int i = 0; i < sums.MyLength(); ++i)
-        diagonal.begin()[i] = factor * (sums[i] - C_diagonal[i]);
-      return diagonal;
-    }
-
-    /**
-     * The rigid body modes of the padded displacements in 2D, the translations
-     * in 3D (where the rotations cost more than they save).
-     */
-    Epetra_MultiVector
-    near_null_space(const SparseSystem &A, const EquationSubset &displacements)
-    {
-      const unsigned int dim = A.dim, n_modes = (dim == 2 ? 3 : dim);
-      Epetra_MultiVector modes(displacements.owned_map, n_modes, true);
-      // all rows of a node have its position, also those without an equation
-      std::vector<const double *> position(displacements.is_owned.size());
-      for (std::size_t i = 0; i < displacements.row_of.size(); ++i)
-        {
-          const unsigned int row = displacements.row_of[i];
-          if (row != numbers::invalid_unsigned_int)
-            for (unsigned int k = 0; k < dim; ++k)
-              position[row - row % dim + k] = &A.position[dim * i];
-        }
-      int owned = 0;
-      for (std::size_t row = 0; row < position.size(); ++row)
-        if (displacements.is_owned[row])
-          {
-            const unsigned int c = row % dim;
-            modes[c][owned]      = 1.;
-            if (dim == 2)
-              modes[2][owned] = (c == 0 ? -position[row][1] : position[row][0]);
-            ++owned;
-          }
-      return modes;
-    }
 
     /** Upper block triangle of the factors of a saddle-point matrix. */
     struct BlockTriangularPreconditioner
