@@ -23,7 +23,7 @@ namespace isochor
     , terminal(terminal)
     , body(scene.grid, setup.point_arrays())
     , system(setup.active_nodes())
-    , linear_step(system, terminal.timer())
+    , linear_step(system, terminal.timer(), scene.warnings)
   {}
 
 
@@ -356,9 +356,12 @@ namespace isochor
     problem.assemble = [this](const bool with_matrix) {
       return assemble(with_matrix);
     };
-    problem.solve = [this](const bool factorise) {
-      return linear_step.solve(unknowns, constraints, pending, factorise);
+    problem.solve = [this](const bool              factorise,
+                           const SolutionAccuracy &accuracy) {
+      return linear_step.solve(
+        unknowns, constraints, pending, factorise, accuracy);
     };
+    problem.is_iterative      = [this]() { return linear_step.is_iterative(); };
     problem.has_factorisation = [this]() {
       return linear_step.has_factorisation();
     };

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/idle_parameters.h>
+#include <isochor/linear_solver_choice.h>
 #include <isochor/parameter_list.h>
 
 #include <algorithm>
@@ -186,6 +187,24 @@ namespace isochor
                            "with <" + path[0] + "/J2/Saturation exponent = 0>");
           }
     }
+
+
+
+    void
+    inspect_linear_solver(const ParameterList &list, const Inspector &inspect)
+    {
+      const std::string solver = inspect.value({"Linear solver", "Solver"});
+      const std::string with   = "with <Linear solver/Solver = " + solver + ">";
+      if (solver != "auto")
+        inspect.idle({"Linear solver", "Largest direct system"}, with);
+      const auto in_use = LinearSolverChoice::candidates(solver);
+      if (in_use.size() == 1) // a direct solver
+        inspect.idle({"Newton", "Inexact"}, with);
+      for (const Path &path : list.subsections)
+        if (path.size() == 2 && path[0] == "Linear solver" &&
+            std::find(in_use.begin(), in_use.end(), path[1]) == in_use.end())
+          inspect.idle_section(path, with);
+    }
   } // namespace
 
 
@@ -201,6 +220,6 @@ namespace isochor
     inspect_cut_cells(inspect);
     inspect_surfaces(inspect);
     inspect_materials(list, inspect);
-    inspect.idle_plugins("Linear solver", "Solver");
+    inspect_linear_solver(list, inspect);
   }
 } // namespace isochor

@@ -3,15 +3,16 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/linear_step.h>
-#include <isochor/plugin_registry.h>
 
 namespace isochor
 {
   template <int dim>
   LinearStep<dim>::LinearStep(const MixedSystem<dim> &system,
-                              TimerOutput            &timer)
+                              TimerOutput            &timer,
+                              Warnings               &warnings)
     : system(system)
     , timer(timer)
+    , linear_solver(warnings)
   {}
 
 
@@ -21,12 +22,7 @@ namespace isochor
   LinearStep<dim>::declare_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Linear solver");
-    prm.declare_entry("Solver",
-                      "MUMPS",
-                      Patterns::Selection(
-                        PluginRegistry<LinearSolver>::names()),
-                      "MUMPS: direct, LDL^T where the matrix is symmetric.");
-    PluginRegistry<LinearSolver>::declare_parameters(prm);
+    LinearSolverChoice::declare_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -37,8 +33,7 @@ namespace isochor
   LinearStep<dim>::parse_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Linear solver");
-    linear_solver = PluginRegistry<LinearSolver>::create(prm.get("Solver"));
-    linear_solver->parse_parameters(prm);
+    linear_solver.parse_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -60,21 +55,23 @@ namespace isochor
   LinearStep<dim>::solve(const NodalField       &unknowns,
                          const NodalConstraints &constraints,
                          const NodalField       &pending,
-                         const bool              factorise)
+                         const bool              factorise,
+                         const SolutionAccuracy &accuracy)
   {
+    linear_solver.set_accuracy(accuracy);
     system.right_hand_side(rhs);
     system.shape(solution);
     if (factorise)
       {
         TimerOutput::Scope scope(timer, "factorisation");
         factorised_pattern = 0; // none, should this throw
-        factorisation      = linear_solver->factorise(system.matrix());
+        factorisation      = linear_solver.factorise(system.matrix());
         factorised_pattern = system.matrix().pattern_id;
       }
     LinearSolverReport report;
     {
       TimerOutput::Scope scope(timer, "solution");
-      report = linear_solver->solve(rhs, solution);
+      report = linear_solver.solve(rhs, solution);
     }
 
     for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
@@ -107,7 +104,7 @@ namespace isochor
   LinearStep<dim>::set_statistics(const unsigned int n_linear_iterations,
                                   Statistics        &statistics) const
   {
-    if (linear_solver->is_iterative())
+    if (linear_solver.is_iterative())
       statistics.set("Linear iterations", n_linear_iterations);
     if (factorisation.knows_pivots)
       statistics.set("Negative pivots", factorisation.n_negative_pivots);

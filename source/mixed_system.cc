@@ -59,7 +59,9 @@ namespace isochor
     number_equations();
     collect_neighbours();
     build_rows();
-    build_scatter_map();
+    find_blocks();
+    for (auto *list : {&neighbour, &neighbour_offset})
+      std::vector<unsigned int>().swap(*list); // needed no more
   }
 
 
@@ -104,6 +106,7 @@ namespace isochor
     const unsigned int n = sorted.size();
     system.global_equation.resize(n);
     system.field.resize(n);
+    system.node.resize(n);
     system.component.resize(n);
     system.position.resize(n * dim);
     const auto &vertices = nodes.grid.triangulation().get_vertices();
@@ -133,6 +136,7 @@ namespace isochor
             node_order[node] = nodes_in_order.size();
             nodes_in_order.push_back(node);
           }
+        system.node[eq] = node_order[node];
       }
     std::partial_sum(node_first_free.begin(),
                      node_first_free.end(),
@@ -235,63 +239,39 @@ namespace isochor
 
   template <int dim>
   void
-  MixedSystem<dim>::build_scatter_map()
+  MixedSystem<dim>::find_blocks()
   {
-    // the place of entry (row, column): start of the row, plus the columns of
-    // the neighbours before, plus the free unknowns before in the node
-    const auto place = [this](unsigned int entry_r, unsigned int entry_c) {
-      unsigned int row = equations[entry_r], column = equations[entry_c];
-      if (row == invalid || column == invalid)
-        return -1;
-      if (system.symmetric && column < row)
-        {
-          std::swap(row, column);
-          std::swap(entry_r, entry_c);
-        }
-      const unsigned int order_r = node_order[entry_r / n_components];
-      const unsigned int order_c = node_order[entry_c / n_components];
-      const auto         begin   = neighbour.begin() + neighbour_start[order_r];
-      const auto         end = neighbour.begin() + neighbour_start[order_r + 1];
-      const std::size_t  k =
-        std::lower_bound(begin, end, order_c) - neighbour.begin();
-      const unsigned int node_c = entry_c / n_components;
-      unsigned int       first  = node_c * n_components;
-      while (equations[first] == invalid)
-        ++first;
-      int offset = neighbour_offset[k] + (column - equations[first]);
-      if (system.symmetric)
-        {
-          // the row's own node comes first, without the unknowns before it
-          const unsigned int node_r  = entry_r / n_components;
-          unsigned int       first_r = node_r * n_components;
-          while (equations[first_r] == invalid)
-            ++first_r;
-          offset -= row - equations[first_r];
-        }
-      return static_cast<int>(system.row_start[row]) + offset;
-    };
-
     const ElementNodes &elements = all_elements();
-    scatter_start.assign(1, 0);
-    scatter.clear();
+    block_start.assign(1, 0);
+    block_offset.clear();
     element_is_constrained.assign(elements.size(), 0);
-    std::vector<unsigned int> entries;
     for (unsigned int e = 0; e < elements.size(); ++e)
       {
-        entries.clear();
-        for (std::size_t i = elements.start[e]; i < elements.start[e + 1]; ++i)
-          for (unsigned int a = 0; a < n_components; ++a)
-            entries.push_back(elements.node[i] * n_components + a);
-        for (unsigned int r = 0; r < entries.size(); ++r)
+        const unsigned int *const node = &elements.node[elements.start[e]];
+        const unsigned int        n = elements.start[e + 1] - elements.start[e];
+        for (unsigned int I = 0; I < n; ++I)
           {
-            if (equations[entries[r]] == invalid)
+            if (n_free(node[I]) < n_components)
               element_is_constrained[e] = 1;
-            for (unsigned int s = (system.symmetric ? r : 0);
-                 s < entries.size();
-                 ++s)
-              scatter.push_back(place(entries[r], entries[s]));
+            for (unsigned int J = (system.symmetric ? I : 0); J < n; ++J)
+              {
+                unsigned int row    = node_order[node[I]],
+                             column = node_order[node[J]];
+                if (system.symmetric && column < row)
+                  std::swap(row, column);
+                if (row == invalid || column == invalid)
+                  {
+                    block_offset.push_back(0); // no entries
+                    continue;
+                  }
+                const auto begin = neighbour.begin() + neighbour_start[row];
+                const auto end   = neighbour.begin() + neighbour_start[row + 1];
+                const std::size_t k =
+                  std::lower_bound(begin, end, column) - neighbour.begin();
+                block_offset.push_back(neighbour_offset[k]);
+              }
           }
-        scatter_start.push_back(scatter.size());
+        block_start.push_back(block_offset.size());
       }
   }
 
@@ -307,6 +287,40 @@ namespace isochor
     lifting.zero_out_ghost_values();
     if (with_matrix)
       std::fill(system.values.begin(), system.values.end(), 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::add_block(const unsigned int row_node,
+                              const unsigned int column_node,
+                              const unsigned int offset,
+                              const double      *block,
+                              const unsigned int row_stride,
+                              const unsigned int column_stride)
+  {
+    const unsigned int *const row_of = &equations[row_node * n_components];
+    const unsigned int *const column_of =
+      &equations[column_node * n_components];
+    // of the columns of a symmetric matrix left of the diagonal none is stored
+    const bool   triangle  = system.symmetric && row_node == column_node;
+    unsigned int n_skipped = 0;
+    for (unsigned int a = 0; a < n_components; ++a)
+      {
+        if (row_of[a] == invalid)
+          continue;
+        double *value = system.values.data() + system.row_start[row_of[a]] +
+                        offset - n_skipped;
+        for (unsigned int b = 0; b < n_components; ++b)
+          if (column_of[b] != invalid)
+            {
+              if (!triangle || b >= a)
+                *value += block[a * row_stride + b * column_stride];
+              ++value;
+            }
+        n_skipped += system.symmetric;
+      }
   }
 
 
@@ -339,14 +353,16 @@ namespace isochor
       }
     const unsigned int n_dofs = n_nodes * n_components;
 
-    const int    *position = &scatter[scatter_start[e]];
-    double *const values   = system.values.data();
-    for (unsigned int r = 0; r < n_dofs; ++r)
-      for (unsigned int s = (system.symmetric ? r : 0); s < n_dofs; ++s)
+    const unsigned int *offset = &block_offset[block_start[e]];
+    for (unsigned int I = 0; I < n_nodes; ++I)
+      for (unsigned int J = (system.symmetric ? I : 0); J < n_nodes; ++J)
         {
-          const int place = *position++;
-          if (place >= 0)
-            values[place] += element_matrix[r * n_dofs + s];
+          const double *const block =
+            element_matrix + (I * n_dofs + J) * n_components;
+          if (system.symmetric && node_order[node[J]] < node_order[node[I]])
+            add_block(node[J], node[I], *offset++, block, 1, n_dofs);
+          else
+            add_block(node[I], node[J], *offset++, block, n_dofs, 1);
         }
 
     if (element_is_constrained[e])

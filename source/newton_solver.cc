@@ -2,7 +2,6 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/linear_solver.h>
 #include <isochor/newton_solver.h>
 #include <isochor/plain_message.h>
 
@@ -43,12 +42,20 @@ namespace isochor
                       "long as each iteration reduces the residual to this "
                       "fraction or less. It changes the way to the solution, "
                       "not the solution. 0: Newton's method proper, a new "
-                      "factorisation for each iteration.");
+                      "factorisation for each iteration. Iterative linear "
+                      "solvers get each matrix.");
     prm.declare_entry("Maximum backtracks",
                       "4",
                       Patterns::Integer(0),
                       "Times the line search may halve a correction that "
                       "enlarges the residual or inverts a point.");
+    prm.declare_entry("Inexact",
+                      "true",
+                      Patterns::Bool(),
+                      "Let iterative linear solvers solve each iteration only "
+                      "as accurately as Newton's method can make use of. "
+                      "Direct solvers are not concerned, nor is the tolerance "
+                      "of the step.");
     prm.leave_subsection();
   }
 
@@ -63,6 +70,7 @@ namespace isochor
     max_iterations = prm.get_integer("Maximum iterations");
     reuse_ratio    = prm.get_double("Reuse factorisation");
     max_backtracks = prm.get_integer("Maximum backtracks");
+    inexact        = prm.get_bool("Inexact");
     prm.leave_subsection();
   }
 
@@ -87,6 +95,20 @@ namespace isochor
       return force;
     }
 
+    /** The residual of displacements below which a step has converged. */
+    double
+    displacement_bound(const ResidualNorms &norms, const double tolerance) const
+    {
+      return std::max(tolerance * force, norms.displacement_floor);
+    }
+
+    /** The same of the pressure equation. */
+    double
+    pressure_bound(const ResidualNorms &norms, const double tolerance) const
+    {
+      return std::max(tolerance * pressure, norms.pressure_floor);
+    }
+
     double
     displacement_ratio(const ResidualNorms &norms) const
     {
@@ -103,10 +125,8 @@ namespace isochor
     converged(const ResidualNorms &norms, const double tolerance) const
     {
       return !norms.pending &&
-             norms.displacement <=
-               std::max(tolerance * force, norms.displacement_floor) &&
-             norms.pressure <=
-               std::max(tolerance * pressure, norms.pressure_floor);
+             norms.displacement <= displacement_bound(norms, tolerance) &&
+             norms.pressure <= pressure_bound(norms, tolerance);
     }
 
     /** What the line search wants to fall. */
@@ -166,6 +186,32 @@ namespace isochor
       *log << line << std::flush;
     }
   } // namespace
+
+
+
+  SolutionAccuracy
+  NewtonSolver::accuracy(const Gauge         &gauge,
+                         const ResidualNorms &norms,
+                         const double         reduction) const
+  {
+    if (!inexact)
+      return SolutionAccuracy();
+    // Eisenstat & Walker, SIAM J. Sci. Comput. 17 (1996) 16-32, choice 2 with
+    // exponent 2. The cap is also the first forcing term; their safeguard
+    // against terms that fall too fast acts on terms above 1/3 only.
+    const double     gamma = 0.9, cap = 1e-2, part_of_tolerance = 0.1;
+    SolutionAccuracy a;
+    a.relative =
+      reduction > 0 ? std::min(cap, gamma * reduction * reduction) : cap;
+    // what is left over may be part of the end result's residual
+    if (!norms.pending)
+      {
+        a.displacement =
+          part_of_tolerance * gauge.displacement_bound(norms, tolerance);
+        a.pressure = part_of_tolerance * gauge.pressure_bound(norms, tolerance);
+      }
+    return a;
+  }
 
 
 
@@ -242,6 +288,7 @@ namespace isochor
     add_row(0, 0);
 
     double last_ratio = 0.; // try the factorisation of the last step
+    double reduction  = 0.; // none yet
     // Assembling the matrix costs as much again as the residual: it is left
     // away where the next iterate will need none.
     bool matrix_is_current = true, expect_need = true;
@@ -250,13 +297,14 @@ namespace isochor
         // an old matrix is worth a try where it, or the quadratic convergence
         // of the last iteration, promises to do
         const bool reuse = reuse_ratio > 0 && last_ratio <= reuse_ratio &&
+                           !problem.is_iterative() &&
                            problem.has_factorisation();
         if (!matrix_is_current && (!reuse || norms.pending))
           norms = problem.assemble(true);
         unsigned int n_linear = 0;
         try
           {
-            n_linear = problem.solve(!reuse);
+            n_linear = problem.solve(!reuse, accuracy(gauge, norms, reduction));
             report.n_factorisations += reuse ? 0 : 1;
           }
         catch (const ExcLinearSolverFailed &exc)
@@ -292,11 +340,18 @@ namespace isochor
             matrix_is_current = true;
           }
         last_ratio = may_grow ? 0. : search.reduction;
+        reduction  = last_ratio;
         // none is needed for a correction by an old matrix, nor at the end,
         // which quadratic convergence lets foresee
+        const bool   iterative = problem.is_iterative();
+        const double foreseen =
+          search.merit *
+          std::max(last_ratio * last_ratio,
+                   iterative ? accuracy(gauge, norms, reduction).relative : 0.);
         expect_need =
-          may_grow || (!(reuse_ratio > 0 && last_ratio <= reuse_ratio) &&
-                       search.merit * last_ratio * last_ratio > tolerance);
+          may_grow ||
+          (!(reuse_ratio > 0 && last_ratio <= reuse_ratio && !iterative) &&
+           foreseen > tolerance);
         gauge.take(norms);
         add_row(search.best, n_linear);
       }

@@ -43,45 +43,31 @@ namespace isochor
   } // namespace
 
   EquationSubset::EquationSubset(const SparseSystem &A)
-    : EquationSubset(A, std::vector<bool>(A.global_equation.size(), true))
+    : EquationSubset(A, std::vector<bool>(A.global_equation.size(), true), 1)
   {}
 
   EquationSubset::EquationSubset(const SparseSystem       &A,
-                                 const SparseSystem::Field field)
-    : EquationSubset(A, is_in_field(A, field))
-  {}
+                                 const SparseSystem::Field field,
+                                 const bool                padded)
+    : EquationSubset(A, is_in_field(A, field), padded ? A.dim : 1)
+  {
+    Assert(!padded || field == SparseSystem::Field::displacement,
+           ExcInternalError());
+  }
 
   EquationSubset::EquationSubset(const SparseSystem      &A,
-                                 const std::vector<bool> &is_member)
+                                 const std::vector<bool> &is_member,
+                                 const unsigned int       block_size)
     : owned_map(0, 0, Epetra_MpiComm(A.comm))
     , local_map(0, 0, Epetra_MpiComm(A.comm))
   {
-    AssertThrow(A.n_equations < static_cast<types::global_dof_index>(
-                                  std::numeric_limits<int>::max()),
+    AssertThrow(block_size * A.n_equations <
+                  static_cast<types::global_dof_index>(
+                    std::numeric_limits<int>::max()),
                 ExcMessage("Epetra numbers equations by 32-bit integers."));
-    index_of.assign(is_member.size(), numbers::invalid_unsigned_int);
-    std::vector<int> owned_equations, all_equations;
-    for (std::size_t i = 0; i < is_member.size(); ++i)
-      {
-        const int  equation = A.global_equation[i];
-        const bool owned    = A.locally_owned.is_element(equation);
-        all_equations.push_back(equation);
-        if (is_member[i])
-          {
-            index_of[i] = local_equation.size();
-            local_equation.push_back(i);
-            is_owned.push_back(owned);
-            if (owned)
-              owned_position.push_back(owned_equations.size());
-          }
-        if (owned)
-          owned_equations.push_back(equation);
-      }
-    AssertThrow(owned_equations.size() == A.locally_owned.n_elements(),
-                ExcMessage("A rank owns equations that its cells don't "
-                           "touch."));
+    lay_out_rows(A, is_member, block_size);
 
-    const int n_owned = owned_position.size();
+    const int n_owned = std::count(is_owned.begin(), is_owned.end(), true);
     int       begin   = 0;
     const int ierr = MPI_Exscan(&n_owned, &begin, 1, MPI_INT, MPI_SUM, A.comm);
     AssertThrowMPI(ierr);
@@ -89,35 +75,100 @@ namespace isochor
     locally_owned.add_range(begin, begin + n_owned);
 
     // The owners tell the others the new numbers.
+    std::vector<int> owned_equations, all_equations;
+    for (const types::global_dof_index equation : A.global_equation)
+      {
+        all_equations.push_back(equation);
+        if (A.locally_owned.is_element(equation))
+          owned_equations.push_back(equation);
+      }
+    AssertThrow(owned_equations.size() == A.locally_owned.n_elements(),
+                ExcMessage("A rank owns equations that its cells don't "
+                           "touch."));
     const Epetra_Map system_owned = make_map(owned_equations, A.comm);
     const Epetra_Map system_local = make_map(all_equations, A.comm);
     Epetra_IntVector number_of_owned(system_owned);
     Epetra_IntVector number_of_local(system_local);
-    for (int i = 0; i < n_owned; ++i)
-      number_of_owned[owned_position[i]] = begin + i;
+    for (std::size_t i = 0; i < owned_row.size(); ++i)
+      number_of_owned[owned_position[i]] = begin + owned_row[i];
     const Epetra_Import to_local(system_local, system_owned);
     check(number_of_local.Import(number_of_owned, to_local, ::Insert),
           "Import");
 
-    std::vector<int> owned_numbers, local_numbers;
-    for (std::size_t i = 0; i < local_equation.size(); ++i)
-      {
-        local_numbers.push_back(number_of_local[local_equation[i]]);
-        if (is_owned[i])
-          owned_numbers.push_back(local_numbers.back());
-      }
+    std::vector<int> local_numbers(is_owned.size()), owned_numbers;
+    for (std::size_t i = 0; i < row_of.size(); ++i)
+      if (row_of[i] != numbers::invalid_unsigned_int)
+        {
+          const unsigned int c     = (block_size == 1 ? 0 : A.component[i]);
+          const unsigned int first = row_of[i] - c;
+          for (unsigned int k = 0; k < block_size; ++k)
+            local_numbers[first + k] = number_of_local[i] - c + k;
+        }
+    for (std::size_t row = 0; row < is_owned.size(); ++row)
+      if (is_owned[row])
+        owned_numbers.push_back(local_numbers[row]);
     owned_map = make_map(owned_numbers, A.comm);
     local_map = make_map(local_numbers, A.comm);
+  }
+
+  void
+  EquationSubset::lay_out_rows(const SparseSystem      &A,
+                               const std::vector<bool> &is_member,
+                               const unsigned int       block_size)
+  {
+    constexpr unsigned int invalid = numbers::invalid_unsigned_int;
+    row_of.assign(is_member.size(), invalid);
+    unsigned int node = invalid, first_row = 0, n_owned_equations = 0,
+                 first_owned_row = 0, n_owned_rows = 0;
+    std::vector<unsigned int> equation_at; // by row, of the present node
+    const auto                pad = [&]() {
+      const auto any =
+        std::find_if(equation_at.begin(),
+                     equation_at.end(),
+                     [](unsigned int e) { return e != invalid; });
+      for (unsigned int k = 0; k < equation_at.size(); ++k)
+        if (equation_at[k] == invalid)
+          padding.emplace_back(first_row + k, *any);
+    };
+    for (std::size_t i = 0; i < is_member.size(); ++i)
+      {
+        const bool owned = A.locally_owned.is_element(A.global_equation[i]);
+        const unsigned int position = n_owned_equations;
+        n_owned_equations += owned;
+        if (!is_member[i])
+          continue;
+        if (block_size == 1 || node != A.node[i])
+          {
+            pad();
+            node            = A.node[i];
+            first_row       = is_owned.size();
+            first_owned_row = n_owned_rows;
+            is_owned.insert(is_owned.end(), block_size, owned);
+            n_owned_rows += owned ? block_size : 0;
+            equation_at.assign(block_size, invalid);
+          }
+        const unsigned int k = (block_size == 1 ? 0 : A.component[i]);
+        equation_at[k]       = i;
+        row_of[i]            = first_row + k;
+        if (owned)
+          {
+            owned_row.push_back(first_owned_row + k);
+            owned_position.push_back(position);
+          }
+      }
+    pad();
   }
 
   void
   EquationSubset::extract(const TrilinosWrappers::MPI::Vector &whole,
                           TrilinosWrappers::MPI::Vector       &part) const
   {
+    if (owned_row.size() < locally_owned.n_elements())
+      std::fill(part.begin(), part.end(), 0.);
     const auto from = whole.begin();
     auto       to   = part.begin();
     for (std::size_t i = 0; i < owned_position.size(); ++i)
-      to[i] = from[owned_position[i]];
+      to[owned_row[i]] = from[owned_position[i]];
   }
 
   void
@@ -127,7 +178,7 @@ namespace isochor
     const auto from = part.begin();
     auto       to   = whole.begin();
     for (std::size_t i = 0; i < owned_position.size(); ++i)
-      to[owned_position[i]] = from[i];
+      to[owned_position[i]] = from[owned_row[i]];
   }
 
   TrilinosBlock::TrilinosBlock(const SparseSystem   &A,
@@ -149,49 +200,60 @@ namespace isochor
     copy_values(A);
   }
 
+  template <typename Action>
+  void
+  TrilinosBlock::for_each_entry(const SparseSystem &A,
+                                const Action       &action) const
+  {
+    constexpr unsigned int invalid = numbers::invalid_unsigned_int;
+    for (unsigned int i = 0; i + 1 < A.row_start.size(); ++i)
+      {
+        const unsigned int row    = rows.row_of[i];
+        const unsigned int column = (A.symmetric ? columns.row_of[i] : invalid);
+        if (row == invalid && column == invalid)
+          continue;
+        for (std::size_t k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
+          {
+            const unsigned int j = A.column[k];
+            if (row != invalid && columns.row_of[j] != invalid)
+              action(row, columns.row_of[j], k);
+            if (column != invalid && i != j && rows.row_of[j] != invalid)
+              action(rows.row_of[j], column, k);
+          }
+      }
+    if (&rows == &columns)
+      for (const auto &[row, equation] : rows.padding)
+        for (std::size_t k = A.row_start[equation];
+             k < A.row_start[equation + 1];
+             ++k)
+          if (A.column[k] == equation)
+            action(row, row, k);
+  }
+
   void
   TrilinosBlock::make_local_pattern(const SparseSystem &A)
   {
-    const std::size_t n_rows = rows.local_equation.size();
-    place.assign(A.column.size(), none);
-    mirrored_place.assign(A.symmetric ? A.column.size() : 0, none);
-
-    // As rows ascend, a row gets its mirrored entries before its own ones,
-    // and thus its columns in ascending order.
-    const auto for_each_entry = [&](const auto &action) {
-      for (unsigned int i = 0; i + 1 < A.row_start.size(); ++i)
-        for (std::size_t k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
-          {
-            const unsigned int j   = A.column[k];
-            const auto is_in_block = [&](unsigned int r, unsigned int c) {
-              return rows.index_of[r] != numbers::invalid_unsigned_int &&
-                     columns.index_of[c] != numbers::invalid_unsigned_int;
-            };
-            if (is_in_block(i, j))
-              action(rows.index_of[i], columns.index_of[j], place[k]);
-            if (A.symmetric && i != j && is_in_block(j, i))
-              action(rows.index_of[j], columns.index_of[i], mirrored_place[k]);
-          }
-    };
-
-    std::vector<int> length(n_rows, 0), start(n_rows + 1, 0);
-    for_each_entry([&](unsigned int r, unsigned int, int &) { ++length[r]; });
+    const std::size_t n_rows = rows.is_owned.size();
+    std::vector<int>  length(n_rows, 0), start(n_rows + 1, 0);
+    for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t) {
+      ++length[r];
+    });
     for (std::size_t r = 0; r < n_rows; ++r)
       start[r + 1] = start[r] + length[r];
     std::vector<int> column(start[n_rows]), next(start.begin(), start.end());
-    for_each_entry([&](unsigned int r, unsigned int c, int &entry_place) {
-      entry_place         = next[r]++;
-      column[entry_place] = c;
+    for_each_entry(A, [&](unsigned int r, unsigned int c, std::size_t) {
+      column[next[r]++] = c;
     });
 
     local = std::make_unique<Epetra_CrsMatrix>(
       Copy, rows.local_map, columns.local_map, length.data(), true);
-    const std::vector<double> zeros(start[n_rows], 0.);
+    const std::vector<double> zeros(
+      length.empty() ? 0 : *std::max_element(length.begin(), length.end()), 0.);
     for (std::size_t r = 0; r < n_rows; ++r)
       if (length[r] > 0)
-        check(local->InsertMyValues(
-                r, length[r], &zeros[start[r]], &column[start[r]]),
-              "InsertMyValues");
+        check(
+          local->InsertMyValues(r, length[r], zeros.data(), &column[start[r]]),
+          "InsertMyValues");
     check(local->FillComplete(columns.owned_map, rows.owned_map),
           "FillComplete");
     check(local->OptimizeStorage(), "OptimizeStorage");
@@ -204,12 +266,10 @@ namespace isochor
     double *values;
     check(local->ExtractCrsDataPointers(offsets, indices, values),
           "ExtractCrsDataPointers");
-    for (std::size_t k = 0; k < place.size(); ++k)
-      if (place[k] != none)
-        values[place[k]] = A.values[k];
-    for (std::size_t k = 0; k < mirrored_place.size(); ++k)
-      if (mirrored_place[k] != none)
-        values[mirrored_place[k]] = A.values[k];
+    std::vector<int> next(offsets, offsets + rows.is_owned.size());
+    for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t k) {
+      values[next[r]++] = A.values[k];
+    });
 
     if (summed)
       {
@@ -241,12 +301,10 @@ namespace isochor
   }
 
   void
-  TrilinosBlock::vmult_add(TrilinosWrappers::MPI::Vector       &dst,
-                           const TrilinosWrappers::MPI::Vector &src) const
+  TrilinosBlock::Tvmult(TrilinosWrappers::MPI::Vector       &dst,
+                        const TrilinosWrappers::MPI::Vector &src) const
   {
-    TrilinosWrappers::MPI::Vector product;
-    product.reinit(dst, true);
-    vmult(product, src);
-    dst += product;
+    check(matrix().Multiply(true, src.trilinos_vector(), dst.trilinos_vector()),
+          "Multiply");
   }
 } // namespace isochor

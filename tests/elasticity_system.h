@@ -147,8 +147,13 @@ namespace isochor
       A.global_equation.push_back(global);
       A.field.push_back(c == dim ? SparseSystem::Field::pressure :
                                    SparseSystem::Field::displacement);
-      A.component.push_back(c);
       const Point<dim> x = point(position_of(node));
+      if (A.node.empty())
+        last_node = node;
+      A.node.push_back(A.node.empty() ? 0 :
+                                        A.node.back() + (node != last_node));
+      last_node = node;
+      A.component.push_back(c);
       for (unsigned int d = 0; d < dim; ++d)
         A.position.push_back(x[d]);
     }
@@ -313,6 +318,7 @@ namespace isochor
     const unsigned int                   n_edge;
     std::vector<types::global_dof_index> equation;
     types::global_dof_index              owned_end = 0;
+    unsigned int                         last_node = 0;
   };
 } // namespace isochor
 

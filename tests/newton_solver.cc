@@ -33,7 +33,7 @@ public:
       norms.force_scale  = 1;
       return norms;
     };
-    problem.solve = [this](const bool factorise) {
+    problem.solve = [this](const bool factorise, const SolutionAccuracy &) {
       consistent =
         consistent && residual_at == x && (!factorise || matrix_at == x);
       n_factorisations += factorise;

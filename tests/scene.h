@@ -80,7 +80,8 @@ namespace isochor
     run_scene(const std::string &settings)
     {
       ParameterHandler prm;
-      MaterialPointMethod<dim>::declare_parameters(prm);
+      MaterialPointMethod<dim>::declare_parameters(
+        prm, settings.find("Material 2/") == std::string::npos ? 1 : 2);
       set_parameters(prm,
                      "Quadrature/Type = points\n"
                      "Output/Directory = .\nOutput/Terminal = quiet\n"

@@ -300,7 +300,7 @@ namespace
       {{"Dynamics/Newmark gamma = 0.6", "", "Dynamics/Newmark gamma"}},
       {{"Material/J2/Yield stress = 1", "", "Material/J2/Yield stress"}},
       {{"Linear solver/Block FGMRES/Basis size = 50",
-        "",
+        "Linear solver/Solver = MUMPS",
         "Linear solver/Block FGMRES/Basis size"}},
       {{"Boundary conditions/Penalty of body displacement = 10",
         "",

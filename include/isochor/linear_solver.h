@@ -32,6 +32,19 @@ namespace isochor
     double memory_in_bytes = 0;
   };
 
+  /**
+   * When a solution is accurate enough: if its residual is below a part of the
+   * right-hand side, or if it is below absolute bounds for both fields.
+   * Iterative solvers may stop there; others don't need to know. All zero: as
+   * accurate as the solver's own parameters say.
+   */
+  struct SolutionAccuracy
+  {
+    double relative     = 0;
+    double displacement = 0; ///< residual force (N)
+    double pressure     = 0; ///< of the pressure equation (m^dim)
+  };
+
   /** Thrown when a system can't be solved; the step is then cut back. */
   DeclException1(ExcLinearSolverFailed,
                  std::string,
@@ -63,6 +76,11 @@ namespace isochor
     {
       return false;
     }
+
+    /** What is asked of the solves that follow. */
+    virtual void
+    set_accuracy(const SolutionAccuracy &)
+    {}
 
     /**
      * Take the matrix @p A: analyse if its pattern_id is new, factorise or

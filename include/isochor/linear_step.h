@@ -7,11 +7,9 @@
 
 #include <deal.II/base/timer.h>
 
-#include <isochor/linear_solver.h>
+#include <isochor/linear_solver_choice.h>
 #include <isochor/mixed_system.h>
 #include <isochor/statistics.h>
-
-#include <memory>
 
 namespace isochor
 {
@@ -22,8 +20,10 @@ namespace isochor
   class LinearStep
   {
   public:
-    /** Both arguments are kept by reference. */
-    LinearStep(const MixedSystem<dim> &system, TimerOutput &timer);
+    /** All arguments are kept by reference. */
+    LinearStep(const MixedSystem<dim> &system,
+               TimerOutput            &timer,
+               Warnings               &warnings);
 
     static void
     declare_parameters(ParameterHandler &prm);
@@ -43,7 +43,8 @@ namespace isochor
 
     /**
      * Find the correction of @p unknowns: with the matrix last assembled or, if
-     * not @p factorise, with the one factorised before. Where @p constraints
+     * not @p factorise, with the one factorised before, as accurately as asked
+     * where the solver is_iterative(). Where @p constraints
      * prescribe an unknown its correction is what is @p pending. Returns the
      * number of linear iterations. Throws ExcLinearSolverFailed. Collective.
      */
@@ -51,7 +52,15 @@ namespace isochor
     solve(const NodalField       &unknowns,
           const NodalConstraints &constraints,
           const NodalField       &pending,
-          const bool              factorise);
+          const bool              factorise,
+          const SolutionAccuracy &accuracy);
+
+    /** Whether the linear solver in use is. */
+    bool
+    is_iterative() const
+    {
+      return linear_solver.is_iterative();
+    }
 
     /** Set @p unknowns to what solve() has got plus @p s times the correction.
      */
@@ -73,8 +82,8 @@ namespace isochor
     const MixedSystem<dim> &system;
     TimerOutput            &timer;
 
-    std::unique_ptr<LinearSolver> linear_solver;
-    LinearSolverReport            factorisation;
+    LinearSolverChoice linear_solver;
+    LinearSolverReport factorisation;
     /** The pattern of the matrix last factorised, 0 for none. */
     unsigned long factorised_pattern = 0;
 

@@ -121,7 +121,15 @@ namespace isochor
     void
     build_rows();
     void
-    build_scatter_map();
+    find_blocks();
+    /** Add what two nodes share, by its strides in the element's matrix. */
+    void
+    add_block(const unsigned int row_node,
+              const unsigned int column_node,
+              const unsigned int offset,
+              const double      *block,
+              const unsigned int row_stride,
+              const unsigned int column_stride);
     /** The elements with all nodes that their entries go to. */
     const ElementNodes &
     all_elements() const
@@ -152,8 +160,12 @@ namespace isochor
     std::vector<std::size_t>  neighbour_start;
     std::vector<unsigned int> neighbour, neighbour_offset;
 
-    std::vector<std::size_t>   scatter_start;
-    std::vector<int>           scatter;
+    /** For each pair of an element's nodes (of a symmetric matrix once, the
+     * node first whose equations are) where in a row of the first one the
+     * columns of the second begin, counted as if the row began with those of
+     * its first neighbour: of a symmetric matrix, the node itself. */
+    std::vector<std::size_t>   block_start;
+    std::vector<unsigned int>  block_offset;
     std::vector<unsigned char> element_is_constrained;
 
     NodalField lifting;

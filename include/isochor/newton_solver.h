@@ -7,6 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <isochor/linear_solver.h>
 #include <isochor/mixed_kernel.h>
 
 #include <functional>
@@ -96,9 +97,15 @@ namespace isochor
       /** Residual at the present iterate; with the matrix if asked. */
       std::function<ResidualNorms(const bool with_matrix)> assemble;
       /** Solve for the correction, with the matrix last assembled or, if not
-       * @p factorise, with the one factorised before. Returns the number of
-       * linear iterations. Throws ExcLinearSolverFailed. */
-      std::function<unsigned int(const bool factorise)> solve;
+       * @p factorise, with the one factorised before, as accurately as said.
+       * Returns the number of linear iterations. Throws
+       * ExcLinearSolverFailed. */
+      std::function<unsigned int(const bool              factorise,
+                                 const SolutionAccuracy &accuracy)>
+        solve;
+      /** Whether solve() makes use of the accuracy. Then a new matrix costs
+       * little, and none is used again. */
+      std::function<bool()> is_iterative = []() { return false; };
       /** Whether there is a factorisation of a matrix of the present pattern.
        */
       std::function<bool()> has_factorisation;
@@ -142,6 +149,13 @@ namespace isochor
       bool   failed    = false;
     };
 
+    /** How accurate the next correction has to be. @p reduction: merit to the
+     * one before, or 0 if there is none. */
+    SolutionAccuracy
+    accuracy(const Gauge         &gauge,
+             const ResidualNorms &norms,
+             const double         reduction) const;
+
     /** Whether the iteration ends here; @p report then says how. */
     bool
     finished(const Gauge         &gauge,
@@ -164,6 +178,9 @@ namespace isochor
      * per iteration; 0: always factorise. */
     double       reuse_ratio    = 0.2;
     unsigned int max_backtracks = 4;
+    /** Whether an iterative solver may solve less accurately far from the
+     * solution. */
+    bool inexact = true;
   };
 } // namespace isochor
 

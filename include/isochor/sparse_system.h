@@ -47,9 +47,9 @@ namespace isochor
     /** The field each local equation belongs to. */
     std::vector<Field> field;
 
-    /** The node (any number unique to it) and the component within the node of
-     * each local equation; position of the node. For near-null spaces. */
-    std::vector<unsigned int> component;
+    /** The node of each local equation, counted in the order of the equations
+     * (those of a node follow one another), and the component within it. */
+    std::vector<unsigned int> node, component;
 
     /** Node coordinates of each local equation, dim values each. */
     std::vector<double> position;

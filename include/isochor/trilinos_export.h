@@ -15,6 +15,7 @@
 #include <Epetra_Map.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace isochor
@@ -23,6 +24,10 @@ namespace isochor
    * The equations of a SparseSystem, or those of one field of it, numbered
    * afresh and contiguously on each rank. Needs each rank's locally owned
    * equations to be among its local ones.
+   *
+   * Displacements may be *padded*: each node with an equation gets dim rows, of
+   * which those without an equation are decoupled from all others. Algebraic
+   * multigrid then sees nodes instead of equations.
    */
   class EquationSubset
   {
@@ -30,11 +35,13 @@ namespace isochor
     /** All equations; their numbers are kept. */
     explicit EquationSubset(const SparseSystem &A);
 
-    /** The equations of @p field. */
-    EquationSubset(const SparseSystem &A, const SparseSystem::Field field);
+    /** The equations of @p field, padded if asked (displacements only). */
+    EquationSubset(const SparseSystem       &A,
+                   const SparseSystem::Field field,
+                   const bool                padded = false);
 
     /** Take this subset's entries out of a vector of the whole system. Both
-     * are distributed by ownership. */
+     * are distributed by ownership. Rows without an equation become zero. */
     void
     extract(const TrilinosWrappers::MPI::Vector &whole,
             TrilinosWrappers::MPI::Vector       &part) const;
@@ -47,24 +54,35 @@ namespace isochor
     /** Size, and this rank's range, of the new numbers. */
     IndexSet locally_owned;
 
-    /** The members among the system's local equations, ascending. */
-    std::vector<unsigned int> local_equation;
+    /** For each of the system's local equations its local row, or
+     * numbers::invalid_unsigned_int for equations not in the subset. */
+    std::vector<unsigned int> row_of;
 
-    /** For each of the system's local equations its index in local_equation,
-     * or numbers::invalid_unsigned_int for equations not in the subset. */
-    std::vector<unsigned int> index_of;
-
-    /** For each member whether this rank owns it. */
+    /** For each local row whether this rank owns it. */
     std::vector<bool> is_owned;
 
-    /** New numbers of the owned members, and of all local ones. */
+    /** The local rows without an equation, each with an equation of its node:
+     * the diagonal entry of that one stands in the diagonal. */
+    std::vector<std::pair<unsigned int, unsigned int>> padding;
+
+    /** New numbers of the owned rows, and of all local ones. */
     Epetra_Map owned_map, local_map;
 
   private:
-    EquationSubset(const SparseSystem &A, const std::vector<bool> &is_member);
+    /** @p block_size: 1 or, to pad, dim. */
+    EquationSubset(const SparseSystem      &A,
+                   const std::vector<bool> &is_member,
+                   const unsigned int       block_size);
 
-    /** Owned members by their position among the owned equations. */
-    std::vector<unsigned int> owned_position;
+    /** Give the members their rows; fills in what isn't said by numbers. */
+    void
+    lay_out_rows(const SparseSystem      &A,
+                 const std::vector<bool> &is_member,
+                 const unsigned int       block_size);
+
+    /** The owned members: their row among the owned rows, and their position
+     * among the owned equations. */
+    std::vector<unsigned int> owned_row, owned_position;
   };
 
   /**
@@ -96,26 +114,28 @@ namespace isochor
     vmult(TrilinosWrappers::MPI::Vector       &dst,
           const TrilinosWrappers::MPI::Vector &src) const;
 
-    /** dst += block * src. */
+    /** dst = transpose of block * src. */
     void
-    vmult_add(TrilinosWrappers::MPI::Vector       &dst,
-              const TrilinosWrappers::MPI::Vector &src) const;
+    Tvmult(TrilinosWrappers::MPI::Vector       &dst,
+           const TrilinosWrappers::MPI::Vector &src) const;
 
   private:
-    static constexpr int none = -1;
-
     void
     make_local_pattern(const SparseSystem &A);
+
+    /** Call @p action (row, column, index of the value in @p A) for all entries
+     * of the block. As the system's rows ascend, a row gets its mirrored
+     * entries before its own ones, and thus its columns in ascending order:
+     * the n-th call for a row is about its n-th entry. */
+    template <typename Action>
+    void
+    for_each_entry(const SparseSystem &A, const Action &action) const;
 
     const EquationSubset &rows, &columns;
 
     /** This rank's contributions, and, if there are several ranks, the sum. */
     std::unique_ptr<Epetra_CrsMatrix> local, summed;
     std::unique_ptr<Epetra_Export>    to_owners;
-
-    /** For each entry of the SparseSystem its place among the values of
-     * `local`, and the place of its mirror image in symmetric systems. */
-    std::vector<int> place, mirrored_place;
   };
 } // namespace isochor
 

@@ -4,18 +4,14 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
-#include <deal.II/lac/trilinos_parallel_block_vector.h>
 #include <deal.II/lac/trilinos_precondition.h>
 
 #include <isochor/linear_solver.h>
-#include <isochor/trilinos_export.h>
+#include <isochor/saddle_point_matrix.h>
 
-#include <Epetra_Import.h>
-#include <Epetra_MultiVector.h>
-#include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 namespace isochor
@@ -24,113 +20,6 @@ namespace isochor
   {
     using DistributedVector      = TrilinosWrappers::MPI::Vector;
     using DistributedBlockVector = TrilinosWrappers::MPI::BlockVector;
-
-    /** [[K, B], [B*, -C]] by blocks, without assembling the whole. */
-    struct SaddlePointMatrix
-    {
-      SaddlePointMatrix(const SparseSystem   &A,
-                        const EquationSubset &displacements,
-                        const EquationSubset &pressures)
-        : K(A, displacements, displacements)
-        , B(A, displacements, pressures)
-        , B_star(A, pressures, displacements)
-        , minus_C(A, pressures, pressures)
-      {}
-
-      void
-      copy_values(const SparseSystem &A)
-      {
-        for (TrilinosBlock *block : {&K, &B, &B_star, &minus_C})
-          block->copy_values(A);
-      }
-
-      void
-      vmult(DistributedBlockVector       &dst,
-            const DistributedBlockVector &src) const
-      {
-        K.vmult(dst.block(0), src.block(0));
-        B.vmult_add(dst.block(0), src.block(1));
-        B_star.vmult(dst.block(1), src.block(0));
-        minus_C.vmult_add(dst.block(1), src.block(1));
-      }
-
-      /** In bytes, on this rank. */
-      double
-      memory_consumption() const
-      {
-        double n_entries = 0.;
-        for (const TrilinosBlock *block : {&K, &B, &B_star, &minus_C})
-          n_entries += block->matrix().NumMyNonzeros();
-        return n_entries * (sizeof(double) + sizeof(int));
-      }
-
-      TrilinosBlock K, B, B_star, minus_C;
-    };
-
-    /**
-     * Twice the diagonal of C + B* diag(K)^{-1} B, an approximation of the
-     * Schur complement C + B* K^{-1} B. Up to a factor near one it is the
-     * pressure mass matrix, lumped and divided by the shear modulus, plus the
-     * diagonal of C: unlike the whole of that product, whose iteration counts
-     * grow as cells shrink, it is spectrally equivalent to the Schur complement
-     * of a Stokes-like system whatever the mesh size, and it needs no material
-     * constants. The factor two is an experiment's: it takes the fewest
-     * iterations in 2D, and a fifth less than one in 3D.
-     */
-    DistributedVector
-    schur_complement_diagonal(const SaddlePointMatrix &A,
-                              const EquationSubset    &pressures,
-                              const MPI_Comm           comm)
-    {
-      const Epetra_CrsMatrix &K = A.K.matrix(), &B_star = A.B_star.matrix(),
-                             &minus_C = A.minus_C.matrix();
-      Epetra_Vector K_owned(K.RowMap()), K_diagonal(B_star.ColMap());
-      K.ExtractDiagonalCopy(K_owned);
-      K_diagonal.Import(K_owned,
-                        Epetra_Import(B_star.ColMap(), K.RowMap()),
-                        ::Insert);
-      Epetra_Vector C_diagonal(minus_C.RowMap());
-      minus_C.ExtractDiagonalCopy(C_diagonal);
-
-      DistributedVector diagonal(pressures.locally_owned, comm);
-      const double      factor = 2.;
-      for (int i = 0; i < B_star.NumMyRows(); ++i)
-        {
-          int     n_entries;
-          double *values;
-          int    *columns;
-          B_star.ExtractMyRowView(i, n_entries, values, columns);
-          double sum = -C_diagonal[i];
-          for (int k = 0; k < n_entries; ++k)
-            sum += values[k] * values[k] / K_diagonal[columns[k]];
-          diagonal.begin()[i] = factor * sum;
-        }
-      return diagonal;
-    }
-
-    /**
-     * The rigid body modes of the displacement equations in 2D, the
-     * translations in 3D (where the rotations cost more than they save).
-     */
-    Epetra_MultiVector
-    near_null_space(const SparseSystem &A, const EquationSubset &displacements)
-    {
-      const unsigned int n_modes = (A.dim == 2 ? 3 : A.dim);
-      Epetra_MultiVector modes(displacements.owned_map, n_modes, true);
-      int                row = 0;
-      for (std::size_t i = 0; i < displacements.local_equation.size(); ++i)
-        if (displacements.is_owned[i])
-          {
-            const unsigned int equation = displacements.local_equation[i];
-            const unsigned int c        = A.component[equation];
-            modes[c][row]               = 1.;
-            if (A.dim == 2)
-              modes[2][row] = (c == 0 ? -A.position[2 * equation + 1] :
-                                        A.position[2 * equation]);
-            ++row;
-          }
-      return modes;
-    }
 
     /** Upper block triangle of the factors of a saddle-point matrix. */
     struct BlockTriangularPreconditioner
@@ -141,15 +30,16 @@ namespace isochor
       {
         dst.block(1) = src.block(1);
         dst.block(1).scale(minus_S_inverse);
-        B->vmult(residual, dst.block(1));
+        scaled_pressure.equ(matrix->scale, dst.block(1));
+        matrix->B.vmult(residual, scaled_pressure);
         residual.sadd(-1., 1., src.block(0));
         K_inverse->vmult(dst.block(0), residual);
       }
 
-      const TrilinosBlock                     *B;
+      const SaddlePointMatrix                 *matrix;
       const TrilinosWrappers::PreconditionAMG *K_inverse;
       DistributedVector                        minus_S_inverse;
-      mutable DistributedVector                residual;
+      mutable DistributedVector                residual, scaled_pressure;
     };
   } // namespace
 
@@ -159,6 +49,10 @@ namespace isochor
    * ch. 9): algebraic multigrid (ML) for the displacements, a diagonal for the
    * Schur complement of the pressures. Systems without pressures are solved by
    * conjugate gradients, or FGMRES if unsymmetric, with the multigrid alone.
+   *
+   * The multigrid hierarchy is kept as long as the pattern stays and iterations
+   * do not become many more than they were with it at first. The matrix of the
+   * finest level is always the present one.
    */
   class BlockFGMRES : public LinearSolver
   {
@@ -170,16 +64,26 @@ namespace isochor
       prm.declare_entry("Relative tolerance",
                         "1e-10",
                         Patterns::Double(0., 1.),
-                        "Largest residual relative to the right-hand side.");
+                        "Residual relative to the right-hand side at which a "
+                        "solve ends, unless Newton's method is content with "
+                        "more, see <Newton/Inexact>.");
       prm.declare_entry("Maximum iterations",
-                        "1000",
+                        "300",
                         Patterns::Integer(1),
-                        "More iterations are an error.");
+                        "More iterations are a failure; the direct solver "
+                        "then takes over.");
       prm.declare_entry("Basis size",
                         "100",
                         Patterns::Integer(2),
                         "Restart after as many iterations. Twice as many "
                         "vectors are kept.");
+      prm.declare_entry("Slowdown",
+                        "1.5",
+                        Patterns::Double(1.),
+                        "The multigrid hierarchy is built anew when a solve "
+                        "needs that many times the iterations, for the same "
+                        "accuracy, of the first one with it. 1: for each "
+                        "matrix.");
       prm.leave_subsection();
     }
 
@@ -190,6 +94,7 @@ namespace isochor
       relative_tolerance   = prm.get_double("Relative tolerance");
       n_maximum_iterations = prm.get_integer("Maximum iterations");
       basis_size           = prm.get_integer("Basis size");
+      slowdown             = prm.get_double("Slowdown");
       prm.leave_subsection();
     }
 
@@ -199,19 +104,28 @@ namespace isochor
       return true;
     }
 
+    void
+    set_accuracy(const SolutionAccuracy &a) override
+    {
+      accuracy = a;
+    }
+
     LinearSolverReport
     factorise(const SparseSystem &A) override
     {
       LinearSolverReport report;
       assert_finite(A);
-      comm      = A.comm;
-      symmetric = A.symmetric;
+      system = &A;
+      comm   = A.comm;
       if (!matrix || pattern_id != A.pattern_id)
         {
+          multigrid.clear(); // refers to the matrix
+          hierarchy_serves = false;
           matrix.reset();
           displacements =
             std::make_unique<EquationSubset>(A,
-                                             SparseSystem::Field::displacement);
+                                             SparseSystem::Field::displacement,
+                                             true);
           pressures =
             std::make_unique<EquationSubset>(A, SparseSystem::Field::pressure);
           matrix =
@@ -222,7 +136,8 @@ namespace isochor
       else
         matrix->copy_values(A);
 
-      build_multigrid(A);
+      if (!hierarchy_serves || slowdown == 1.)
+        build_multigrid();
       if (pressures->locally_owned.size() > 0)
         build_block_preconditioner();
       report.factorised      = true;
@@ -233,17 +148,29 @@ namespace isochor
     LinearSolverReport
     solve(const DistributedVector &b, DistributedVector &x) override
     {
-      return pressures->locally_owned.size() > 0 ? solve_mixed(b, x) :
-                                                   solve_displacements(b, x);
+      try
+        {
+          return pressures->locally_owned.size() > 0 ?
+                   solve_mixed(b, x) :
+                   solve_displacements(b, x);
+        }
+      catch (const ExcLinearSolverFailed &)
+        {
+          hierarchy_serves = false;
+          if (hierarchy_is_new)
+            throw;
+        }
+      build_multigrid();
+      return solve(b, x);
     }
 
   private:
     void
-    build_multigrid(const SparseSystem &A)
+    build_multigrid()
     {
       TrilinosWrappers::PreconditionAMG::AdditionalData data;
       data.elliptic              = true;
-      data.smoother_sweeps       = 2;
+      data.smoother_sweeps       = 1; // degree of Chebyshev's polynomial
       data.aggregation_threshold = 0.02;
 
       const Epetra_CrsMatrix             &K = matrix->K.matrix();
@@ -251,7 +178,8 @@ namespace isochor
       std::unique_ptr<Epetra_MultiVector> unused;
       data.set_parameters(parameters, unused, K);
 
-      Epetra_MultiVector modes = near_null_space(A, *displacements);
+      Epetra_MultiVector modes = near_null_space(*system, *displacements);
+      parameters.set("PDE equations", static_cast<int>(system->dim));
       parameters.set("null space: type", "pre-computed");
       parameters.set("null space: dimension", modes.NumVectors());
       // ML takes a null pointer, which a rank without rows has, for modes that
@@ -259,27 +187,31 @@ namespace isochor
       double no_values = 0.;
       parameters.set("null space: vectors",
                      modes.MyLength() > 0 ? modes.Values() : &no_values);
+      multigrid.clear();
       multigrid.initialize(K, parameters);
+      hierarchy_serves = hierarchy_is_new = true;
     }
 
     void
     build_block_preconditioner()
     {
-      preconditioner.B         = &matrix->B;
+      preconditioner.matrix    = matrix.get();
       preconditioner.K_inverse = &multigrid;
       preconditioner.residual.reinit(displacements->locally_owned, comm);
+      preconditioner.scaled_pressure.reinit(pressures->locally_owned, comm);
 
       DistributedVector &diagonal = preconditioner.minus_S_inverse;
-      diagonal = schur_complement_diagonal(*matrix, *pressures, comm);
-      int ok   = 1;
+      diagonal = schur_complement_diagonal(*matrix, *pressures, *system);
+      const double square = matrix->scale * matrix->scale;
+      int          ok     = 1;
       for (double &entry : diagonal)
         {
           ok    = ok && std::isfinite(entry) && entry != 0.;
-          entry = -1. / entry;
+          entry = -1. / (square * entry);
         }
       AssertThrow(Utilities::MPI::min(ok, comm) == 1,
                   ExcLinearSolverFailed(
-                    "Block FGMRES: the diagonal of C + B* diag(K)^-1 B has "
+                    "Block FGMRES: the diagonal of C + B^T diag(K)^-1 B has "
                     "a zero or an entry that isn't finite: a pressure is "
                     "coupled to nothing."));
     }
@@ -292,6 +224,7 @@ namespace isochor
                                  comm);
       displacements->extract(b, rhs.block(0));
       pressures->extract(b, rhs.block(1));
+      rhs.block(1) *= matrix->scale;
       DistributedBlockVector solution;
       solution.reinit(rhs);
 
@@ -301,13 +234,15 @@ namespace isochor
         [&](SolverControl &control) {
           SolverFGMRES<DistributedBlockVector>(control, data)
             .solve(*matrix, solution, rhs, preconditioner);
+          DistributedBlockVector residual;
+          residual.reinit(rhs);
+          matrix->vmult(residual, solution);
+          residual -= rhs;
+          return residual.l2_norm();
         },
-        rhs.l2_norm());
-      DistributedBlockVector residual;
-      residual.reinit(rhs);
-      matrix->vmult(residual, solution);
-      residual -= rhs;
-      assert_true_residual(residual.l2_norm(), rhs.l2_norm());
+        rhs.l2_norm(),
+        std::min(accuracy.displacement, matrix->scale * accuracy.pressure));
+      solution.block(1) *= matrix->scale;
       displacements->insert(solution.block(0), x);
       pressures->insert(solution.block(1), x);
       return report;
@@ -324,7 +259,7 @@ namespace isochor
       data.max_basis_size = basis_size;
       const auto report   = run(
         [&](SolverControl &control) {
-          if (symmetric)
+          if (system->symmetric)
             SolverCG<DistributedVector>(control).solve(matrix->K,
                                                        solution,
                                                        rhs,
@@ -332,12 +267,13 @@ namespace isochor
           else
             SolverFGMRES<DistributedVector>(control, data)
               .solve(matrix->K, solution, rhs, multigrid);
+          DistributedVector residual(rhs);
+          matrix->K.vmult(residual, solution);
+          residual -= rhs;
+          return residual.l2_norm();
         },
-        rhs.l2_norm());
-      DistributedVector residual(rhs);
-      matrix->K.vmult(residual, solution);
-      residual -= rhs;
-      assert_true_residual(residual.l2_norm(), rhs.l2_norm());
+        rhs.l2_norm(),
+        accuracy.displacement);
       displacements->insert(solution, x);
       return report;
     }
@@ -345,10 +281,12 @@ namespace isochor
     /** The residual that a Krylov method updates departs from the true one
      * when the matrix is singular: the solution then grows without bounds. */
     void
-    assert_true_residual(const double residual, const double rhs_norm) const
+    assert_true_residual(const double residual,
+                         const double asked_for,
+                         const double rhs_norm) const
     {
-      const double rounding = 100.;
-      AssertThrow(residual <= rounding * relative_tolerance * rhs_norm,
+      const double rounding = 1e-8;
+      AssertThrow(residual <= std::max(2. * asked_for, rounding * rhs_norm),
                   ExcLinearSolverFailed(
                     "Block FGMRES: the iteration converged, but the true "
                     "residual is " +
@@ -356,19 +294,24 @@ namespace isochor
                     ". The matrix is singular or nearly so."));
     }
 
-    /** Run @p iteration and turn its failure into ours. */
+    /** Run @p iteration, which returns the true residual, until it is a part
+     * of @p rhs_norm or below @p absolute; turn its failure into ours. */
     template <typename Iteration>
     LinearSolverReport
-    run(const Iteration &iteration, const double rhs_norm) const
+    run(const Iteration &iteration,
+        const double     rhs_norm,
+        const double     absolute)
     {
       AssertThrow(std::isfinite(rhs_norm),
                   ExcLinearSolverFailed("Block FGMRES: the right-hand side "
                                         "has entries that are not finite."));
+      const double  part = std::max(relative_tolerance, accuracy.relative);
       SolverControl control(n_maximum_iterations,
-                            relative_tolerance * rhs_norm);
+                            std::max(part * rhs_norm, absolute));
+      double        residual = 0;
       try
         {
-          iteration(control);
+          residual = iteration(control);
         }
       catch (const std::exception &)
         {
@@ -380,24 +323,49 @@ namespace isochor
                         Utilities::to_string(control.last_value()) + ", not " +
                         Utilities::to_string(control.tolerance()) + "."));
         }
+      assert_true_residual(residual, control.tolerance(), rhs_norm);
+      judge_hierarchy(control, rhs_norm);
       LinearSolverReport report;
       report.iterations = control.last_step();
       return report;
     }
 
-    double       relative_tolerance   = 1e-10;
-    unsigned int n_maximum_iterations = 1000;
-    unsigned int basis_size           = 100;
+    /** Decide whether the next matrix gets a hierarchy of its own. */
+    void
+    judge_hierarchy(const SolverControl &control, const double rhs_norm)
+    {
+      const double digits = std::log10(rhs_norm / control.last_value());
+      // of a solve that was over at once nothing can be said
+      if (!(digits > 0.5))
+        return;
+      const double iterations_per_digit = control.last_step() / digits;
+      if (hierarchy_is_new)
+        first_iterations_per_digit = iterations_per_digit;
+      else if (iterations_per_digit > slowdown * first_iterations_per_digit)
+        hierarchy_serves = false;
+      hierarchy_is_new = false;
+    }
 
-    MPI_Comm      comm       = MPI_COMM_NULL;
-    unsigned long pattern_id = 0;
-    bool          symmetric  = true;
+    double           relative_tolerance   = 1e-10;
+    unsigned int     n_maximum_iterations = 300;
+    unsigned int     basis_size           = 100;
+    double           slowdown             = 1.5;
+    SolutionAccuracy accuracy;
+
+    MPI_Comm            comm       = MPI_COMM_NULL;
+    unsigned long       pattern_id = 0;
+    const SparseSystem *system     = nullptr;
 
     // In the order of dependence.
     std::unique_ptr<EquationSubset>    displacements, pressures;
     std::unique_ptr<SaddlePointMatrix> matrix;
     TrilinosWrappers::PreconditionAMG  multigrid;
     BlockTriangularPreconditioner      preconditioner;
+
+    /** Whether the hierarchy is good enough for the next matrix, and whether it
+     * has not been judged yet. */
+    bool   hierarchy_serves = false, hierarchy_is_new = true;
+    double first_iterations_per_digit = 0;
   };
 
   ISOCHOR_REGISTER(LinearSolver, BlockFGMRES, "Block FGMRES")

@@ -6,13 +6,14 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/linear_solver.h>
+#include <isochor/nested_dissection.h>
 
 #include <dmumps_c.h>
-#include <metis.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <map>
 
@@ -67,68 +68,18 @@ namespace isochor
       DMUMPS_STRUC_C id;
     };
 
-    /**
-     * A fill-reducing ordering by METIS' nested dissection of the graph of
-     * the matrix whose entries are (row, column), 1-based, each off-diagonal
-     * pair in one triangle or in both, duplicates allowed. Returns the
-     * position of each equation, 1-based.
-     */
-    std::vector<int>
-    nested_dissection(const unsigned int                   n,
-                      const std::vector<std::vector<int>> &rows,
-                      const std::vector<std::vector<int>> &columns)
+    /** What is left of this machine's memory, in bytes, or infinity if the
+     * system doesn't tell. */
+    double
+    available_memory()
     {
-      const auto for_each_edge = [&](const auto &action) {
-        for (unsigned int rank = 0; rank < rows.size(); ++rank)
-          for (std::size_t k = 0; k < rows[rank].size(); ++k)
-            if (rows[rank][k] != columns[rank][k])
-              {
-                action(rows[rank][k] - 1, columns[rank][k] - 1);
-                action(columns[rank][k] - 1, rows[rank][k] - 1);
-              }
-      };
-      std::vector<std::size_t> start(n + 1, 0);
-      for_each_edge([&](const int i, const int) { ++start[i + 1]; });
-      for (unsigned int i = 0; i < n; ++i)
-        start[i + 1] += start[i];
-      std::vector<idx_t> neighbour(start[n]);
-      {
-        std::vector<std::size_t> next(start.begin(), start.end() - 1);
-        for_each_edge(
-          [&](const int i, const int j) { neighbour[next[i]++] = j; });
-      }
-
-      std::vector<idx_t> row_start(n + 1, 0);
-      std::size_t        end = 0;
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const auto first = neighbour.begin() + start[i];
-          const auto last  = neighbour.begin() + start[i + 1];
-          std::sort(first, last);
-          const auto last_unique = std::unique(first, last);
-          std::copy(first, last_unique, neighbour.begin() + end);
-          end += last_unique - first;
-          row_start[i + 1] = end;
-        }
-      neighbour.resize(std::max<std::size_t>(end, 1));
-
-      std::vector<idx_t> equation_at(n), position_of(n);
-      idx_t              n_vertices = n;
-      const int          status     = METIS_NodeND(&n_vertices,
-                                      row_start.data(),
-                                      neighbour.data(),
-                                      nullptr,
-                                      nullptr,
-                                      equation_at.data(),
-                                      position_of.data());
-      AssertThrow(status == METIS_OK,
-                  ExcLinearSolverFailed("METIS could not order the equations "
-                                        "(METIS_NodeND returned " +
-                                        std::to_string(status) + ")."));
-      std::vector<int> position(n);
-      for (unsigned int i = 0; i < n; ++i)
-        position[i] = position_of[i] + 1;
-      return position;
+      std::ifstream file("/proc/meminfo");
+      std::string   name;
+      double        kilobytes = 0;
+      while (file >> name)
+        if (name == "MemAvailable:" && file >> kilobytes)
+          return 1024. * kilobytes;
+      return std::numeric_limits<double>::infinity();
     }
 
     /** The values of ICNTL(7) for the orderings inside MUMPS. */
@@ -282,6 +233,7 @@ namespace isochor
         }
       mumps->id.perm_in = nullptr;
       check_ordering();
+      assert_enough_memory();
       pattern_id = A.pattern_id;
       share_ownership(A);
     }
@@ -365,6 +317,29 @@ namespace isochor
           id.perm_in  = permutation.data();
         }
       entry(id.icntl, 7) = 1; // the permutation given
+    }
+
+    /** Better an error than a run that the system ends. */
+    void
+    assert_enough_memory() const
+    {
+      MPI_Comm  machine;
+      const int ierr = MPI_Comm_split_type(
+        comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+      AssertThrowMPI(ierr);
+      const double needed =
+        Utilities::MPI::sum(1e6 * entry(mumps->id.info, 15), machine);
+      MPI_Comm_free(&machine);
+      const double lacking =
+        Utilities::MPI::max(needed - available_memory(), comm);
+      AssertThrow(lacking <= 0,
+                  ExcLinearSolverFailed(
+                    "MUMPS: to factorise the matrix of " +
+                    std::to_string(mumps->id.n) + " equations takes about " +
+                    std::to_string(std::lround(needed / 1e6)) + " MB, " +
+                    std::to_string(std::lround(lacking / 1e6)) +
+                    " MB more than the machine has left. Set <Linear "
+                    "solver/Solver = Block FGMRES> or use a coarser grid."));
     }
 
     /** MUMPS replaces an ordering that it was built without by another. */
