@@ -30,7 +30,7 @@ namespace isochor
 
     LoadStepping             time;
     LastMotion               last_motion;
-    std::string              grid_reset;
+    std::string              grid_reset, mesh;
     std::vector<std::string> boundary_conditions, postprocessors;
 
     /** The points in the order of the handler: per point the cell, the id, the
@@ -45,8 +45,8 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &n_ranks &grid_fingerprint &problem &settings &time &last_motion
-        &grid_reset &boundary_conditions &postprocessors &n_properties &cells
-          &ids &coordinates &properties;
+        &grid_reset &mesh &boundary_conditions &postprocessors &n_properties
+          &cells &ids &coordinates &properties;
     }
   };
 
@@ -61,7 +61,7 @@ namespace isochor
     struct Header
     {
       char          magic[8]   = {'I', 's', 'o', 'c', 'h', 'o', 'r', '\n'};
-      std::uint64_t version    = 3;
+      std::uint64_t version    = 4;
       std::uint64_t byte_order = 0x0102030405060708;
       std::uint64_t dimension  = 0;
       std::uint64_t size       = 0; ///< of the rest, in bytes
@@ -331,6 +331,7 @@ namespace isochor
     c.time             = state.time;
     c.last_motion      = state.last_motion;
     c.grid_reset       = state.grid_reset.save_state();
+    c.mesh             = state.save_grid();
     for (const auto &condition : state.boundary_conditions)
       c.boundary_conditions.push_back(condition->save_state());
     for (const auto &postprocessor : state.postprocessors)
@@ -493,6 +494,7 @@ namespace isochor
                   ExcMessage("The checkpoint was written by a program whose "
                              "material points carry other fields."));
     });
+    state.load_grid(c.mesh);
     state.time.resume(c.time);
     state.last_motion = c.last_motion;
     state.grid_reset.load_state(c.grid_reset);

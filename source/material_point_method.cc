@@ -68,6 +68,7 @@ namespace isochor
     DiscreteExtension<dim>::declare_parameters(prm);
     PointRefinement<dim>::declare_parameters(prm);
     GridReset<dim>::declare_parameters(prm);
+    GridAdaptation<dim>::declare_parameters(prm);
     VolumeProjection<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -155,6 +156,7 @@ namespace isochor
     extension.parse_parameters(prm);
     refinement.parse_parameters(prm);
     grid_reset.parse_parameters(prm);
+    adaptation.parse_parameters(prm);
     project_volume = volume_projection.parse_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -317,6 +319,8 @@ namespace isochor
                 newton = updated_lagrangian_phase();
               }
           }
+        if (newton.converged && repeat_first_step())
+          continue;
         if (newton.converged)
           {
             convective_phase(newton);
@@ -363,7 +367,8 @@ namespace isochor
   MaterialPointMethod<dim>::setup()
   {
     TimerOutput::Scope scope(timer, "setup");
-    grid.create(n_components == dim + 1);
+    grid.create();
+    adaptation.make_initial_grid(grid);
     locator = std::make_unique<PointLocator<dim>>(grid.geometry());
     points.seed(kernel.materials,
                 dynamic,
@@ -462,7 +467,12 @@ namespace isochor
             last_motion,
             grid_reset,
             boundary_conditions,
-            postprocessors};
+            postprocessors,
+            [this]() { return adaptation.save_state(grid); },
+            [this](const std::string &saved) {
+              if (adaptation.load_state(saved, grid, points, *locator))
+                grid_changed();
+            }};
   }
 
 
@@ -554,6 +564,9 @@ namespace isochor
     grid_reset.start(time.time);
     // here and not after the last step, which may end outside of the grid
     points.relocate(*locator);
+    if (adaptation.is_due() &&
+        adaptation.adapt(grid, points, *locator, time.time))
+      grid_changed();
     refinement.refine(points, grid, *locator);
     points.gather(arrays);
     quadrature.start_step(arrays, *locator, kernel, needs_occupancy, occupancy);
@@ -564,6 +577,42 @@ namespace isochor
       term->touch_vertices(grid_reset.touched_vertices);
     if (extends)
       extension.update(arrays, grid_reset.touched_vertices);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::grid_changed()
+  {
+    for (const auto &condition : boundary_conditions)
+      condition->grid_changed(grid, time.step == 0);
+    for (const auto &postprocessor : postprocessors)
+      postprocessor->grid_changed(grid);
+    if (needs_occupancy)
+      find_walls();
+    last_motion = {}; // of other nodes
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialPointMethod<dim>::repeat_first_step()
+  {
+    if (time.step > 0 || !adaptation.repeats_first_step(++n_first_solutions))
+      return false;
+    Statistics not_of_a_step;
+    adaptation.set_sizes(context(), unknowns, points, not_of_a_step);
+    if (!adaptation.adapt(grid, points, *locator, time.time))
+      return false;
+    // as they were, but for the cells
+    points.seed(kernel.materials,
+                dynamic,
+                inertia.initial_velocity,
+                quadrature.needs_domains());
+    grid_changed();
+    return true;
   }
 
 
@@ -973,6 +1022,8 @@ namespace isochor
         statistics.set("Step of grid", grid_reset.n_steps() + 1);
       for (auto &postprocessor : postprocessors)
         postprocessor->evaluate_nodes(result, statistics);
+      adaptation.set_sizes(step, unknowns, points, statistics);
+      adaptation.evaluate(grid, points, statistics);
       for (const auto &condition : boundary_conditions)
         condition->evaluate(step, unknowns, statistics);
     }

@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -45,6 +46,9 @@ namespace isochor
       GridReset<dim>                                       &grid_reset;
       std::vector<std::unique_ptr<BoundaryCondition<dim>>> &boundary_conditions;
       std::vector<std::unique_ptr<Postprocessor<dim>>>     &postprocessors;
+      /** The mesh, if it may be another one than at the start. */
+      std::function<std::string()>             save_grid;
+      std::function<void(const std::string &)> load_grid;
     };
 
     static void

@@ -14,6 +14,7 @@
 #include <isochor/checkpoint.h>
 #include <isochor/discrete_extension.h>
 #include <isochor/failure_report.h>
+#include <isochor/grid_adaptation.h>
 #include <isochor/grid_reset.h>
 #include <isochor/inertia_term.h>
 #include <isochor/linear_solver.h>
@@ -128,6 +129,13 @@ namespace isochor
      * follows from it. */
     void
     reset_grid();
+    /** The grid has been replaced: tell what knows it. */
+    void
+    grid_changed();
+    /** Adapt the grid to the solution of the first step, if that is to be
+     * solved once more; whether it is. */
+    bool
+    repeat_first_step();
     /** Put where Newton's method starts without a predictor into the unknowns.
      */
     void
@@ -220,6 +228,8 @@ namespace isochor
     InertiaTerm<dim>                                     inertia;
     bool                                                 dynamic = false;
     GridReset<dim>                                       grid_reset;
+    GridAdaptation<dim>                                  adaptation;
+    unsigned int                                         n_first_solutions = 0;
     std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
     std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;
     std::unique_ptr<LinearSolver>                        linear_solver;
