@@ -89,8 +89,8 @@ namespace isochor
     void
     inspect_grid(const Inspector &inspect)
     {
-      const bool adaptive = inspect.value({"Grid", "Type"}) == "adaptive";
-      const Path entry    = {"Grid", adaptive ? "Coarse cells" : "Type"};
+      const bool adaptive    = inspect.value({"Grid", "Type"}) == "adaptive";
+      const Path entry       = {"Grid", adaptive ? "Coarse cells" : "Type"};
       const std::string type = inspect.value(entry);
       const std::string with = "with <" + join_path(entry) + " = " + type + ">";
       const std::string fixed =

@@ -565,7 +565,7 @@ namespace isochor
     // here and not after the last step, which may end outside of the grid
     points.relocate(*locator);
     if (adaptation.is_due() &&
-        adaptation.adapt(grid, points, *locator, time.time))
+        adaptation.adapt(grid, points, *locator, time.time, last_motion))
       grid_changed();
     refinement.refine(points, grid, *locator);
     points.gather(arrays);
@@ -591,7 +591,6 @@ namespace isochor
       postprocessor->grid_changed(grid);
     if (needs_occupancy)
       find_walls();
-    last_motion = {}; // of other nodes
   }
 
 
@@ -604,7 +603,7 @@ namespace isochor
       return false;
     Statistics not_of_a_step;
     adaptation.set_sizes(context(), unknowns, points, not_of_a_step);
-    if (!adaptation.adapt(grid, points, *locator, time.time))
+    if (!adaptation.adapt(grid, points, *locator, time.time, last_motion))
       return false;
     // as they were, but for the cells
     points.seed(kernel.materials,

@@ -40,9 +40,8 @@ namespace
       {
         const auto       values = particle.get_properties();
         const Point<dim> x      = particle.get_location();
-        sums[0] +=
-          values[l.volume] *
-          determinant(deformation_gradient<dim>(values.data(), l));
+        sums[0] += values[l.volume] *
+                   determinant(deformation_gradient<dim>(values.data(), l));
         sums[1] += values[l.mass];
         for (unsigned int d = 0; d < dim; ++d)
           {
@@ -98,8 +97,7 @@ test_patch(const std::string &formulation, const std::string &quadrature)
     "\nGrid reset/Steps between resets = 0\n"
     "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0; "
     "top: y=-0.1*t" +
-    (dim == 3 ? "; front: z=0; back: z=0" : "") +
-    "\nTime/Step size = 0.5\n");
+    (dim == 3 ? "; front: z=0; back: z=0" : "") + "\nTime/Step size = 0.5\n");
   const MaterialPoints<dim> &points = problem->material_points();
   test::check_error(formulation + ", " + quadrature + ", dim " +
                       std::to_string(dim) + ": homogeneous across levels",
@@ -112,8 +110,8 @@ test_patch(const std::string &formulation, const std::string &quadrature)
     {
       const auto values = particle.get_properties();
       test::add_error(error,
-                      std::abs(determinant(deformation_gradient<dim>(
-                                 values.data(), l)) -
+                      std::abs(determinant(
+                                 deformation_gradient<dim>(values.data(), l)) -
                                0.9));
     }
   test::check_error("volume of its points", error, 1e-12);
@@ -125,28 +123,28 @@ template <int dim>
 void
 test_carried(const std::string &quadrature)
 {
-  const unsigned int n = (dim == 2 ? 8 : 4);
+  const unsigned int n       = (dim == 2 ? 8 : 4);
   const auto         problem = test::run_scene<dim>(
     box<dim>(n) + law +
     "Material/Poisson ratio = 0.3\nMaterial/Density = 2\n"
-    "Material points/Region = (x < 0.25) * (y < 0.5)\n"
-    "Material points/Points per cell = " +
+            "Material points/Region = (x < 0.25) * (y < 0.5)\n"
+            "Material points/Points per cell = " +
     std::string(dim == 2 ? "4" : "8") +
     "\n"
-    "Adaptive grid/Maximum level = 1\n"
-    "Adaptive grid/Cell size = if(abs(x - 0.2 - 0.5*t) < 0.05, " +
+            "Adaptive grid/Maximum level = 1\n"
+            "Adaptive grid/Cell size = if(abs(x - 0.2 - 0.5*t) < 0.05, " +
     std::to_string(0.6 / n) +
     ", 1)\n"
-    "Quadrature/Type = " +
+            "Quadrature/Type = " +
     quadrature +
     "\nMaterial points/Materials in zones =\n"
-    "Formulation/Type = u-p\n"
-    "Boundary conditions/Surfaces of body = body: 1\n"
-    "Boundary conditions/Displacement of body = body: x=0.5*t, y=0" +
+            "Formulation/Type = u-p\n"
+            "Boundary conditions/Surfaces of body = body: 1\n"
+            "Boundary conditions/Displacement of body = body: x=0.5*t, y=0" +
     (dim == 3 ? ", z=0" : "") + "\nTime/Step size = 0.25\n");
   const MaterialPoints<dim> &points = problem->material_points();
   const auto                 sums   = moments(points);
-  const double depth = 1, area = 0.125 * depth, mass = 2 * area;
+  const double               depth = 1, area = 0.125 * depth, mass = 2 * area;
   const double changes = problem->last_statistics().get("Changes of grid");
   test::check(quadrature + ", dim " + std::to_string(dim) +
                 ": the grid follows a body",

@@ -7,6 +7,7 @@
 
 #include <isochor/cell_size_criterion.h>
 #include <isochor/equation_term.h>
+#include <isochor/last_motion.h>
 #include <isochor/material_points.h>
 #include <isochor/point_locator.h>
 
@@ -57,14 +58,16 @@ namespace isochor
 
     /**
      * The grid is reset at @p time, and the points have been located in the old
-     * one: replace it and put them into the new one, if a leaf changes. Returns
-     * whether it did. Collective.
+     * one: replace it and put them into the new one, if a leaf changes. Nodes of
+     * the new one get what @p last_motion has at their places. Returns whether
+     * the grid changed. Collective.
      */
     bool
     adapt(BackgroundGrid<dim>     &grid,
           MaterialPoints<dim>     &points,
           const PointLocator<dim> &locator,
-          const double             time);
+          const double             time,
+          LastMotion              &last_motion);
 
     /** Whether the first step, just solved for the time number @p n, is to be
      * solved again on the grid that follows from it. */
@@ -91,6 +94,25 @@ namespace isochor
                const PointLocator<dim> &locator);
 
   private:
+    /** The last motion by vertex of an old grid. */
+    struct Motion
+    {
+      std::unique_ptr<const SimplexGeometry<dim>> geometry;
+      std::vector<Leaf<dim>>                      leaves;
+      std::vector<unsigned int>                   first_cells; ///< of leaves
+      unsigned int                                n_components = 0;
+      std::vector<double>                         unknowns;
+      std::vector<unsigned char>                  is_known;
+    };
+
+    static Motion
+    motion_in_old_grid(const BackgroundGrid<dim> &grid,
+                       const LastMotion          &last_motion);
+    static void
+    set_motion_in_new_grid(const Motion              &motion,
+                           const BackgroundGrid<dim> &grid,
+                           LastMotion                &last_motion);
+
     bool
     needs_state() const;
     double

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>
+#include <deal.II/fe/fe_simplex_p.h>
 
 #include <isochor/body_quadrature.h>
 #include <isochor/body_term.h>

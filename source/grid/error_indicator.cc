@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/cell_size_criterion.h>
+#include <isochor/material_model.h>
 #include <isochor/mpi_sums.h>
 
 #include <algorithm>

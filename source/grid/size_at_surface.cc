@@ -44,7 +44,7 @@ namespace isochor
                 Statistics & /*statistics*/) const override
     {
       const SimplexGeometry<dim> &geometry = state.grid.geometry();
-      std::vector<unsigned char>  occupied(geometry.n_cells(), 0);
+      std::vector<unsigned int>   occupied(geometry.n_cells(), 0);
       for (const unsigned int cell : state.cell)
         occupied[cell] = 1;
       Utilities::MPI::max(occupied, state.grid.communicator(), occupied);
