@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/checkpoint.h>
+#include <isochor/checkpoint_file.h>
 #include <isochor/parameter_list.h>
 #include <isochor/safe_file.h>
 
@@ -14,8 +15,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <sstream>
 
 namespace isochor
@@ -30,7 +29,7 @@ namespace isochor
 
     LoadStepping             time;
     LastMotion               last_motion;
-    std::string              grid_reset, mesh;
+    std::string              grid_reset;
     std::vector<std::string> boundary_conditions, postprocessors;
 
     /** The points in the order of the handler: per point the cell, the id, the
@@ -45,8 +44,8 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &n_ranks &grid_fingerprint &problem &settings &time &last_motion
-        &grid_reset &mesh &boundary_conditions &postprocessors &n_properties
-          &cells &ids &coordinates &properties;
+        &grid_reset &boundary_conditions &postprocessors &n_properties &cells
+          &ids &coordinates &properties;
     }
   };
 
@@ -55,35 +54,6 @@ namespace isochor
   namespace
   {
     constexpr unsigned int n_slots = 2;
-
-    /** How a file starts. Read back on a machine of other byte order or word
-     * size, or from another kind of file, it does not compare equal. */
-    struct Header
-    {
-      char          magic[8]   = {'I', 's', 'o', 'c', 'h', 'o', 'r', '\n'};
-      std::uint64_t version    = 4;
-      std::uint64_t byte_order = 0x0102030405060708;
-      std::uint64_t dimension  = 0;
-      std::uint64_t size       = 0; ///< of the rest, in bytes
-      std::uint64_t checksum   = 0; ///< of the rest
-    };
-
-
-
-    /** The hash FNV-1a of 64 bits, continued from @p hash. */
-    std::uint64_t
-    fnv1a(const void         *data,
-          const std::size_t   n_bytes,
-          const std::uint64_t hash = 14695981039346656037ull)
-    {
-      std::uint64_t        result = hash;
-      const unsigned char *bytes  = static_cast<const unsigned char *>(data);
-      for (std::size_t i = 0; i < n_bytes; ++i)
-        result = (result ^ bytes[i]) * 1099511628211ull;
-      return result;
-    }
-
-
 
     /** Of vertices, cells and who owns them. */
     template <int dim>
@@ -298,18 +268,7 @@ namespace isochor
         boost::archive::binary_oarchive archive(stream);
         archive << contents;
       }
-      const std::string data = stream.str();
-      Header            header;
-      header.dimension = dim;
-      header.size      = data.size();
-      header.checksum  = fnv1a(data.data(), data.size());
-      write_file_safely(
-        file_name(next_slot),
-        [&](std::ostream &out) {
-          out.write(reinterpret_cast<const char *>(&header), sizeof(header));
-          out.write(data.data(), data.size());
-        },
-        Durability::of_machine);
+      write_checkpoint_file(file_name(next_slot), dim, stream.str());
     });
     next_slot = (next_slot + 1) % n_slots;
     last_step = time.step;
@@ -330,8 +289,7 @@ namespace isochor
     c.settings         = settings;
     c.time             = state.time;
     c.last_motion      = state.last_motion;
-    c.grid_reset       = state.grid_reset.save_state();
-    c.mesh             = state.save_grid();
+    c.grid_reset       = state.setup.save_state();
     for (const auto &condition : state.boundary_conditions)
       c.boundary_conditions.push_back(condition->save_state());
     for (const auto &postprocessor : state.postprocessors)
@@ -360,35 +318,11 @@ namespace isochor
   typename Checkpoint<dim>::Slot
   Checkpoint<dim>::read_slot(const unsigned int slot) const
   {
-    const std::string name = file_name(slot);
-    Slot              result;
-    std::ifstream     file(name, std::ios::binary);
-    if (!file)
-      {
-        result.error = "The file <" + name + "> does not exist.";
-        return result;
-      }
-
-    Header       header;
-    const Header expected;
-    file.read(reinterpret_cast<char *>(&header), sizeof(header));
-    if (!file || std::memcmp(header.magic, expected.magic, 8) != 0 ||
-        header.version != expected.version ||
-        header.byte_order != expected.byte_order || header.dimension != dim)
-      {
-        result.error = "The file <" + name + "> is no checkpoint of " +
-                       std::to_string(dim) +
-                       "D and of this version of the program and machine.";
-        return result;
-      }
-    const std::string data{std::istreambuf_iterator<char>(file),
-                           std::istreambuf_iterator<char>()};
-    if (data.size() != header.size ||
-        fnv1a(data.data(), data.size()) != header.checksum)
-      {
-        result.error = "The file <" + name + "> is damaged.";
-        return result;
-      }
+    Slot        result;
+    std::string data;
+    result.error = read_checkpoint_file(file_name(slot), dim, data);
+    if (!result.error.empty())
+      return result;
     std::istringstream              stream(data, std::ios::binary);
     boost::archive::binary_iarchive archive(stream);
     result.contents = std::make_unique<Contents>();
@@ -494,10 +428,9 @@ namespace isochor
                   ExcMessage("The checkpoint was written by a program whose "
                              "material points carry other fields."));
     });
-    state.load_grid(c.mesh);
     state.time.resume(c.time);
     state.last_motion = c.last_motion;
-    state.grid_reset.load_state(c.grid_reset);
+    state.setup.load_state(c.grid_reset);
     for (unsigned int i = 0; i < c.boundary_conditions.size(); ++i)
       state.boundary_conditions[i]->load_state(c.boundary_conditions[i]);
     for (unsigned int i = 0; i < c.postprocessors.size(); ++i)

@@ -6,15 +6,8 @@
 
 #include <isochor/grid_reset.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-#include <boost/serialization/array.hpp>
-#include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace isochor
 {
@@ -54,15 +47,6 @@ namespace isochor
       return F;
     }
   } // namespace
-
-
-
-  template <int dim>
-  GridReset<dim>::GridReset(PointArrays<dim>       &points,
-                            DiscreteExtension<dim> &extension)
-    : points(points)
-    , extension(extension)
-  {}
 
 
 
@@ -118,17 +102,19 @@ namespace isochor
   template <int dim>
   void
   GridReset<dim>::advance(const StepContext<dim> &step,
-                          const NodalField       &unknowns)
+                          const NodalField       &unknowns,
+                          PointArrays<dim>       &points)
   {
     ++n_steps_since;
     is_due = (n_steps_since == interval);
     if (is_due)
       return;
-    advance_massless_points(step, unknowns);
-    advance_stencils(step, unknowns);
-    const double worst = Utilities::MPI::min(advance_cells(step, unknowns),
-                                             step.grid.communicator());
-    is_due             = !(worst > 0 && worst >= smallest_quality);
+    advance_massless_points(step, unknowns, points);
+    advance_stencils(step, unknowns, points);
+    const double worst =
+      Utilities::MPI::min(advance_cells(step, unknowns, points),
+                          step.grid.communicator());
+    is_due = !(worst > 0 && worst >= smallest_quality);
   }
 
 
@@ -136,7 +122,8 @@ namespace isochor
   template <int dim>
   void
   GridReset<dim>::advance_massless_points(const StepContext<dim> &step,
-                                          const NodalField       &unknowns)
+                                          const NodalField       &unknowns,
+                                          PointArrays<dim>       &points)
   {
     std::vector<double> history(points.n_history);
     for (unsigned int k = points.n_occupied_cells; k < points.cell.size(); ++k)
@@ -172,7 +159,8 @@ namespace isochor
   template <int dim>
   void
   GridReset<dim>::advance_stencils(const StepContext<dim> &step,
-                                   const NodalField       &unknowns)
+                                   const NodalField       &unknowns,
+                                   PointArrays<dim>       &points)
   {
     if (!points.has_stencils())
       return;
@@ -192,7 +180,8 @@ namespace isochor
   template <int dim>
   double
   GridReset<dim>::advance_cells(const StepContext<dim> &step,
-                                const NodalField       &unknowns)
+                                const NodalField       &unknowns,
+                                PointArrays<dim>       &points)
   {
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
     points.deform_cells(geometry);
@@ -229,45 +218,15 @@ namespace isochor
 
   template <int dim>
   double
-  GridReset<dim>::quality(const StepContext<dim> &step,
-                          const unsigned int      k) const
+  GridReset<dim>::quality(const StepContext<dim> &step, const unsigned int k)
   {
-    const auto    &gradients = step.grid.geometry().gradients(points.cell[k]);
-    const auto    &cell      = points.deformed_cell[k];
+    const auto &gradients = step.grid.geometry().gradients(step.points.cell[k]);
+    const auto &cell      = step.points.deformed_cell[k];
     Tensor<2, dim> A;
     for (unsigned int v = 0; v <= dim; ++v)
       A += outer_product(Tensor<1, dim>(cell.corners[v]), gradients[v]);
     const double J = determinant(A);
     return J > 0 ? dim * std::pow(J, 2. / dim) / A.norm_square() : 0.;
-  }
-
-
-
-  template <int dim>
-  std::string
-  GridReset<dim>::save_state() const
-  {
-    std::ostringstream              stream(std::ios::binary);
-    boost::archive::binary_oarchive archive(stream);
-    archive << is_due << n_steps_since << reset_time;
-    if (!is_due)
-      archive << touched_vertices << elements << first_element << points
-              << extension;
-    return stream.str();
-  }
-
-
-
-  template <int dim>
-  void
-  GridReset<dim>::load_state(const std::string &state)
-  {
-    std::istringstream              stream(state, std::ios::binary);
-    boost::archive::binary_iarchive archive(stream);
-    archive >> is_due >> n_steps_since >> reset_time;
-    if (!is_due)
-      archive >> touched_vertices >> elements >> first_element >> points >>
-        extension;
   }
 
 

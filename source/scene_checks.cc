@@ -6,6 +6,7 @@
 
 #include <isochor/free_motions.h>
 #include <isochor/mpi_sums.h>
+#include <isochor/scene.h>
 #include <isochor/scene_checks.h>
 
 #include <algorithm>
@@ -188,6 +189,42 @@ namespace isochor
 
 
 
+  template <int dim>
+  void
+  check_first_step(const Scene<dim>       &scene,
+                   const StepContext<dim> &step,
+                   const SparseSystem     &matrix)
+  {
+    check_body(step);
+    for (const auto &condition : scene.boundary_conditions)
+      condition->check_scene(step);
+    for (const auto &postprocessor : scene.postprocessors)
+      postprocessor->check_scene(step);
+    if (!scene.dynamic)
+      check_supports(matrix, step.warnings);
+  }
+
+
+
+  template <int dim>
+  void
+  warn_if_nothing_moves(Scene<dim>         &scene,
+                        const NewtonReport &newton,
+                        const NodalField   &unknowns)
+  {
+    // in dynamics the trial steps may have left nothing to iterate on
+    if (scene.time.step == 0 && newton.n_iterations() == 0 &&
+        unknowns.linfty_norm() == 0)
+      scene.warnings.add(
+        "nothing loads the scene",
+        "The first step, to t = " + std::to_string(scene.time.next_time()) +
+          ", needed no iteration: no load and no displacement acts on the body "
+          "up to then. Set loads in <Boundary conditions>, <Dynamics/Initial "
+          "velocity>, or a larger <Time/Step size> if they begin later.");
+  }
+
+
+
   template void
   warn_if_untouched<2>(const StepContext<2> &,
                        const std::string &,
@@ -204,4 +241,20 @@ namespace isochor
   check_body<2>(const StepContext<2> &);
   template void
   check_body<3>(const StepContext<3> &);
+  template void
+  check_first_step<2>(const Scene<2> &,
+                      const StepContext<2> &,
+                      const SparseSystem &);
+  template void
+  check_first_step<3>(const Scene<3> &,
+                      const StepContext<3> &,
+                      const SparseSystem &);
+  template void
+  warn_if_nothing_moves<2>(Scene<2> &,
+                           const NewtonReport &,
+                           const NodalField &);
+  template void
+  warn_if_nothing_moves<3>(Scene<3> &,
+                           const NewtonReport &,
+                           const NodalField &);
 } // namespace isochor

@@ -24,10 +24,22 @@ namespace isochor
 
   template <int dim>
   bool
-  VolumeProjection<dim>::parse_parameters(ParameterHandler &prm)
+  VolumeProjection<dim>::is_asked_for(ParameterHandler &prm)
   {
     prm.enter_subsection("Formulation");
     const bool active = prm.get_bool("Project volume change");
+    prm.leave_subsection();
+    return active;
+  }
+
+
+
+  template <int dim>
+  bool
+  VolumeProjection<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    const bool active = is_asked_for(prm);
+    prm.enter_subsection("Formulation");
     AssertThrow(!active || prm.get("Type") == "u-p",
                 ExcMessage("<Formulation/Project volume change> needs the "
                            "pressure field of <Formulation/Type = u-p>."));

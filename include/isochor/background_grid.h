@@ -7,6 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/distributed/shared_tria.h>
+#include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping_fe.h>
 
 #include <isochor/adaptive_grid.h>

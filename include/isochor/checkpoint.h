@@ -6,13 +6,12 @@
 #define isochor_checkpoint_h
 
 #include <isochor/boundary_condition.h>
-#include <isochor/grid_reset.h>
 #include <isochor/last_motion.h>
 #include <isochor/postprocessor.h>
+#include <isochor/step_setup.h>
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -43,12 +42,9 @@ namespace isochor
       MaterialPoints<dim>                                  &points;
       LoadStepping                                         &time;
       LastMotion                                           &last_motion;
-      GridReset<dim>                                       &grid_reset;
+      StepSetup<dim>                                       &setup;
       std::vector<std::unique_ptr<BoundaryCondition<dim>>> &boundary_conditions;
       std::vector<std::unique_ptr<Postprocessor<dim>>>     &postprocessors;
-      /** The mesh, if it may be another one than at the start. */
-      std::function<std::string()>             save_grid;
-      std::function<void(const std::string &)> load_grid;
     };
 
     static void

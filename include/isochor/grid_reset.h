@@ -5,10 +5,7 @@
 #ifndef isochor_grid_reset_h
 #define isochor_grid_reset_h
 
-#include <isochor/discrete_extension.h>
-
-#include <string>
-#include <vector>
+#include <isochor/equation_term.h>
 
 namespace isochor
 {
@@ -40,10 +37,6 @@ namespace isochor
   class GridReset
   {
   public:
-    /** All arguments are kept by reference; they are what is moved, and what
-     * the state of a kept grid consists of. */
-    GridReset(PointArrays<dim> &points, DiscreteExtension<dim> &extension);
-
     static void
     declare_parameters(ParameterHandler &prm);
     void
@@ -83,34 +76,36 @@ namespace isochor
 
     /**
      * A step has converged: decide whether the next one starts with a reset;
-     * if not, let the grid move on. Collective.
+     * if not, let the grid move on, in the @p points, those of @p step.
+     * Collective.
      */
     void
-    advance(const StepContext<dim> &step, const NodalField &unknowns);
+    advance(const StepContext<dim> &step,
+            const NodalField       &unknowns,
+            PointArrays<dim>       &points);
 
-    /** What was set up at the reset and serves until the next one: the vertices
-     * that the terms touch, the terms' elements, and the first of each. */
-    std::vector<unsigned int> touched_vertices;
-    ElementNodes              elements;
-    std::vector<unsigned int> first_element;
-
-    /** All of this rank that a run which continues on the kept grid needs;
-     * short if the grid is to be reset. */
-    std::string
-    save_state() const;
+    template <class Archive>
     void
-    load_state(const std::string &state);
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &is_due &n_steps_since &reset_time;
+    }
 
   private:
     /** Massless points are no part of the body's store of points. */
-    void
+    static void
     advance_massless_points(const StepContext<dim> &step,
-                            const NodalField       &unknowns);
-    void
-    advance_stencils(const StepContext<dim> &step, const NodalField &unknowns);
+                            const NodalField       &unknowns,
+                            PointArrays<dim>       &points);
+    static void
+    advance_stencils(const StepContext<dim> &step,
+                     const NodalField       &unknowns,
+                     PointArrays<dim>       &points);
     /** Returns the smallest quality of this rank's cells. */
-    double
-    advance_cells(const StepContext<dim> &step, const NodalField &unknowns);
+    static double
+    advance_cells(const StepContext<dim> &step,
+                  const NodalField       &unknowns,
+                  PointArrays<dim>       &points);
 
     /**
      * Mean-ratio quality of a cell relative to its undeformed shape (Liu & Joe,
@@ -118,11 +113,8 @@ namespace isochor
      * gradient of the cell since the reset. One for any similar shape, zero
      * for a flat cell or one turned inside out.
      */
-    double
-    quality(const StepContext<dim> &step, const unsigned int k) const;
-
-    PointArrays<dim>       &points;
-    DiscreteExtension<dim> &extension;
+    static double
+    quality(const StepContext<dim> &step, const unsigned int k);
 
     unsigned int interval         = 1;
     double       smallest_quality = 0;

@@ -10,9 +10,9 @@
 #include <deal.II/particles/particle_handler.h>
 
 #include <isochor/background_grid.h>
+#include <isochor/body_seeding.h>
 #include <isochor/material_model.h>
 #include <isochor/point_locator.h>
-#include <isochor/seeding.h>
 #include <isochor/tensor_tools.h>
 
 #include <algorithm>
@@ -351,33 +351,12 @@ namespace isochor
     total_reference_volume() const;
 
   private:
-    struct Parameters
-    {
-      unsigned int             points_per_cell = 3;
-      std::string              zones;
-      std::string              region = "1";
-      std::vector<std::string> groups;
-      std::string              body_mesh;
-      double                   lattice_spacing = 0;
-      std::string              material_zones;
-    } parameters;
-
     /** The consecutive points of a cell in the handler. */
     struct Group
     {
       unsigned int                     cell;
       Particles::ParticleIterator<dim> first;
       unsigned int                     n_points;
-    };
-
-    /** A point about to be inserted. */
-    struct Seed
-    {
-      Point<dim>   location;
-      unsigned int cell;
-      double       volume;
-
-      CornerVectors<dim> domain;
     };
 
     /** Find the groups. */
@@ -389,27 +368,14 @@ namespace isochor
     void
     for_each_in_arrays(const Function &copy) const;
 
-    /** Throw for parameters that exclude each other. */
     void
-    check_combinations() const;
-    std::vector<Seed>
-    seeds_in_cells(
-      const SimplexGeometry<dim>                      &geometry,
-      const std::map<std::string, types::material_id> &group_ids) const;
-    std::vector<Seed>
-    seeds_in_body_mesh() const;
-    std::vector<Seed>
-    seeds_on_lattice() const;
-    void
-    insert(const std::vector<Seed>                                &seeds,
+    insert(const std::vector<Seed<dim>>                           &seeds,
            const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials);
     void
     set_velocity(const std::string &formulas);
-    /** Find the grid cell of each seed; drop those outside of the grid. */
-    void
-    locate(std::vector<Seed> &seeds) const;
 
     const BackgroundGrid<dim>      &grid;
+    BodySeeding<dim>                seeding;
     PointLayout                     point_layout;
     Particles::ParticleHandler<dim> particles;
     std::vector<Group>              groups;

@@ -13,6 +13,10 @@
 
 namespace isochor
 {
+  template <int dim>
+  class Scene;
+  struct NewtonReport;
+
   /**
    * Warn if no active node is on the boundary called @p name, whose id is
    * @p id (any if @p everywhere), so that the entry of @p parameter for it has
@@ -37,6 +41,21 @@ namespace isochor
    * of a static scene. Collective. */
   void
   check_supports(const SparseSystem &matrix, Warnings &warnings);
+
+  /** The first step of @p scene is set up, with its @p matrix: warn of what
+   * can't be meant. Collective. */
+  template <int dim>
+  void
+  check_first_step(const Scene<dim>       &scene,
+                   const StepContext<dim> &step,
+                   const SparseSystem     &matrix);
+
+  /** Warn if the first step needed no iteration, as nothing moved. */
+  template <int dim>
+  void
+  warn_if_nothing_moves(Scene<dim>         &scene,
+                        const NewtonReport &newton,
+                        const NodalField   &unknowns);
 } // namespace isochor
 
 #endif

@@ -36,7 +36,10 @@ namespace isochor
   public:
     static void
     declare_parameters(ParameterHandler &prm);
-    /** Returns whether it is switched on. Throws if so in the u form. */
+    /** Whether it is switched on. */
+    static bool
+    is_asked_for(ParameterHandler &prm);
+    /** The same. Throws if it can't be used in the scene. */
     bool
     parse_parameters(ParameterHandler &prm);
 

@@ -2,18 +2,36 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/point_update.h>
+#include <isochor/grid_to_points.h>
 
 namespace isochor
 {
   template <int dim>
   void
-  update_points(const StepContext<dim> &step,
-                const NodalField       &unknowns,
-                const InertiaTerm<dim> *inertia,
-                VolumeProjection<dim>  *volume_projection,
-                MaterialPoints<dim>    &points,
-                double                 *step_energy)
+  GridToPoints<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    VolumeProjection<dim>::declare_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  void
+  GridToPoints<dim>::parse_parameters(ParameterHandler &prm,
+                                      const bool        measure_energy)
+  {
+    projects_volume = volume_projection.parse_parameters(prm);
+    measures_energy = measure_energy;
+  }
+
+
+
+  template <int dim>
+  void
+  GridToPoints<dim>::transfer(const StepContext<dim> &step,
+                              const NodalField       &unknowns,
+                              const InertiaTerm<dim> *inertia,
+                              MaterialPoints<dim>    &points)
   {
     const PointLayout              &l            = points.layout();
     const PointArrays<dim>         &arrays       = step.points;
@@ -24,10 +42,9 @@ namespace isochor
     SymmetricTensor<2, dim>         strain_increment;
     std::vector<unsigned int>       node;
     unsigned int                    last_cell = numbers::invalid_unsigned_int;
-    if (volume_projection)
-      volume_projection->start(step);
-    if (step_energy)
-      *step_energy = 0;
+    if (projects_volume)
+      volume_projection.start(step);
+    step_energy = 0;
 
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
@@ -46,7 +63,7 @@ namespace isochor
                   unknowns.local_element(node[I] * n_components + a) *
                   stencil.gradient[I];
             }
-          if (step_energy)
+          if (measures_energy)
             strain_increment =
               symmetrize(unit_symmetric_tensor<dim>() - invert(F_increment));
           last_cell = k;
@@ -76,23 +93,23 @@ namespace isochor
             properties[l.F + a * dim + b] = state.F[a][b];
         }
       store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
-      if (step_energy)
+      if (measures_energy)
         {
           double work = 0;
           for (unsigned int a = 0; a < dim; ++a)
             for (unsigned int b = 0; b < dim; ++b)
               work += state.cauchy_stress[a][b] * strain_increment[a][b];
-          *step_energy +=
+          step_energy +=
             std::abs(work) * determinant(state.F) * properties[l.volume];
         }
       std::copy_n(history.begin(), l.n_history, &properties[l.history]);
-      if (volume_projection)
-        volume_projection->set_excess(q,
-                                      state.volumetric_strain -
-                                        state.pressure *
-                                          step.kernel
-                                            .materials[arrays.material[q]]
-                                            ->inverse_bulk_modulus());
+      if (projects_volume)
+        volume_projection.set_excess(q,
+                                     state.volumetric_strain -
+                                       state.pressure *
+                                         step.kernel
+                                           .materials[arrays.material[q]]
+                                           ->inverse_bulk_modulus());
       if (inertia)
         {
           const auto motion = inertia->point(step, stencil, arrays.velocity[q]);
@@ -101,26 +118,25 @@ namespace isochor
               properties[l.velocity + a]     = motion.first[a];
               properties[l.acceleration + a] = motion.second[a];
             }
-          if (step_energy)
-            *step_energy += properties[l.mass] / 2 * motion.first.norm_square();
+          if (measures_energy)
+            step_energy += properties[l.mass] / 2 * motion.first.norm_square();
         }
     });
   }
 
 
 
-  template void
-  update_points(const StepContext<2> &,
-                const NodalField &,
-                const InertiaTerm<2> *,
-                VolumeProjection<2> *,
-                MaterialPoints<2> &,
-                double *);
-  template void
-  update_points(const StepContext<3> &,
-                const NodalField &,
-                const InertiaTerm<3> *,
-                VolumeProjection<3> *,
-                MaterialPoints<3> &,
-                double *);
+  template <int dim>
+  void
+  GridToPoints<dim>::project_volume(const StepContext<dim> &step,
+                                    MaterialPoints<dim>    &points)
+  {
+    if (projects_volume)
+      volume_projection.apply(step, points);
+  }
+
+
+
+  template class GridToPoints<2>;
+  template class GridToPoints<3>;
 } // namespace isochor

@@ -1,0 +1,106 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_mohr_coulomb_return_h
+#define isochor_mohr_coulomb_return_h
+
+#include <array>
+
+namespace isochor
+{
+  /**
+   * The return map to the yield surface of Mohr and Coulomb in principal
+   * Kirchhoff stresses τ_1 >= τ_2 >= τ_3,
+   *   f = (τ_1 - τ_3) + (τ_1 + τ_3) sin φ - 2 c cos φ,
+   *   g = (τ_1 - τ_3) + (τ_1 + τ_3) sin ψ,
+   * by stress regions (Clausen, Damkilde & Andersen 2006, 2007; doc/
+   * materials.md), with its derivatives.
+   */
+  class MohrCoulombReturn
+  {
+  public:
+    using Vector = std::array<double, 3>;
+    using Matrix = std::array<Vector, 3>;
+
+    double shear_modulus = 0; ///< Pa
+    double bulk_modulus  = 0; ///< of u with φ > 0, where K is finite (Pa)
+    double sin_phi       = 0;
+    double sin_psi       = 0;
+    double c_cos_phi     = 0; ///< Pa
+
+    /** A trial state in principal space, in descending order. */
+    struct Trial
+    {
+      Vector s;     ///< deviatoric stresses
+      double theta; ///< volumetric strain
+      /** The mean stress: K θ, which the return changes, or, if it is given,
+       * that of the returned state. Not needed, and 0, without friction. */
+      double mean;
+      bool   mean_is_given;
+    };
+
+    /**
+     * The return map in principal space, in descending order of the trial
+     * stress. @p secant holds, for each pair A, B, the ratio
+     * (s_A - s_B) / (ε_A - ε_B) of returned stress and trial strain, in the
+     * limit where the strains are equal.
+     */
+    struct Response
+    {
+      Vector s;          ///< deviatoric stresses
+      double theta;      ///< θ^e = tr ε^e
+      Matrix ds_dstrain; ///< ∂s_A/∂ε_B of the trial strains
+      Vector dtheta_dstrain;
+      Matrix secant;
+      bool   plastic;
+      Vector ds_dmean{}; ///< at a given mean stress, else 0, like the next
+      double dtheta_dmean = 0;
+      double excess       = 0; ///< of the given mean stress over the apex
+    };
+
+    /** Choose the region and return. */
+    Response
+    evaluate(const Trial &trial) const;
+
+    /** The same at a given mean stress, also beyond the apex. */
+    Response
+    evaluate_at(Trial trial, const double pressure) const;
+
+  private:
+    /** The yield planes through one corner of the surface, or one of them:
+     * plane k is f with τ_1 and τ_3 replaced by τ_largest[k], τ_smallest[k]. */
+    struct ActivePlanes
+    {
+      unsigned int                n;
+      std::array<unsigned int, 2> largest, smallest;
+    };
+
+    static constexpr ActivePlanes plane       = {1, {{0, 0}}, {{2, 0}}};
+    static constexpr ActivePlanes edge_1_is_2 = {2, {{0, 1}}, {{2, 2}}};
+    static constexpr ActivePlanes edge_2_is_3 = {2, {{0, 0}}, {{2, 1}}};
+
+    /** The deviatoric part of ∂f/∂τ (with φ) or ∂g/∂τ (with ψ). */
+    static Vector
+    deviatoric_normal(const unsigned int largest,
+                      const unsigned int smallest,
+                      const double       sin_angle);
+
+    double
+    yield_function(const Vector      &s,
+                   const double       mean,
+                   const unsigned int largest,
+                   const unsigned int smallest) const;
+
+    Response
+    elastic_response(const Trial &trial) const;
+
+    Response
+    return_to(const ActivePlanes &planes, const Trial &trial) const;
+
+    Response
+    return_to_apex() const;
+  };
+} // namespace isochor
+
+#endif
