@@ -151,10 +151,13 @@ namespace isochor
     grid_reset.start(time);
     // here and not after the last step, which may end outside of the grid
     scene.points.relocate(*locator);
-    if (scene.adaptation.is_due() &&
-        scene.adaptation.adapt(
-          scene.grid, scene.points, *locator, time, last_motion))
-      grid_changed();
+    if (scene.adaptation.is_due())
+      {
+        TimerOutput::Scope scope(timer, "grid adaptation");
+        if (scene.adaptation.adapt(
+              scene.grid, scene.points, *locator, time, last_motion))
+          grid_changed();
+      }
     refinement.refine(scene.points, scene.grid, *locator);
     scene.points.gather(arrays);
     quadrature.start_step(
@@ -191,8 +194,9 @@ namespace isochor
     if (scene.time.step > 0 ||
         !scene.adaptation.repeats_first_step(++n_first_solutions))
       return false;
-    Statistics not_of_a_step;
-    LastMotion none;
+    TimerOutput::Scope scope(timer, "grid adaptation");
+    Statistics         not_of_a_step;
+    LastMotion         none;
     scene.adaptation.set_sizes(context(),
                                unknowns,
                                scene.points,
