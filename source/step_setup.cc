@@ -151,7 +151,7 @@ namespace isochor
     grid_reset.start(time);
     // here and not after the last step, which may end outside of the grid
     scene.points.relocate(*locator);
-    if (scene.adaptation.is_due())
+    if (scene.grid.is_adaptive() && scene.adaptation.is_due())
       {
         TimerOutput::Scope scope(timer, "grid adaptation");
         if (scene.adaptation.adapt(

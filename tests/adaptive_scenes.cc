@@ -117,6 +117,40 @@ test_patch(const std::string &formulation, const std::string &quadrature)
   test::check_error("volume of its points", error, 1e-12);
 }
 
+/** A block is stretched by a half, and with it its grid, whose fine cells move
+ * through it in the other direction: points come to other cells in each step
+ * and are split. The state stays homogeneous, and nothing is lost. */
+template <int dim>
+void
+test_stretched(const std::string &formulation, const std::string &quadrature)
+{
+  const auto problem = test::run_scene<dim>(
+    box<dim>(dim == 2 ? 4 : 2) + law +
+    "Material/Poisson ratio = 0.3\nMaterial/Density = 2\n"
+    "Grid/Stretch = y: 0 -> 0, 1 -> 0.5*t\n"
+    "Adaptive grid/Maximum level = 2\n"
+    "Adaptive grid/Cell size = 0.1 + abs(x + t - 1)/2\n"
+    "Material points/Points per cell = " +
+    std::string(dim == 2 ? "4" : "8") + "\nFormulation/Type = " + formulation +
+    "\nQuadrature/Type = " + quadrature +
+    "\nBoundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0; "
+    "top: y=0.5*t" +
+    (dim == 3 ? "; front: z=0; back: z=0" : "") + "\nTime/Step size = 0.25\n");
+  const MaterialPoints<dim> &points = problem->material_points();
+  const auto                 sums   = moments(points);
+  const double changes = problem->last_statistics().get("Changes of grid");
+  test::check(formulation + ", " + quadrature + ", dim " + std::to_string(dim) +
+                ": the grid changes",
+              changes >= 3,
+              std::to_string(changes) + " changes");
+  test::check_error("homogeneous", variation_of_stress(points), 1e-9);
+  test::check_error("volume", std::abs(sums[0] / 1.5 - 1), 1e-12);
+  test::check_error("mass", std::abs(sums[1] / 2 - 1), 1e-12);
+  test::check_error("centre",
+                    std::abs(sums[2] / 2 - 0.5) + std::abs(sums[3] / 2 - 0.75),
+                    1e-12);
+}
+
 /** A block is carried through a grid that is fine at its side only; it stays
  * free of stress, and keeps volume, mass and moments but for the motion. */
 template <int dim>
@@ -169,6 +203,13 @@ main(int argc, char **argv)
       test_patch<2>("u", quadrature);
       test_patch<2>("u-p", quadrature);
       test_patch<3>("u-p", quadrature);
+    }
+  for (const std::string quadrature :
+       {"cell-filled", "cell-filled + boundary", "CPDI"})
+    {
+      test_stretched<2>("u", quadrature);
+      test_stretched<2>("u-p", quadrature);
+      test_stretched<3>("u-p", quadrature);
     }
   test_carried<2>("cell-filled");
   test_carried<2>("CPDI");

@@ -32,6 +32,39 @@ namespace isochor
           return false;
       return true;
     }
+
+    /** Tell if more than a few points ask for @p sizes that the maximum level
+     * does not allow. Collective. */
+    template <int dim>
+    void
+    warn_of_maximum_level(const BodyState<dim>      &state,
+                          const unsigned int         maximum,
+                          const std::vector<double> &sizes,
+                          Warnings                  &warnings)
+    {
+      const AdaptiveGrid<dim> &forest = state.grid.adaptive_grid();
+      double n_limited = 0, n = state.size(), smallest = 1e300;
+      for (unsigned int q = 0; q < state.size(); ++q)
+        {
+          const unsigned int tree =
+            forest.leaves()[forest.leaf_of_cell(state.cell[q])].tree;
+          if (sizes[q] < forest.size(tree, maximum) * (1 - 1e-9))
+            ++n_limited;
+          smallest = std::min(smallest, sizes[q]);
+        }
+      const MPI_Comm comm = state.grid.communicator();
+      n_limited           = Utilities::MPI::sum(n_limited, comm);
+      n                   = Utilities::MPI::sum(n, comm);
+      smallest            = Utilities::MPI::min(smallest, comm);
+      if (n_limited <= 0.01 * n)
+        return;
+      std::ostringstream text;
+      text << "At t = " << state.time << ", " << 100 * n_limited / n
+           << " % of the material points ask for smaller cells (down to "
+           << smallest << " m) than <Adaptive grid/Maximum level = " << maximum
+           << "> allows. Raise it, or ask for less.";
+      warnings.add("grid at its maximum level", text.str());
+    }
   } // namespace
 
 
@@ -272,6 +305,7 @@ namespace isochor
     for (const auto &criterion : criteria)
       if (criterion->needs_state())
         criterion->limit_sizes(state, rule, sizes, statistics);
+    warn_of_maximum_level(state, rule.maximum, sizes, step.warnings);
     points.for_each([&](const unsigned int /*k*/,
                         const unsigned int q,
                         Point<dim> & /*location*/,
@@ -537,7 +571,6 @@ namespace isochor
     statistics.set("Changes of grid", n_changes);
     const double n_own = points.handler().n_locally_owned_particles();
     const auto counts = Utilities::MPI::min_max_avg(n_own, grid.communicator());
-    statistics.set("Material points", counts.sum);
     statistics.set("Largest share of points on a rank",
                    counts.max / counts.sum);
   }
