@@ -25,17 +25,21 @@ namespace isochor
     const MPI_Comm comm = grid.communicator();
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    const bool changed = (touched != last_touched) || n_global_nodes == 0;
+    const bool changed = (touched != last_touched) || n_global_nodes == 0 ||
+                         last_mesh != grid.mesh_number();
     if (Utilities::MPI::max(static_cast<unsigned int>(changed), comm) == 0)
       return false;
     last_touched = touched;
     partitioners.clear();
 
     const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
-    node_at_vertex.resize(grid.triangulation().n_vertices(),
-                          numbers::invalid_unsigned_int);
-    for (const unsigned int vertex : vertices)
-      node_at_vertex[vertex] = numbers::invalid_unsigned_int;
+    if (last_mesh != grid.mesh_number())
+      node_at_vertex.assign(grid.triangulation().n_vertices(),
+                            numbers::invalid_unsigned_int);
+    else
+      for (const unsigned int vertex : vertices)
+        node_at_vertex[vertex] = numbers::invalid_unsigned_int;
+    last_mesh = grid.mesh_number();
 
     vertices                  = collect_owned(touched);
     n_owned_nodes             = vertices.size();

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
+#include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <isochor/background_grid.h>
@@ -43,18 +44,21 @@ namespace isochor
   template <int dim>
   BackgroundGrid<dim>::BackgroundGrid(const MPI_Comm comm)
     : comm(comm)
-    , tria(comm,
-           Triangulation<dim>::none,
-           false,
-           parallel::shared::Triangulation<dim>::partition_custom_signal)
-    , dofs(tria)
+    , tria(new_triangulation())
     , p1_mapping(FE_SimplexP<dim>(1))
+  {}
+
+
+
+  template <int dim>
+  std::unique_ptr<typename BackgroundGrid<dim>::SharedTriangulation>
+  BackgroundGrid<dim>::new_triangulation() const
   {
-    tria.signals.create.connect([this]() {
-      if (tria.n_active_cells() > 0)
-        GridTools::partition_triangulation(
-          Utilities::MPI::n_mpi_processes(this->comm), tria);
-    });
+    return std::make_unique<SharedTriangulation>(
+      comm,
+      Triangulation<dim>::none,
+      false,
+      SharedTriangulation::partition_custom_signal);
   }
 
 
@@ -64,15 +68,25 @@ namespace isochor
   BackgroundGrid<dim>::declare_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Grid");
-    prm.declare_entry("Type",
+    prm.declare_entry(
+      "Type",
+      "box",
+      Patterns::Selection("box|trapezoid|gmsh|adaptive"),
+      "How the background grid is made. Boxes and trapezoids "
+      "are structured simplex meshes with the boundaries left "
+      "and right (least and largest x), bottom and top (y) "
+      "and, in 3D, front and back (z); of a trapezoid its "
+      "sides as they are before it is distorted. A gmsh file "
+      "brings its physical groups as boundary names. An adaptive "
+      "grid is refined from coarse quadrilaterals or "
+      "hexahedra, see 'Coarse cells', as the section 'Adaptive "
+      "grid' says.");
+    prm.declare_entry("Coarse cells",
                       "box",
                       Patterns::Selection("box|trapezoid|gmsh"),
-                      "How the background grid is made. Boxes and trapezoids "
-                      "are structured simplex meshes with the boundaries left "
-                      "and right (least and largest x), bottom and top (y) "
-                      "and, in 3D, front and back (z); of a trapezoid its "
-                      "sides as they are before it is distorted. A gmsh file "
-                      "brings its physical groups as boundary names.");
+                      "What an adaptive grid is refined from: the "
+                      "'Subdivisions' of a box or a trapezoid, or the "
+                      "quadrilaterals (2D) or hexahedra (3D) of a gmsh file.");
     prm.declare_entry("Lower corner",
                       dim == 2 ? "0, 0" : "0, 0, 0",
                       Patterns::List(Patterns::Double(), dim, dim),
@@ -129,12 +143,14 @@ namespace isochor
   {
     prm.enter_subsection("Grid");
     parameters.type = prm.get("Type");
+    parameters.coarse_type =
+      parameters.type == "adaptive" ? prm.get("Coarse cells") : parameters.type;
     parameters.lower =
       parse_point<dim>(prm.get("Lower corner"), "Grid/Lower corner");
     parameters.upper =
       parse_point<dim>(prm.get("Upper corner"), "Grid/Upper corner");
     for (unsigned int d = 0; d < dim; ++d)
-      AssertThrow(parameters.type != "box" ||
+      AssertThrow(parameters.coarse_type != "box" ||
                     parameters.upper[d] > parameters.lower[d],
                   ExcMessage("The parameter <Grid/Upper corner> must exceed "
                              "<Grid/Lower corner> in every coordinate."));
@@ -191,22 +207,136 @@ namespace isochor
 
   template <int dim>
   void
-  BackgroundGrid<dim>::create(const bool with_pressure)
+  BackgroundGrid<dim>::create()
   {
+    if (parameters.type == "adaptive")
+      {
+        forest = std::make_unique<AdaptiveGrid<dim>>(make_coarse_grid());
+        const auto leaves = forest->leaves();
+        change(leaves,
+               partition_leaves(std::vector<double>(leaves.size(), 1.),
+                                Utilities::MPI::n_mpi_processes(comm)),
+               0.);
+        return;
+      }
+    tria->signals.create.connect([this]() {
+      if (tria->n_active_cells() > 0)
+        GridTools::partition_triangulation(
+          Utilities::MPI::n_mpi_processes(comm), *tria);
+    });
     if (parameters.type == "gmsh")
       read_gmsh();
     else
       create_structured();
-
-    fe = std::make_unique<FESystem<dim>>(FE_SimplexP<dim>(1),
-                                         dim + (with_pressure ? 1 : 0));
-    dofs.distribute_dofs(*fe);
-    reference_vertices = tria.get_vertices();
-    cached_geometry    = std::make_unique<SimplexGeometry<dim>>(tria);
-    assign_owners();
-    collect_boundary();
+    read_mesh_data();
     if (is_moving())
       set_vertices(vertices_at_time(0.));
+  }
+
+
+
+  template <int dim>
+  CoarseGrid<dim>
+  BackgroundGrid<dim>::make_coarse_grid()
+  {
+    if (parameters.coarse_type == "gmsh")
+      {
+        Triangulation<dim> mesh;
+        const MeshGroups   groups = read_mesh<dim>(parameters.file,
+                                                 "Grid/File",
+                                                 mesh,
+                                                 MeshCells::hypercubes);
+        names                     = groups.faces;
+        group_names               = groups.cells;
+        return coarse_grid(mesh);
+      }
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      names[side_names[side]] = side;
+    return coarse_lattice<dim>(parameters.subdivisions,
+                               [this](const Point<dim> &unit) {
+                                 return parameters.coarse_type == "box" ?
+                                          place_in_box(unit) :
+                                          place_in_trapezoid(unit);
+                               });
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<Triangulation<dim>>
+  BackgroundGrid<dim>::change(const std::vector<Leaf<dim>>    &leaves,
+                              const std::vector<unsigned int> &owners,
+                              const double                     time)
+  {
+    std::vector<unsigned int> new_leaves;
+    for (const Leaf<dim> &leaf : forest->leaves())
+      new_leaves.push_back(find_leaf<dim>(leaves, leaf.tree, leaf.corner));
+    new_cells.clear();
+    if (cached_geometry)
+      for (unsigned int cell = 0; cell < cached_geometry->n_cells(); ++cell)
+        new_cells.push_back(new_leaves[forest->leaf_of_cell(cell)]);
+    const SimplexMesh<dim> mesh = forest->set_leaves(leaves, owners);
+    for (unsigned int &cell : new_cells)
+      cell = forest->first_cell(cell);
+    std::vector<CellData<dim>> cells;
+    cells.reserve(mesh.cells.size());
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        cells.emplace_back(dim + 1);
+        std::copy(mesh.cells[c].begin(),
+                  mesh.cells[c].end(),
+                  cells.back().vertices.begin());
+        cells.back().material_id = forest->material_of_cell(c);
+      }
+    SubCellData boundary;
+    for (const auto &face : mesh.boundary)
+      if constexpr (dim == 2)
+        {
+          boundary.boundary_lines.emplace_back(2);
+          auto &line = boundary.boundary_lines.back();
+          std::copy(face.vertices.begin(),
+                    face.vertices.end(),
+                    line.vertices.begin());
+          line.boundary_id = face.id;
+        }
+      else
+        {
+          boundary.boundary_quads.emplace_back(3);
+          auto &triangle = boundary.boundary_quads.back();
+          std::copy(face.vertices.begin(),
+                    face.vertices.end(),
+                    triangle.vertices.begin());
+          triangle.boundary_id = face.id;
+        }
+
+    auto tria_with_mesh = new_triangulation();
+    tria_with_mesh->signals.create.connect([this, &tria_with_mesh]() {
+      for (const auto &cell : tria_with_mesh->active_cell_iterators())
+        cell->set_subdomain_id(
+          forest->leaf_owner(forest->leaf_of_cell(cell->active_cell_index())));
+    });
+    tria_with_mesh->create_triangulation(mesh.vertices, cells, boundary);
+    tria_with_mesh.swap(tria);
+    read_mesh_data();
+    if (is_moving())
+      set_vertices(vertices_at_time(time));
+    return tria_with_mesh;
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::read_mesh_data()
+  {
+    ++n_meshes;
+    reference_vertices = tria->get_vertices();
+    if (cached_geometry)
+      cached_geometry->replace(*tria);
+    else
+      cached_geometry = std::make_unique<SimplexGeometry<dim>>(*tria);
+    assign_owners();
+    collect_boundary();
   }
 
 
@@ -253,13 +383,13 @@ namespace isochor
       return parameters.type == "box" ? place_in_box(unit) :
                                         place_in_trapezoid(unit);
     });
-    tria.create_triangulation(vertices,
-                              lattice.cells(vertices, parameters.diagonals),
-                              SubCellData());
+    tria->create_triangulation(vertices,
+                               lattice.cells(vertices, parameters.diagonals),
+                               SubCellData());
 
     for (unsigned int side = 0; side < 2 * dim; ++side)
       names[side_names[side]] = side;
-    for (const auto &cell : tria.active_cell_iterators())
+    for (const auto &cell : tria->active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (cell->at_boundary(f))
           for (unsigned int side = 0; side < 2 * dim; ++side)
@@ -280,7 +410,7 @@ namespace isochor
   BackgroundGrid<dim>::read_gmsh()
   {
     const MeshGroups groups =
-      read_mesh<dim>(parameters.file, "Grid/File", tria);
+      read_mesh<dim>(parameters.file, "Grid/File", *tria);
     names       = groups.faces;
     group_names = groups.cells;
   }
@@ -291,7 +421,7 @@ namespace isochor
   void
   BackgroundGrid<dim>::assign_owners()
   {
-    vertex_owners.assign(tria.n_vertices(), numbers::invalid_unsigned_int);
+    vertex_owners.assign(tria->n_vertices(), numbers::invalid_unsigned_int);
     for (unsigned int cell = 0; cell < cached_geometry->n_cells(); ++cell)
       for (const unsigned int v : cached_geometry->vertex_indices(cell))
         vertex_owners[v] =
@@ -305,7 +435,7 @@ namespace isochor
   BackgroundGrid<dim>::collect_boundary()
   {
     faces.clear();
-    for (const auto &cell : tria.active_cell_iterators())
+    for (const auto &cell : tria->active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (cell->at_boundary(f))
           {
@@ -379,7 +509,7 @@ namespace isochor
   BackgroundGrid<dim>::set_vertices(const std::vector<Point<dim>> &positions)
   {
     // deal.II offers write access to vertices only through cells
-    for (const auto &cell : tria.active_cell_iterators())
+    for (const auto &cell : tria->active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
         cell->vertex(v) = positions[cell->vertex_index(v)];
     cached_geometry->set_vertices(positions);
@@ -481,7 +611,7 @@ namespace isochor
   const parallel::shared::Triangulation<dim> &
   BackgroundGrid<dim>::triangulation() const
   {
-    return tria;
+    return *tria;
   }
 
 
@@ -491,15 +621,6 @@ namespace isochor
   BackgroundGrid<dim>::geometry() const
   {
     return *cached_geometry;
-  }
-
-
-
-  template <int dim>
-  const DoFHandler<dim> &
-  BackgroundGrid<dim>::dof_handler() const
-  {
-    return dofs;
   }
 
 

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/boundary_points.h>
+#include <isochor/mpi_sums.h>
 #include <isochor/nearest_cells.h>
 
 #include <algorithm>
@@ -128,6 +129,113 @@ namespace isochor
                           point.location,
                           ArrayView<const double>(payload.data(), n_entries));
       }
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryPoints<dim>::change_grid()
+  {
+    for (unsigned int &cell : records.cells)
+      cell = grid.cells_after_change()[cell];
+    // parts may still be too large
+    constexpr unsigned int most_rounds = 12;
+    for (unsigned int round = 0; round < most_rounds; ++round)
+      if (Utilities::MPI::sum(split(), grid.communicator()) == 0)
+        return;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  BoundaryPoints<dim>::split()
+  {
+    // as many as three points on the side of a cell
+    constexpr double          share = 0.5;
+    constexpr unsigned int    n_new = (1u << (dim - 1)) - 1;
+    std::vector<unsigned int> too_large;
+    std::vector<std::array<Tensor<1, dim>, dim - 1>> sides; // now
+    for (unsigned int b = 0; b < size(); ++b)
+      {
+        // two or one tangents of the undeformed surface, as long as its part
+        std::array<Tensor<1, dim>, dim - 1> tangents;
+        const Tensor<1, dim>                A = reference_area(b);
+        if constexpr (dim == 2)
+          tangents[0] = cross_product_2d(A);
+        else
+          {
+            Tensor<1, 3> axis; // the one that is least along the normal
+            unsigned int d = 0;
+            for (unsigned int e = 1; e < 3; ++e)
+              if (std::abs(A[e]) < std::abs(A[d]))
+                d = e;
+            axis[d]     = 1;
+            tangents[0] = cross_product_3d(A, axis);
+            tangents[0] *= std::sqrt(A.norm()) / tangents[0].norm();
+            tangents[1] = cross_product_3d(A, tangents[0]) / A.norm();
+          }
+        double longest = 0;
+        for (Tensor<1, dim> &side : tangents)
+          {
+            side    = F(b) * side;
+            longest = std::max(longest, side.norm());
+          }
+        const auto place =
+          locator->locate(records.locations[b], records.cells[b]);
+        const double h = cell_size(grid.geometry(),
+                                   place.found ? place.cell : records.cells[b]);
+        if (longest > share * h)
+          {
+            too_large.push_back(b);
+            sides.push_back(tangents);
+          }
+      }
+
+    const auto first_and_sum =
+      exclusive_and_total_sum(too_large.size(), grid.communicator());
+    types::particle_index next =
+      records.ids.empty() ?
+        0 :
+        *std::max_element(records.ids.begin(), records.ids.end()) + 1;
+    next = Utilities::MPI::max(next, grid.communicator()) +
+           n_new * first_and_sum.first;
+    for (unsigned int i = 0; i < too_large.size(); ++i)
+      {
+        const unsigned int            b       = too_large[i];
+        const Tensor<2, dim>          inverse = invert(F(b));
+        const Point<dim>              x       = records.locations[b];
+        std::array<double, n_entries> old;
+        std::copy_n(records.payload(b).begin(), n_entries, old.begin());
+        for (unsigned int part = 0; part <= n_new; ++part)
+          {
+            Tensor<1, dim> shift;
+            for (unsigned int s = 0; s + 1 < dim; ++s)
+              shift += (((part >> s) & 1u) ? 0.25 : -0.25) * sides[i][s];
+            const Tensor<1, dim> stretch = shift - inverse * shift;
+            auto                 payload = old;
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                payload[area_entry + d] /= n_new + 1;
+                payload[displacement_entry + d] += stretch[d];
+              }
+            if (part == 0)
+              {
+                records.locations[b] = x + shift;
+                std::copy(payload.begin(),
+                          payload.end(),
+                          records.payloads.begin() + b * n_entries);
+              }
+            else
+              records.push_back(records.cells[b],
+                                next++,
+                                x + shift,
+                                ArrayView<const double>(payload.data(),
+                                                        n_entries));
+          }
+      }
+    return too_large.size();
   }
 
 

@@ -124,9 +124,9 @@ namespace isochor
   void
   DiscreteExtension<dim>::sum_support(const PointArrays<dim> &points)
   {
-    volume_at.resize(grid.triangulation().n_vertices(), 0.);
     for (const unsigned int v : summed)
       volume_at[v] = 0;
+    volume_at.resize(grid.triangulation().n_vertices(), 0.);
     summed.clear();
     const auto add = [this](const unsigned int vertex, const double volume) {
       if (volume_at[vertex] == 0 && volume != 0)

@@ -90,8 +90,19 @@ namespace isochor
     void
     inspect_grid(const Inspector &inspect)
     {
-      const std::string type = inspect.value({"Grid", "Type"});
-      const std::string with = "with <Grid/Type = " + type + ">";
+      const bool adaptive    = inspect.value({"Grid", "Type"}) == "adaptive";
+      const Path entry       = {"Grid", adaptive ? "Coarse cells" : "Type"};
+      const std::string type = inspect.value(entry);
+      const std::string with = "with <" + join_path(entry) + " = " + type + ">";
+      const std::string fixed =
+        "with <Grid/Type = " + inspect.value({"Grid", "Type"}) + ">";
+      if (adaptive)
+        inspect.idle({"Grid", "Diagonals"}, fixed);
+      else
+        {
+          inspect.idle({"Grid", "Coarse cells"}, fixed);
+          inspect.idle_section({"Adaptive grid"}, fixed);
+        }
       if (type != "box")
         for (const char *name : {"Lower corner", "Upper corner"})
           inspect.idle({"Grid", name}, with);

@@ -173,6 +173,9 @@ namespace isochor
                                                            output_directory)));
           }
         const NewtonReport newton = updated_lagrangian_phase();
+        if (newton.converged &&
+            setup.repeats_first_step(equilibrium.nodal_unknowns()))
+          continue;
         if (newton.converged)
           {
             convective_phase(newton);
@@ -194,7 +197,7 @@ namespace isochor
   MaterialPointMethod<dim>::initialisation_phase()
   {
     TimerOutput::Scope scope(terminal.timer(), "initialisation phase");
-    setup.start_step(equilibrium.equation_terms());
+    setup.start_step(equilibrium.equation_terms(), equilibrium.motion());
     equilibrium.start_step();
   }
 
@@ -234,6 +237,8 @@ namespace isochor
         postprocessor->evaluate_nodes(result, statistics);
       for (const auto &condition : scene.boundary_conditions)
         condition->evaluate(step, unknowns, statistics);
+      scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
+      scene.adaptation.evaluate(scene.grid, scene.points, statistics);
     }
     {
       TimerOutput::Scope scope(terminal.timer(), "convective phase");

@@ -17,10 +17,12 @@ namespace isochor
   PointLayout::PointLayout(const unsigned int dim,
                            const unsigned int n_history,
                            const bool         dynamic,
-                           const bool         with_domains)
+                           const bool         with_domains,
+                           const bool         with_cell_size)
     : n_history(n_history)
     , dynamic(dynamic)
     , with_domains(with_domains)
+    , with_cell_size(with_cell_size)
   {
     const auto place = [this](unsigned int &field, const unsigned int size) {
       field = n_properties;
@@ -41,6 +43,8 @@ namespace isochor
     place(history, n_history);
     if (with_domains)
       place(domain, dim * dim);
+    if (with_cell_size)
+      place(cell_size, 1);
   }
 
 
@@ -82,7 +86,9 @@ namespace isochor
     for (const auto &material : materials)
       n_history =
         std::max<unsigned int>(n_history, material->history_names().size());
-    point_layout = PointLayout(dim, n_history, dynamic, with_domains);
+    point_layout =
+      PointLayout(dim, n_history, dynamic, with_domains, grid.is_adaptive());
+    groups.clear();
     particles.initialize(grid.triangulation(),
                          grid.mapping(),
                          point_layout.n_properties);
@@ -333,6 +339,40 @@ namespace isochor
                                   " Enlarge the grid, or hold the body by "
                                   "boundary conditions."));
     return report.n_moved;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::change_grid(
+    const PointLocator<dim>                                    &locator,
+    const std::function<std::unique_ptr<Triangulation<dim>>()> &change)
+  {
+    groups.clear();
+    const unsigned int n_properties = particles.n_properties_per_particle();
+    PointRecords<dim>  records(n_properties);
+    for (const auto &particle : particles)
+      records.push_back(particle.get_surrounding_cell()->active_cell_index(),
+                        particle.get_id(),
+                        particle.get_location(),
+                        particle.get_properties());
+    particles.clear_particles();
+    const std::unique_ptr<Triangulation<dim>> old = change();
+    // lets go of the old one
+    particles.initialize(grid.triangulation(), grid.mapping(), n_properties);
+    for (std::size_t i = 0; i < records.size(); ++i)
+      {
+        const auto place =
+          locator.locate(records.locations[i],
+                         grid.cells_after_change()[records.cells[i]]);
+        AssertThrow(place.found, ExcInternalError());
+        records.cells[i] = place.cell;
+      }
+    std::size_t n_shipped;
+    insert_particles(particles,
+                     locator,
+                     exchange_points(records, grid.geometry(), n_shipped));
   }
 
 

@@ -112,15 +112,21 @@ namespace isochor
 
 
 
-    /** Throw for elements that aren't simplices of first order. */
+    /** Throw for elements that aren't @p cells of first order. */
     void
     check_elements(const std::set<int> &types,
                    const unsigned int   dim,
+                   const MeshCells      cells,
                    const std::string   &subject)
     {
       // the gmsh reference manual, "MSH file format": 1 line, 2 triangle,
       // 4 tetrahedron, 15 point; 3, 5, 6, 7 quadrangle, hexahedron, prism,
       // pyramid; from 8 on the same of higher order
+      const bool        simplices = (cells == MeshCells::simplices);
+      const int         wanted = simplices ? 2 * dim - 2 : 2 * dim - 1; // type
+      const std::string name   = simplices ?
+                                   (dim == 2 ? "triangles" : "tetrahedra") :
+                                   (dim == 2 ? "quadrilaterals" : "hexahedra");
       for (const int type : types)
         {
           AssertThrow(type <= 7 || type == 15,
@@ -131,19 +137,25 @@ namespace isochor
                                  "). Let gmsh write first order: "
                                  "'Mesh.ElementOrder = 1;' in the .geo file, "
                                  "or -order 1."));
-          AssertThrow(type != 3 && (type < 5 || type == 15),
+          AssertThrow(!simplices || (type != 3 && (type < 5 || type == 15)),
                       ExcMessage(subject +
                                  "holds other cells than triangles (2D) or "
                                  "tetrahedra (3D): gmsh's type " +
                                  std::to_string(type) +
                                  ". Don't recombine or extrude in layers."));
+          AssertThrow(simplices ||
+                        (type != 2 && type != 4 && type != 6 && type != 7),
+                      ExcMessage(subject + "holds other cells than " + name +
+                                 ": gmsh's type " + std::to_string(type) +
+                                 ". Let gmsh recombine all of it, or use "
+                                 "<Grid/Type = gmsh>."));
         }
-      AssertThrow(dim == 3 || types.count(4) == 0,
-                  ExcMessage(subject + "holds tetrahedra, but the scene has "
-                                       "<Dimension = 2>."));
-      AssertThrow(types.count(dim == 2 ? 2 : 4) > 0,
-                  ExcMessage(subject + "holds no " +
-                             (dim == 2 ? "triangles" : "tetrahedra") +
+      AssertThrow(dim == 3 || types.count(simplices ? 4 : 5) == 0,
+                  ExcMessage(subject + "holds " +
+                             (simplices ? "tetrahedra" : "hexahedra") +
+                             ", but the scene has <Dimension = 2>."));
+      AssertThrow(types.count(wanted) > 0,
+                  ExcMessage(subject + "holds no " + name +
                              ". If it has physical groups, gmsh saves only "
                              "what is in one: put the cells of the " +
                              (dim == 2 ? "surfaces" : "volumes") +
@@ -212,7 +224,8 @@ namespace isochor
   MeshGroups
   read_mesh(const std::string  &file_name,
             const std::string  &parameter,
-            Triangulation<dim> &tria)
+            Triangulation<dim> &tria,
+            const MeshCells     cells)
   {
     const std::string name = subject(file_name, parameter);
     std::error_code   code;
@@ -222,7 +235,7 @@ namespace isochor
                                   "directory in which the program is "
                                   "started."));
     const double version = check_format(file, name);
-    check_elements(element_types(file, version), dim, name);
+    check_elements(element_types(file, version), dim, cells, name);
 
     MeshGroups groups;
     for (const auto &group : read_physical_names(file, dim - 1))
@@ -252,7 +265,13 @@ namespace isochor
 
 
   template MeshGroups
-  read_mesh<2>(const std::string &, const std::string &, Triangulation<2> &);
+  read_mesh<2>(const std::string &,
+               const std::string &,
+               Triangulation<2> &,
+               const MeshCells);
   template MeshGroups
-  read_mesh<3>(const std::string &, const std::string &, Triangulation<3> &);
+  read_mesh<3>(const std::string &,
+               const std::string &,
+               Triangulation<3> &,
+               const MeshCells);
 } // namespace isochor

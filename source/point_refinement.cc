@@ -60,7 +60,10 @@ namespace isochor
                       Patterns::Double(0),
                       "Split points whose current volume is larger than this "
                       "share of the volume of the cell that they are in, into "
-                      "4 (2D) or 5 (3D) equal parts. 0: never.");
+                      "4 (2D) or 5 (3D) equal parts; points with domains, of "
+                      "the quadratures 'cell-filled + boundary' and 'CPDI', "
+                      "into the 4 or 8 parts of the domain. 0: never; on an "
+                      "adaptive grid 2 / 'Points per cell'.");
     prm.leave_subsection();
   }
 
@@ -71,22 +74,23 @@ namespace isochor
   PointRefinement<dim>::parse_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Material points");
-    largest_share = prm.get_double("Split at share of cell");
+    largest_share         = prm.get_double("Split at share of cell");
+    const double per_cell = prm.get_integer("Points per cell");
     prm.leave_subsection();
-    if (largest_share == 0)
-      return;
-    // else parts of new parts would be split at once
-    AssertThrow(largest_share >= 0.1,
-                ExcMessage("<Material points/Split at share of cell> must be 0 "
-                           "or at least 0.1: more than ten points per cell are "
-                           "a matter of seeding."));
-    prm.enter_subsection("Quadrature");
-    const std::string type = prm.get("Type");
+    prm.enter_subsection("Grid");
+    const bool adaptive = prm.get("Type") == "adaptive";
     prm.leave_subsection();
-    AssertThrow(type == "points" || type == "cell-filled",
-                ExcMessage("<Material points/Split at share of cell> needs "
-                           "<Quadrature/Type> points or cell-filled: the other "
-                           "types give points domains, which are not split."));
+    if (largest_share == 0 && adaptive)
+      // no point of the rules for seeding is split in its own cell, all are
+      // where cells have been halved
+      largest_share = 2 / per_cell;
+    else if (largest_share > 0)
+      // else parts of new parts would be split at once
+      AssertThrow(largest_share >= 0.1,
+                  ExcMessage(
+                    "<Material points/Split at share of cell> must be 0 "
+                    "or at least 0.1: more than ten points per cell are "
+                    "a matter of seeding."));
   }
 
 
@@ -113,41 +117,125 @@ namespace isochor
 
 
   template <int dim>
+  std::vector<typename PointRefinement<dim>::Part>
+  PointRefinement<dim>::parts_of_domain(const CornerVectors<dim> &domain,
+                                        const Tensor<2, dim>     &F)
+  {
+    // corners and middles of edges, by pairs of corners
+    using Pair = std::pair<unsigned int, unsigned int>;
+    std::vector<std::array<Pair, dim + 1>> simplices;
+    for (unsigned int c = 0; c <= dim; ++c)
+      {
+        simplices.emplace_back();
+        for (unsigned int e = 0; e <= dim; ++e)
+          simplices.back()[e] = {c, e};
+      }
+    if constexpr (dim == 2)
+      simplices.push_back({{{0, 1}, {1, 2}, {0, 2}}});
+    else
+      {
+        simplices.push_back({{{0, 1}, {0, 2}, {0, 3}, {1, 3}}});
+        simplices.push_back({{{0, 1}, {0, 2}, {1, 2}, {1, 3}}});
+        simplices.push_back({{{0, 2}, {0, 3}, {1, 3}, {2, 3}}});
+        simplices.push_back({{{0, 2}, {1, 2}, {1, 3}, {2, 3}}});
+      }
+    // the point itself gets the part in the middle, in 3D one of those
+    std::swap(simplices.front(), simplices[dim + 1]);
+
+    std::vector<Part> parts;
+    for (const auto &simplex : simplices)
+      {
+        Part           part;
+        Tensor<1, dim> centre;
+        for (unsigned int c = 0; c <= dim; ++c)
+          {
+            part.domain[c] =
+              (domain[simplex[c].first] + domain[simplex[c].second]) / 2.;
+            centre += part.domain[c] / (dim + 1.);
+          }
+        for (Tensor<1, dim> &corner : part.domain)
+          corner -= centre;
+        part.shift = F * centre;
+        parts.push_back(part);
+      }
+    return parts;
+  }
+
+
+
+  template <int dim>
+  std::vector<typename PointRefinement<dim>::Part>
+  PointRefinement<dim>::parts_around(const double volume)
+  {
+    static const auto places = places_of_parts<dim>();
+    std::vector<Part> parts(1);
+    for (const Tensor<1, dim> &place : places)
+      parts.push_back({std::pow(volume, 1. / dim) * place, {}});
+    return parts;
+  }
+
+
+
+  template <int dim>
   std::vector<typename PointRefinement<dim>::NewPoint>
   PointRefinement<dim>::split(MaterialPoints<dim>     &points,
                               const PointLocator<dim> &locator) const
   {
-    static const auto  places = places_of_parts<dim>();
-    const PointLayout &l      = points.layout();
-
+    const PointLayout    &l = points.layout();
     std::vector<NewPoint> parts;
     for (auto &particle : points.handler())
       {
         const unsigned int cell =
           particle.get_surrounding_cell()->active_cell_index();
         const ArrayView<double> values = particle.get_properties();
-        const double            volume =
-          values[l.volume] *
-          determinant(deformation_gradient<dim>(values.data(), l));
+        const Tensor<2, dim>    F = deformation_gradient<dim>(values.data(), l);
+        const double            volume = values[l.volume] * determinant(F);
         if (!(volume > largest_share * locator.geometry().measure(cell)))
           continue;
 
-        std::array<Point<dim>, dim + 1> locations;
-        const double                    size = std::pow(volume, 1. / dim);
-        for (unsigned int i = 0; i < locations.size(); ++i)
-          locations[i] = particle.get_location() + size * places[i];
-        // beside a wall the point stays as it is
-        if (!std::all_of(locations.begin(),
-                         locations.end(),
-                         [&](const Point<dim> &location) {
-                           return locator.locate(location, cell).found;
-                         }))
-          continue;
+        CornerVectors<dim> domain;
+        for (unsigned int c = 0; c < dim && l.with_domains; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              domain[c + 1][d] = values[l.domain + c * dim + d];
+              domain[0][d] -= domain[c + 1][d];
+            }
+        std::vector<Part> places =
+          l.with_domains ? parts_of_domain(domain, F) : parts_around(volume);
+        // beside a wall they come closer
+        const Point<dim> x       = particle.get_location();
+        const auto       outside = [&](const Part &part) {
+          return !locator.locate(x + part.shift, cell).found;
+        };
+        for (unsigned int i = 0;
+             i < 20 && std::any_of(places.begin(), places.end(), outside);
+             ++i)
+          for (Part &part : places)
+            part.shift *= 0.75;
 
-        values[l.volume] /= dim + 2;
-        values[l.mass] /= dim + 2;
-        for (const Point<dim> &location : locations)
-          parts.push_back({cell, location, {values.begin(), values.end()}});
+        const Tensor<2, dim>      inverse = invert(F);
+        const std::vector<double> old(values.begin(), values.end());
+        for (unsigned int i = 0; i < places.size(); ++i)
+          {
+            // they move with the point's F, so that X = x - u is affine
+            const Tensor<1, dim> &shift = places[i].shift;
+            const Tensor<1, dim>  u     = shift - inverse * shift;
+            std::vector<double>   part  = old;
+            part[l.volume] /= places.size();
+            part[l.mass] /= places.size();
+            for (unsigned int d = 0; d < dim; ++d)
+              part[l.displacement + d] += u[d];
+            for (unsigned int c = 0; c < dim && l.with_domains; ++c)
+              for (unsigned int d = 0; d < dim; ++d)
+                part[l.domain + c * dim + d] = places[i].domain[c + 1][d];
+            if (i > 0)
+              {
+                parts.push_back({cell, x + shift, part});
+                continue;
+              }
+            std::copy(part.begin(), part.end(), values.begin());
+            particle.set_location(x + shift);
+          }
       }
     return parts;
   }

@@ -183,37 +183,36 @@ namespace isochor
         }
       handler.remove_particles(leaving);
     }
-
-
-
-    /** Insert points into the cells that their senders found for them. */
-    template <int dim>
-    void
-    insert_particles(Particles::ParticleHandler<dim> &handler,
-                     const PointLocator<dim>         &locator,
-                     const PointRecords<dim>         &records)
-    {
-      const SimplexGeometry<dim> &geometry = locator.geometry();
-      for (std::size_t i = 0; i < records.size(); ++i)
-        {
-          const unsigned int cell = records.cells[i];
-          const auto result       = locator.locate(records.locations[i], cell);
-          AssertThrow(result.found,
-                      ExcMessage("A rank sent particle " +
-                                 std::to_string(records.ids[i]) + " to cell " +
-                                 std::to_string(cell) +
-                                 ", but it is not in there: the ranks' vertex "
-                                 "coordinates differ."));
-          handler.insert_particle(records.locations[i],
-                                  SimplexGeometry<dim>::reference_location(
-                                    result.barycentric),
-                                  records.ids[i],
-                                  geometry.cell_iterator(cell),
-                                  records.payload(i));
-        }
-      handler.update_cached_numbers();
-    }
   } // namespace
+
+
+
+  template <int dim>
+  void
+  insert_particles(Particles::ParticleHandler<dim> &handler,
+                   const PointLocator<dim>         &locator,
+                   const PointRecords<dim>         &records)
+  {
+    const SimplexGeometry<dim> &geometry = locator.geometry();
+    for (std::size_t i = 0; i < records.size(); ++i)
+      {
+        const unsigned int cell   = records.cells[i];
+        const auto         result = locator.locate(records.locations[i], cell);
+        AssertThrow(result.found,
+                    ExcMessage("A rank sent particle " +
+                               std::to_string(records.ids[i]) + " to cell " +
+                               std::to_string(cell) +
+                               ", but it is not in there: the ranks' vertex "
+                               "coordinates differ."));
+        handler.insert_particle(records.locations[i],
+                                SimplexGeometry<dim>::reference_location(
+                                  result.barycentric),
+                                records.ids[i],
+                                geometry.cell_iterator(cell),
+                                records.payload(i));
+      }
+    handler.update_cached_numbers();
+  }
 
 
 
@@ -266,6 +265,14 @@ namespace isochor
   exchange_points<3>(const PointRecords<3> &,
                      const SimplexGeometry<3> &,
                      std::size_t &);
+  template void
+  insert_particles<2>(Particles::ParticleHandler<2> &,
+                      const PointLocator<2> &,
+                      const PointRecords<2> &);
+  template void
+  insert_particles<3>(Particles::ParticleHandler<3> &,
+                      const PointLocator<3> &,
+                      const PointRecords<3> &);
   template RelocationReport<2>
   relocate<2>(Particles::ParticleHandler<2> &, const PointLocator<2> &);
   template RelocationReport<3>

@@ -36,6 +36,7 @@ namespace isochor
                                  const unsigned int n_materials)
   {
     BackgroundGrid<dim>::declare_parameters(prm);
+    GridAdaptation<dim>::declare_parameters(prm);
     MaterialPoints<dim>::declare_parameters(prm);
     LoadStepping::declare_parameters(prm);
     InertiaTerm<dim>::declare_parameters(prm);
@@ -85,6 +86,7 @@ namespace isochor
   Scene<dim>::parse_parameters(ParameterHandler &prm)
   {
     grid.parse_parameters(prm);
+    adaptation.parse_parameters(prm);
     points.parse_parameters(prm);
     shape.parse_parameters(prm);
     time.parse_parameters(prm);
@@ -193,7 +195,8 @@ namespace isochor
   void
   Scene<dim>::create(const bool with_domains, const PointArrays<dim> &arrays)
   {
-    grid.create(mixed());
+    grid.create();
+    adaptation.make_initial_grid(grid);
     points.seed(kernel.materials,
                 dynamic,
                 inertia.initial_velocity,

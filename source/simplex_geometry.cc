@@ -74,6 +74,17 @@ namespace isochor
 
   template <int dim>
   void
+  SimplexGeometry<dim>::replace(const Triangulation<dim> &triangulation)
+  {
+    SimplexGeometry<dim> other(triangulation);
+    other.n_changes = n_changes + 1;
+    *this           = std::move(other);
+  }
+
+
+
+  template <int dim>
+  void
   SimplexGeometry<dim>::read_topology()
   {
     const bool is_parallel =

@@ -126,10 +126,11 @@ namespace isochor
 
   template <int dim>
   void
-  StepSetup<dim>::start_step(const std::vector<EquationTerm<dim> *> &terms)
+  StepSetup<dim>::start_step(const std::vector<EquationTerm<dim> *> &terms,
+                             LastMotion &last_motion)
   {
     if (grid_reset.due())
-      reset_grid(terms);
+      reset_grid(terms, last_motion);
     else
       scene.points.update(arrays);
     nodes_changed = nodes.update(touched_vertices) || is_fresh;
@@ -140,7 +141,8 @@ namespace isochor
 
   template <int dim>
   void
-  StepSetup<dim>::reset_grid(const std::vector<EquationTerm<dim> *> &terms)
+  StepSetup<dim>::reset_grid(const std::vector<EquationTerm<dim> *> &terms,
+                             LastMotion &last_motion)
   {
     TimerOutput::Scope scope(timer, "grid reset");
     const double       time = scene.time.time;
@@ -155,6 +157,13 @@ namespace isochor
         scene.points.handler().n_global_particles(),
         time,
         scene.warnings);
+    if (scene.grid.is_adaptive() && scene.adaptation.is_due())
+      {
+        TimerOutput::Scope scope(timer, "grid adaptation");
+        if (scene.adaptation.adapt(
+              scene.grid, scene.points, *locator, time, last_motion))
+          grid_changed();
+      }
     refinement.refine(scene.points, scene.grid, *locator);
     scene.points.gather(arrays);
     quadrature.start_step(
@@ -166,6 +175,47 @@ namespace isochor
       term->touch_vertices(touched_vertices);
     if (extends)
       extension.update(arrays, touched_vertices);
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::grid_changed()
+  {
+    for (const auto &condition : scene.boundary_conditions)
+      condition->grid_changed(scene.grid, scene.time.step == 0);
+    for (const auto &postprocessor : scene.postprocessors)
+      postprocessor->grid_changed(scene.grid);
+    if (needs_occupancy)
+      find_walls();
+  }
+
+
+
+  template <int dim>
+  bool
+  StepSetup<dim>::repeats_first_step(const NodalField &unknowns)
+  {
+    if (scene.time.step > 0 ||
+        !scene.adaptation.repeats_first_step(++n_first_solutions))
+      return false;
+    TimerOutput::Scope scope(timer, "grid adaptation");
+    Statistics         not_of_a_step;
+    LastMotion         none;
+    scene.adaptation.set_sizes(context(),
+                               unknowns,
+                               scene.points,
+                               not_of_a_step);
+    if (!scene.adaptation.adapt(
+          scene.grid, scene.points, *locator, scene.time.time, none))
+      return false;
+    scene.points.seed(scene.kernel.materials,
+                      scene.dynamic,
+                      scene.inertia.initial_velocity,
+                      needs_domains());
+    grid_changed();
+    return true;
   }
 
 
@@ -217,7 +267,7 @@ namespace isochor
   {
     std::ostringstream              stream(std::ios::binary);
     boost::archive::binary_oarchive archive(stream);
-    archive << grid_reset;
+    archive << scene.adaptation.save_state(scene.grid) << grid_reset;
     if (!grid_reset.due())
       archive << touched_vertices << elements << first_element << arrays
               << extension;
@@ -232,6 +282,10 @@ namespace isochor
   {
     std::istringstream              stream(state, std::ios::binary);
     boost::archive::binary_iarchive archive(stream);
+    std::string                     mesh;
+    archive >> mesh;
+    if (scene.adaptation.load_state(mesh, scene.grid, scene.points, *locator))
+      grid_changed();
     archive >> grid_reset;
     if (!grid_reset.due())
       archive >> touched_vertices >> elements >> first_element >> arrays >>

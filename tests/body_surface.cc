@@ -76,7 +76,7 @@ test_distance(const std::string &size)
   BackgroundGrid<dim>::declare_parameters(prm);
   test::set_parameters(prm, "Grid/Subdivisions = " + size);
   grid.parse_parameters(prm);
-  grid.create(false);
+  grid.create();
   std::mt19937                           random(1);
   std::uniform_real_distribution<double> coordinate(-0.5, 1.5);
   double                                 below = 0, above = 0;

@@ -304,6 +304,53 @@ test_split_points(const MPI_Comm comm)
 
 
 
+std::vector<double>
+column(const std::string &directory, const std::string &name);
+
+/** The grid changes before and after the interruption, which is in the middle
+ * of an interval in which it is kept; points and boundary points are split. */
+void
+test_adaptive_grid(const MPI_Comm comm)
+{
+  for (const std::string type : {"cell-filled", "CPDI"})
+    {
+      const std::vector<std::pair<std::string, std::string>> adaptive = {
+        {"Grid/Type", "adaptive"},
+        {"Grid/Subdivisions", "10, 10"},
+        {"Adaptive grid/Maximum level", "2"},
+        {"Adaptive grid/Target of relative error", "0.2"},
+        {"Adaptive grid/Cell size", "if(x - t > 2, 0.12, 1)"},
+        {"Grid reset/Steps between resets", "2"},
+        {"Grid reset/Smallest element quality", "0"},
+        {"Quadrature/Type", type},
+        {"Material points/Points per cell", "4"},
+        {"Boundary conditions/Surfaces of body", "all: 1"},
+        {"Boundary conditions/Traction on body", "all: 500, 0"}};
+      const std::string a = "checkpoint-adaptive-a",
+                        b = "checkpoint-adaptive-b";
+      const Result whole  = run(comm, a, adaptive);
+      report("adaptive grid, uninterrupted, " + type,
+             whole.error.empty(),
+             whole.error);
+      const auto changes = column(a, "Changes of grid");
+      report("it changes before and after the interruption",
+             changes.size() == 8 && changes[3] > 0 && changes[7] > changes[3],
+             "");
+      crash_after_step = 5;
+      expect_error("adaptive grid, interrupted, " + type,
+                   run(comm, b, adaptive),
+                   "crash");
+      crash_after_step = numbers::invalid_unsigned_int;
+      auto again       = adaptive;
+      again.emplace_back("Checkpoint/Interval", "2");
+      again.emplace_back("Checkpoint/Resume", "true");
+      compare(
+        "adaptive grid, resumed, " + type, run(comm, b, again), b, whole, a);
+    }
+}
+
+
+
 /** The values of a column of the statistics; nan where there is none. */
 std::vector<double>
 column(const std::string &directory, const std::string &name)
@@ -455,6 +502,7 @@ main(int argc, char **argv)
   test_kept_grid(comm);
   test_contact(comm);
   test_split_points(comm);
+  test_adaptive_grid(comm);
 
   if (Utilities::MPI::n_mpi_processes(comm) > 1)
     {

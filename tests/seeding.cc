@@ -155,7 +155,7 @@ struct Body
     for (const std::string density : {"1000", "3"})
       materials.push_back(
         test::make_material<dim>("Neo-Hookean", "set Density = " + density));
-    grid.create(false);
+    grid.create();
     points.seed(materials, dynamic, velocity);
   }
 

@@ -88,6 +88,7 @@ namespace isochor
     std::vector<unsigned int> vertices;
     std::vector<unsigned int> node_at_vertex;
     std::vector<unsigned int> last_touched;
+    unsigned int              last_mesh      = 0; ///< of what grid they are
     unsigned int              n_owned_nodes  = 0;
     types::global_dof_index   n_global_nodes = 0;
     types::global_dof_index   first_owned    = 0;

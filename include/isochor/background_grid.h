@@ -7,11 +7,10 @@
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/distributed/shared_tria.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_simplex_p.h>
-#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping_fe.h>
 
+#include <isochor/adaptive_grid.h>
 #include <isochor/expression.h>
 #include <isochor/simplex_geometry.h>
 
@@ -34,9 +33,13 @@ namespace isochor
 
   /**
    * The computational grid: a simplex triangulation, the names of its
-   * boundaries, the finite element that describes the nodal unknowns, and the
-   * cached affine geometry that everything hot works on. The grid does not
-   * know the body: the material points decide which cells take part.
+   * boundaries, and the cached affine geometry that everything hot works on.
+   * The grid does not know the body: the material points decide which cells
+   * take part.
+   *
+   * A grid of the type "adaptive" can be replaced, see change(). Cells and
+   * vertices then get other numbers: what is kept by number for longer than a
+   * step has to be told, or to look at mesh_number().
    *
    * Every rank knows the whole mesh (parallel::shared::Triangulation); cells
    * are addressed by their active cell index, nodes by their vertex index.
@@ -52,10 +55,49 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm);
 
-    /** Generate or read the mesh and distribute the degrees of freedom of
-     * P1 displacement (and P1 pressure if @p with_pressure). */
+    /** Generate or read the mesh. */
     void
-    create(const bool with_pressure);
+    create();
+
+    /** Whether change() can be called: <Grid/Type = adaptive>. */
+    bool
+    is_adaptive() const
+    {
+      return forest != nullptr;
+    }
+
+    /** The forest of an adaptive grid. */
+    const AdaptiveGrid<dim> &
+    adaptive_grid() const
+    {
+      return *forest;
+    }
+
+    /**
+     * Replace the mesh by that of @p leaves, which belong to the ranks
+     * @p owners, as it is at @p time. geometry() stays the same object with
+     * other contents; all iterators and indices are void. The old
+     * triangulation is returned, so that what is attached to it can let go
+     * first. Collective.
+     */
+    std::unique_ptr<Triangulation<dim>>
+    change(const std::vector<Leaf<dim>>    &leaves,
+           const std::vector<unsigned int> &owners,
+           const double                     time);
+
+    /** By cell before the last change(): one near it now. */
+    const std::vector<unsigned int> &
+    cells_after_change() const
+    {
+      return new_cells;
+    }
+
+    /** Increases with each change(). */
+    unsigned int
+    mesh_number() const
+    {
+      return n_meshes;
+    }
 
     /** Where the vertices are at @p time by the prescribed motion of the grid
      * (parameter "Stretch"); where they were generated if there is none. */
@@ -102,16 +144,25 @@ namespace isochor
     triangulation() const;
     const SimplexGeometry<dim> &
     geometry() const;
-    const DoFHandler<dim> &
-    dof_handler() const;
     const Mapping<dim> &
     mapping() const;
     MPI_Comm
     communicator() const;
 
   private:
+    using SharedTriangulation = parallel::shared::Triangulation<dim>;
+
+    /** An empty one. */
+    std::unique_ptr<SharedTriangulation>
+    new_triangulation() const;
     void
     create_structured();
+    /** The coarse cells of an adaptive grid. */
+    CoarseGrid<dim>
+    make_coarse_grid();
+    /** Take over what follows from a new mesh. */
+    void
+    read_mesh_data();
     Point<dim>
     place_in_box(const Point<dim> &unit) const;
     Point<dim>
@@ -127,7 +178,7 @@ namespace isochor
 
     struct Parameters
     {
-      std::string               type;
+      std::string               type, coarse_type;
       Point<dim>                lower, upper;
       std::vector<Point<2>>     corners;
       double                    depth;
@@ -139,11 +190,12 @@ namespace isochor
     } parameters;
 
     const MPI_Comm                            comm;
-    parallel::shared::Triangulation<dim>      tria;
-    std::unique_ptr<FESystem<dim>>            fe;
-    DoFHandler<dim>                           dofs;
+    std::unique_ptr<SharedTriangulation>      tria;
     MappingFE<dim>                            p1_mapping;
     std::unique_ptr<SimplexGeometry<dim>>     cached_geometry;
+    std::unique_ptr<AdaptiveGrid<dim>>        forest;
+    unsigned int                              n_meshes = 0;
+    std::vector<unsigned int>                 new_cells;
     std::map<std::string, types::boundary_id> names;
     std::map<std::string, types::material_id> group_names;
     std::vector<BoundaryFace>                 faces;

@@ -37,6 +37,13 @@ namespace isochor
     initialize(const BackgroundGrid<dim> & /*grid*/)
     {}
 
+    /** The grid has been replaced (BackgroundGrid::change()): cells and
+     * vertices have other numbers. @p at_start: there was no step yet.
+     * Collective. */
+    virtual void
+    grid_changed(const BackgroundGrid<dim> & /*grid*/, const bool /*at_start*/)
+    {}
+
     /** For conditions on the body: where it is at t = 0, and its points, which
      * are set up anew before touch_vertices() is called. Both outlive this
      * object. Once, before initialize(). */

@@ -49,6 +49,13 @@ namespace isochor
     void
     seed(const std::vector<SurfacePoint<dim>> &seeds);
 
+    /** The grid has been replaced: go to the new cells. Points that are too
+     * large for these are split in two (2D) or four (3D) side by side, each
+     * with its part of the area; force and moment of a uniform load stay.
+     * Collective. */
+    void
+    change_grid();
+
     /** Find the nodes each point acts on, and bring the points to the ranks
      * that own their cells. For a step on a grid that was reset; while the grid
      * is kept (see GridReset) they stay. Collective. */
@@ -143,6 +150,9 @@ namespace isochor
     load_state(const std::string &state);
 
   private:
+    /** Split the points that are too large; how many there were. */
+    unsigned int
+    split();
     /** Entries of a point's payload. */
     static constexpr unsigned int surface_entry      = 0;
     static constexpr unsigned int displacement_entry = 1;

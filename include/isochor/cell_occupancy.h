@@ -31,7 +31,7 @@ namespace isochor
   public:
     CellOccupancy(const BackgroundGrid<dim> &grid);
 
-    /** Once, with the grid made. @p held(vertex, component) tells whether a
+    /** With a new grid. @p held(vertex, component) tells whether a
      * displacement is prescribed there. */
     template <typename Held>
     void
@@ -197,6 +197,9 @@ namespace isochor
   CellOccupancy<dim>::initialize(const Held &held)
   {
     const unsigned int n_vertices = grid.triangulation().n_vertices();
+    contents.clear();
+    active_list.clear();
+    near_ranks.clear();
     entry_of_cell.assign(grid.geometry().n_cells(),
                          numbers::invalid_unsigned_int);
     vertex_active.assign(n_vertices, 0);

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,13 +49,18 @@ namespace isochor
      * the point (m), the first being minus their sum; only if with_domains. */
     unsigned int domain       = 0;
     bool         with_domains = false;
-    unsigned int n_properties = 0;
+    /** The size of cells that the point asks for (m), 0: as it is; only on
+     * adaptive grids. */
+    unsigned int cell_size      = 0;
+    bool         with_cell_size = false;
+    unsigned int n_properties   = 0;
 
     PointLayout() = default;
     PointLayout(const unsigned int dim,
                 const unsigned int n_history,
                 const bool         dynamic,
-                const bool         with_domains = false);
+                const bool         with_domains   = false,
+                const bool         with_cell_size = false);
   };
 
   /** F of a point from its @p properties. */
@@ -285,6 +291,16 @@ namespace isochor
          const bool                                              dynamic,
          const std::string &initial_velocity,
          const bool         with_domains = false);
+
+    /**
+     * Let @p change replace the mesh of the grid (it returns what
+     * BackgroundGrid::change() does), and put the points into the new cells.
+     * They must lie in the cells that they are in. Collective.
+     */
+    void
+    change_grid(
+      const PointLocator<dim>                                    &locator,
+      const std::function<std::unique_ptr<Triangulation<dim>>()> &change);
 
     /** Copy the points into @p arrays, ordered by cell. */
     void

@@ -34,18 +34,28 @@ namespace isochor
             const std::vector<std::string>                  &wanted,
             const std::map<std::string, types::material_id> &ids);
 
+  /** What a mesh must consist of: triangles or tetrahedra, or quadrilaterals
+   * or hexahedra. */
+  enum class MeshCells
+  {
+    simplices,
+    hypercubes
+  };
+
   /**
    * Read a gmsh .msh file (text, format 2 or 4.1, triangles in 2D, tetrahedra
-   * in 3D, of first order) into the empty @p tria. Each rank reads it.
+   * in 3D, or what @p cells says, of first order) into the empty @p tria. Each
+   * rank reads it.
    * @p parameter says in messages where the name comes from.
    * @throws ExcMessage if the file is missing, binary, of another version, of
-   * second order, or holds no cells or other cells than simplices.
+   * second order, or holds no cells or others than @p cells.
    */
   template <int dim>
   MeshGroups
   read_mesh(const std::string  &file_name,
             const std::string  &parameter,
-            Triangulation<dim> &tria);
+            Triangulation<dim> &tria,
+            const MeshCells     cells = MeshCells::simplices);
 } // namespace isochor
 
 #endif

@@ -66,6 +66,12 @@ namespace isochor
     initialize(const BackgroundGrid<dim> & /*grid*/)
     {}
 
+    /** The grid has been replaced (BackgroundGrid::change()): cells and
+     * vertices have other numbers. */
+    virtual void
+    grid_changed(const BackgroundGrid<dim> & /*grid*/)
+    {}
+
     /** The first step is set up: warn of what can't be meant, as boundaries
      * that no material touches. Collective. */
     virtual void

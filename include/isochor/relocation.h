@@ -81,6 +81,15 @@ namespace isochor
     PointRecords<dim> lost;
   };
 
+  /** Insert points of this rank's cells into the cells that they name.
+   * Collective.
+   * @throws ExcMessage if one is not in there. */
+  template <int dim>
+  void
+  insert_particles(Particles::ParticleHandler<dim> &handler,
+                   const PointLocator<dim>         &locator,
+                   const PointRecords<dim>         &records);
+
   /**
    * Bring all particles of this rank into the cells of their present locations:
    * update the reference locations, and move the particles that left their cell

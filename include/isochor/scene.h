@@ -7,6 +7,7 @@
 
 #include <isochor/body_shape.h>
 #include <isochor/boundary_condition.h>
+#include <isochor/grid_adaptation.h>
 #include <isochor/inertia_term.h>
 #include <isochor/load_stepping.h>
 #include <isochor/mixed_kernel.h>
@@ -55,6 +56,7 @@ namespace isochor
 
     Warnings            warnings;
     BackgroundGrid<dim> grid;
+    GridAdaptation<dim> adaptation; ///< what an adaptive grid follows
     MaterialPoints<dim> points;
     BodyShape<dim>      shape;
     LoadStepping        time;

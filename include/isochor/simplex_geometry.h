@@ -33,7 +33,8 @@ namespace isochor
    * replaced (moving grid) without touching the triangulation; ranks that move
    * the grid must set identical coordinates, because each of them locates its
    * points on its own. The topology is that of the triangulation at
-   * construction: after refinement or repartitioning build a new object.
+   * construction: after refinement or repartitioning build a new object, or
+   * call replace().
    */
   template <int dim>
   class SimplexGeometry
@@ -55,6 +56,11 @@ namespace isochor
      * below 1e-12 of its longest edge to the power dim.
      */
     explicit SimplexGeometry(const Triangulation<dim> &triangulation);
+
+    /** Become the geometry of another triangulation, as if constructed anew; of
+     * generation() the next one. */
+    void
+    replace(const Triangulation<dim> &triangulation);
 
     /** Take over the vertices of the triangulation, as they are now. As
      * set_vertices(). */

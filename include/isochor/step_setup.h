@@ -58,10 +58,18 @@ namespace isochor
     /**
      * The points are where the last step left them: put the grid back if that
      * is due, find the points in it and all that follows from it, and the nodes
-     * that they and the @p terms touch. Collective.
+     * that they and the @p terms touch. An adaptive grid may become another
+     * one then, and @p last_motion that of its nodes. Collective.
      */
     void
-    start_step(const std::vector<EquationTerm<dim> *> &terms);
+    start_step(const std::vector<EquationTerm<dim> *> &terms,
+               LastMotion                             &last_motion);
+
+    /** The first step was solved: adapt the grid to the solution @p unknowns
+     * and fill it with the body anew, if the step is to be solved once more.
+     * Whether it is. Collective. */
+    bool
+    repeats_first_step(const NodalField &unknowns);
 
     /** Ask the @p terms for their elements, after a reset. */
     void
@@ -147,7 +155,11 @@ namespace isochor
 
   private:
     void
-    reset_grid(const std::vector<EquationTerm<dim> *> &terms);
+    reset_grid(const std::vector<EquationTerm<dim> *> &terms,
+               LastMotion                             &last_motion);
+    /** The grid has been replaced: tell what knows it. */
+    void
+    grid_changed();
     /** Tell the occupancy where boundary conditions hold the body. */
     void
     find_walls();
@@ -156,6 +168,7 @@ namespace isochor
     TimerOutput &timer;
 
     std::unique_ptr<PointLocator<dim>> locator;
+    unsigned int                       n_first_solutions = 0;
     GridReset<dim>                     grid_reset;
     PointRefinement<dim>               refinement;
     PointSpacing<dim>                  spacing;

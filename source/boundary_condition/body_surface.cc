@@ -36,6 +36,8 @@ namespace isochor
     void
     initialize(const BackgroundGrid<dim> &grid) override;
     void
+    grid_changed(const BackgroundGrid<dim> &grid, const bool at_start) override;
+    void
     set_body(const BodyShape<dim> &shape, const PointArrays<dim> &body) override
     {
       this->shape = &shape;
@@ -130,6 +132,24 @@ namespace isochor
         points = std::make_unique<BoundaryPoints<dim>>(grid);
         forces = std::make_unique<SurfaceForces<dim>>(conditions, *points);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  BodySurfaceConditions<dim>::grid_changed(const BackgroundGrid<dim> & /*grid*/,
+                                           const bool at_start)
+  {
+    if (!points || !seeded)
+      return;
+    if (at_start)
+      {
+        seeded = false; // as many as the new faces need
+        covered_share.clear();
+      }
+    else
+      points->change_grid();
   }
 
 

@@ -71,7 +71,7 @@ namespace isochor
     void
     initialize(const BackgroundGrid<dim> &grid) override
     {
-      reference = grid.geometry().vertices();
+      reference = grid.vertices_at_time(0.);
       for (auto &condition : conditions)
         {
           const bool everywhere = condition.boundary == "everywhere";
@@ -91,6 +91,17 @@ namespace isochor
       for (auto &condition : conditions)
         if (condition.side != 0)
           place_walls(condition);
+    }
+
+    void
+    grid_changed(const BackgroundGrid<dim> &grid,
+                 const bool /*at_start*/) override
+    {
+      const auto old           = conditions;
+      const auto old_reference = reference;
+      initialize(grid);
+      for (unsigned int c = 0; c < conditions.size(); ++c)
+        take_over_walls(old[c], old_reference, conditions[c]);
     }
 
     void
@@ -314,6 +325,40 @@ namespace isochor
             -condition.displacement(reference[condition.vertices[i]], 0.);
           node.touched  = (node.gap == 0);
           node.released = node.was_released = (condition.side * node.gap > 0);
+        }
+    }
+
+    /** After a change of the grid: each node knows of its wall what the nearest
+     * of @p old did; its gap is as much larger as its wall was further away at
+     * t = 0. */
+    void
+    take_over_walls(const Condition               &old,
+                    const std::vector<Point<dim>> &old_reference,
+                    Condition                     &condition) const
+    {
+      for (unsigned int i = 0; i < condition.wall.size(); ++i)
+        {
+          const Point<dim> &x    = reference[condition.vertices[i]];
+          double            best = std::numeric_limits<double>::max();
+          unsigned int      from = 0;
+          for (unsigned int j = 0; j < old.wall.size() && best > 0; ++j)
+            {
+              const double distance =
+                x.distance_square(old_reference[old.vertices[j]]);
+              if (distance < best)
+                {
+                  best = distance;
+                  from = j;
+                }
+            }
+          if (best == std::numeric_limits<double>::max())
+            continue;
+          WallNode &node = condition.wall[i];
+          node           = old.wall[from];
+          if (!node.touched)
+            node.gap +=
+              condition.displacement(old_reference[old.vertices[from]], 0.) -
+              condition.displacement(x, 0.);
         }
     }
 

@@ -34,6 +34,12 @@ namespace isochor
   class Energies : public Postprocessor<dim>
   {
   public:
+    void
+    grid_changed(const BackgroundGrid<dim> & /*grid*/) override
+    {
+      reactions.clear();
+    }
+
     static void
     declare_parameters(ParameterHandler &prm)
     {

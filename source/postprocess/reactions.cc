@@ -58,6 +58,13 @@ namespace isochor
     }
 
     void
+    grid_changed(const BackgroundGrid<dim> &grid) override
+    {
+      vertices.clear();
+      initialize(grid);
+    }
+
+    void
     check_scene(const StepContext<dim> &step) const override
     {
       const std::string parameter = "Postprocess/Reactions";
