@@ -6,6 +6,7 @@
 
 #include <isochor/discrete_extension.h>
 #include <isochor/mpi_sums.h>
+#include <isochor/nodal_unknowns.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -345,17 +346,14 @@ namespace isochor
                                const Tensor<1, dim>   &force) const
   {
     const SimplexGeometry<dim> &geometry = grid.geometry();
+    const NodalUnknowns<dim>    nodal(step, unknowns);
     Tensor<2, dim>              gradient;
     for (const unsigned int cell : tie.cells)
       for (unsigned int v = 0; v <= dim; ++v)
-        {
-          const unsigned int entry =
-            step.nodes.node(geometry.vertex_indices(cell)[v]) *
-            step.n_components;
-          for (unsigned int a = 0; a < dim; ++a)
-            gradient[a] += unknowns.local_element(entry + a) /
-                           tie.cells.size() * geometry.gradients(cell)[v];
-        }
+        gradient +=
+          outer_product(nodal.increment(geometry.vertex_indices(cell)[v]) /
+                          tie.cells.size(),
+                        geometry.gradients(cell)[v]);
     Tensor<1, dim> arm;
     for (const unsigned int master : tie.masters)
       arm += geometry.vertices()[tie.vertex] - geometry.vertices()[master];
