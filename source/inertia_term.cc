@@ -19,7 +19,7 @@ namespace isochor
                       Patterns::Bool(),
                       "Whether the body has inertia, or is in equilibrium at "
                       "all times.");
-    TimeIntegrator::declare_parameters(prm);
+    TimeIntegrator::declare_schemes(prm);
     prm.declare_entry("Transfer",
                       "PIC",
                       Patterns::Selection("PIC|FLIP"),
@@ -52,8 +52,8 @@ namespace isochor
   InertiaTerm<dim>::parse_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Dynamics");
-    const bool dynamic = prm.get_bool("Inertia");
-    integrator.parse_parameters(prm);
+    const bool dynamic      = prm.get_bool("Inertia");
+    integrator              = TimeIntegrator::create(prm);
     kept_part               = prm.get("Transfer") == "FLIP" ? 1 : 0;
     initial_velocity        = prm.get("Initial velocity");
     const std::string start = prm.get("Acceleration");

@@ -152,7 +152,9 @@ namespace isochor
     const TimeIntegrator &
     scheme() const
     {
-      return in_trial() ? trial_integrator : integrator;
+      if (in_trial())
+        return trial_integrator;
+      return *integrator;
     }
 
     /** Whether held nodes move otherwise than the points. Collective. */
@@ -173,11 +175,11 @@ namespace isochor
             const NodalTies        &ties,
             NodalField             &solution) const;
 
-    TimeIntegrator       integrator;
-    const TimeIntegrator trial_integrator{0.5, 1., 0.};
-    double               trial_size    = 0;
-    double               kept_part     = 0; ///< η
-    bool                 from_stresses = false;
+    std::unique_ptr<TimeIntegrator> integrator;
+    const NewmarkFamily             trial_integrator{0.5, 1., 0.};
+    double                          trial_size    = 0;
+    double                          kept_part     = 0; ///< η
+    bool                            from_stresses = false;
 
     MassMatrix<dim> mass;
     /** All with dim components per node. Σ_p m_p N_I v_p and M a_n; the
