@@ -68,9 +68,9 @@ namespace isochor
 
   template <int dim>
   bool
-  DiscreteExtension<dim>::is_active(const bool plain_quadrature) const
+  DiscreteExtension<dim>::is_active(const bool quadrature_asks) const
   {
-    return use == Use::always || (use == Use::automatic && !plain_quadrature);
+    return use == Use::always || (use == Use::automatic && quadrature_asks);
   }
 
 

@@ -18,10 +18,11 @@ namespace isochor
 
   template <int dim>
   void
-  GridToPoints<dim>::parse_parameters(ParameterHandler &prm,
-                                      const bool        measure_energy)
+  GridToPoints<dim>::parse_parameters(ParameterHandler          &prm,
+                                      const BodyQuadrature<dim> &quadrature,
+                                      const bool                 measure_energy)
   {
-    projects_volume = volume_projection.parse_parameters(prm);
+    projects_volume = volume_projection.parse_parameters(prm, quadrature);
     measures_energy = measure_energy;
   }
 

@@ -38,6 +38,7 @@ namespace isochor
     BackgroundGrid<dim>::declare_parameters(prm);
     MaterialPoints<dim>::declare_parameters(prm);
     LoadStepping::declare_parameters(prm);
+    BodyQuadrature<dim>::declare_quadratures(prm);
     InertiaTerm<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -88,7 +89,8 @@ namespace isochor
     points.parse_parameters(prm);
     shape.parse_parameters(prm);
     time.parse_parameters(prm);
-    dynamic = inertia.parse_parameters(prm);
+    quadrature = BodyQuadrature<dim>::create(prm);
+    dynamic    = inertia.parse_parameters(prm, *quadrature);
     parse_formulation(prm);
     parse_materials(prm);
     parse_plugins(prm);
@@ -191,8 +193,9 @@ namespace isochor
 
   template <int dim>
   void
-  Scene<dim>::create(const bool with_domains, const PointArrays<dim> &arrays)
+  Scene<dim>::create(const PointArrays<dim> &arrays)
   {
+    const bool with_domains = quadrature->needs_domains();
     grid.create(mixed());
     points.seed(kernel.materials,
                 dynamic,

@@ -14,6 +14,9 @@
 
 namespace isochor
 {
+  template <int dim>
+  class BodyQuadrature;
+
   /**
    * Inertia with the consistent mass matrix, R_u = M ((1 - α) a_{n+1} + α a_n),
    * and all that goes with it: velocities and accelerations of the nodes are
@@ -41,7 +44,8 @@ namespace isochor
     declare_parameters(ParameterHandler &prm);
     /** Whether the scene is dynamic. */
     bool
-    parse_parameters(ParameterHandler &prm);
+    parse_parameters(ParameterHandler          &prm,
+                     const BodyQuadrature<dim> &quadrature);
 
     /** Take the points as they are at the start of the step. In the first one
      * their accelerations count in any case. Collective. */
