@@ -352,7 +352,7 @@ namespace isochor
       for (unsigned int v = 0; v <= dim; ++v)
         gradient +=
           outer_product(nodal.increment(geometry.vertex_indices(cell)[v]) /
-                          tie.cells.size(),
+                          double(tie.cells.size()),
                         geometry.gradients(cell)[v]);
     Tensor<1, dim> arm;
     for (const unsigned int master : tie.masters)

@@ -48,8 +48,8 @@ namespace isochor
       return dofs;
     }
 
-    /** Owned degrees of freedom, and those of all cells that this rank needs to
-     * evaluate on its own cells and, for jumps, their neighbours. */
+    /** With ghosts: all degrees of freedom of this rank's cells and, for jumps,
+     * of their neighbours. */
     const LinearAlgebra::distributed::Vector<double> &
     solution() const
     {
@@ -71,6 +71,9 @@ namespace isochor
   private:
     void
     mark_cells(const StepContext<dim> &step);
+    /** Of this rank's cells and their neighbours. */
+    IndexSet
+    relevant_dofs() const;
     void
     copy_values(const StepContext<dim> &step, const NodalField &unknowns);
 
