@@ -29,7 +29,9 @@ namespace isochor
    * displacement increments (m) and in the u-p form the pressure (Pa), on the
    * cells that hold material, active_fe_index() == 0, and an FE_Nothing with as
    * many components on all others, active_fe_index() == 1. So tools need their
-   * hp versions: mapping collection, and quadrature collections of two.
+   * hp versions: mapping collection, and quadrature collections of two. On an
+   * FE_Nothing fields and gradients are zero: KellyErrorEstimator takes the
+   * edge of the cells with material for one with zero normal derivatives.
    *
    * The object belongs to the step it is made in, that is to
    * Postprocessor::evaluate_nodes(). The cells are those of the undeformed
