@@ -41,3 +41,12 @@ file(READ ${place}/plugins/last_step last_step)
 if(NOT last_step MATCHES " -25544[0-9.]* .* 1[.]42857[0-9]* 0[.]70000[0-9]* ")
   message(FATAL_ERROR "the scene with plugins gives ${last_step}")
 endif()
+
+run(COMMAND ${place}/usr/bin/isochor ${DOC}/plugins/backward_euler.prm --quiet
+  --output-directory fall IN ${place}/plugins)
+run(COMMAND tail -n 1 fall/statistics.txt IN ${place}/plugins
+  OUTPUT ${place}/plugins/last_step_of_fall)
+file(READ ${place}/plugins/last_step_of_fall last_step)
+if(NOT last_step MATCHES " -0?[.]5(5000|49999)[0-9]* |-5[.](50000|49999)[0-9]*e-01 ")
+  message(FATAL_ERROR "the fall with backward Euler gives ${last_step}")
+endif()

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/body_term.h>
+#include <isochor/nodal_unknowns.h>
 
 namespace isochor
 {
@@ -109,22 +110,15 @@ namespace isochor
                                   MixedSystem<dim>       &system) const
   {
     constexpr std::size_t                 max_nodes = (dim + 1) * (dim + 1);
-    const double *const                   values    = unknowns.begin();
+    const NodalUnknowns<dim>              nodal(step, unknowns);
     Element<dim, n_components, max_nodes> element;
     for (unsigned int q = 0; q < points.n_points(); ++q)
       {
         const auto stencil = points.stencil(grid.geometry(), 0, q);
         element.n_nodes    = stencil.n_nodes;
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-          {
-            element.gradient[I] = stencil.gradient[I];
-            const double *const nodal =
-              values + step.nodes.node(stencil.vertex[I]) * n_components;
-            for (unsigned int a = 0; a < dim; ++a)
-              element.increment[I][a] = nodal[a];
-            if (element.mixed)
-              element.pressure[I] = nodal[n_components - 1];
-          }
+          element.gradient[I] = stencil.gradient[I];
+        nodal.gather(stencil.n_nodes, stencil.vertex, element);
         const EvaluationStatus status = step.kernel.evaluate(
           element,
           points,
@@ -155,6 +149,7 @@ namespace isochor
                                            const bool         with_matrix,
                                            MixedSystem<dim>  &system) const
   {
+    const NodalUnknowns<dim>       nodal(step, unknowns);
     Element<dim, dim + 1, dim + 1> element;
     element.matrix.fill(0.);
     for (unsigned int k = 0; k < points.overlapped_cells.size(); ++k)
@@ -162,8 +157,7 @@ namespace isochor
         const auto &vertices =
           grid.geometry().vertex_indices(points.overlapped_cells[k].first);
         for (unsigned int I = 0; I <= dim; ++I)
-          element.pressure[I] = unknowns.local_element(
-            step.nodes.node(vertices[I]) * (dim + 1) + dim);
+          element.pressure[I] = nodal.pressure(vertices[I]);
         element.residual.fill(0.);
         if (with_matrix)
           element.matrix.fill(0.);
@@ -191,7 +185,7 @@ namespace isochor
   {
     const MixedKernel<dim>     &kernel   = step.kernel;
     const SimplexGeometry<dim> &geometry = grid.geometry();
-    const double *const         values   = unknowns.begin();
+    const NodalUnknowns<dim>    nodal(step, unknowns);
     const auto shape = [this](const unsigned int q, const unsigned int I) {
       return points.shape[q][I];
     };
@@ -201,16 +195,7 @@ namespace isochor
       {
         const unsigned int cell = points.cell[k];
         element.gradient        = points.gradients(geometry, k);
-        for (unsigned int v = 0; v <= dim; ++v)
-          {
-            const double *const nodal =
-              values +
-              step.nodes.node(geometry.vertex_indices(cell)[v]) * n_components;
-            for (unsigned int a = 0; a < dim; ++a)
-              element.increment[v][a] = nodal[a];
-            if (element.mixed)
-              element.pressure[v] = nodal[n_components - 1];
-          }
+        nodal.gather(dim + 1, geometry.vertex_indices(cell).data(), element);
 
         const unsigned int begin = points.cell_start[k],
                            end   = points.cell_start[k + 1];

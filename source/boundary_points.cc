@@ -7,6 +7,7 @@
 #include <isochor/boundary_points.h>
 #include <isochor/mpi_sums.h>
 #include <isochor/nearest_cells.h>
+#include <isochor/nodal_unknowns.h>
 
 #include <algorithm>
 #include <limits>
@@ -371,20 +372,11 @@ namespace isochor
   BoundaryPoints<dim>::advance(const StepContext<dim> &step,
                                const NodalField       &unknowns)
   {
+    const NodalUnknowns<dim> nodal(step, unknowns);
     for (unsigned int b = 0; b < size(); ++b)
       {
-        Tensor<1, dim> increment;
-        Tensor<2, dim> F_increment = unit_symmetric_tensor<dim>();
-        for (std::size_t i = stencil_start[b]; i < stencil_start[b + 1]; ++i)
-          {
-            const unsigned int entry =
-              step.nodes.node(stencil_vertex[i]) * step.n_components;
-            Tensor<1, dim> nodal;
-            for (unsigned int a = 0; a < dim; ++a)
-              nodal[a] = unknowns.local_element(entry + a);
-            increment += stencil_shape[i] * nodal;
-            F_increment += outer_product(nodal, stencil_gradient[i]);
-          }
+        const Tensor<1, dim> increment   = nodal.increment_at(stencil(b));
+        const Tensor<2, dim> F_increment = nodal.deformation_at(stencil(b));
         // for a step on the grid as it is then; see GridReset
         if (determinant(F_increment) > 0)
           {

@@ -27,10 +27,11 @@ namespace isochor
     std::uint64_t                      grid_fingerprint = 0;
     std::map<std::string, std::string> problem, settings;
 
-    LoadStepping             time;
-    LastMotion               last_motion;
-    std::string              grid_reset;
-    std::vector<std::string> boundary_conditions, postprocessors;
+    LoadStepping time;
+    LastMotion   last_motion;
+    std::string  grid_reset;
+    /** What boundary conditions and post-processors remember, by name. */
+    std::map<std::string, std::string> boundary_conditions, postprocessors;
 
     /** The points in the order of the handler: per point the cell, the id, the
      * coordinates (dim in space, dim in the reference cell) and properties. */
@@ -71,6 +72,43 @@ namespace isochor
           hash = fnv1a(&owner, sizeof(owner), hash);
         }
       return hash;
+    }
+
+
+
+    /** Throw if the checkpoint holds the state of a plugin that is not among
+     * the @p objects of this program. */
+    template <typename Plugin>
+    void
+    check_names(const std::map<std::string, std::string>   &states,
+                const std::vector<std::unique_ptr<Plugin>> &objects)
+    {
+      for (const auto &state : states)
+        AssertThrow(state.second.empty() ||
+                      std::any_of(objects.begin(),
+                                  objects.end(),
+                                  [&](const auto &object) {
+                                    return object->name == state.first;
+                                  }),
+                    ExcMessage("The checkpoint holds the state of <" +
+                               state.first +
+                               ">, which this program doesn't know. Is it in a "
+                               "library that <Additional shared libraries> no "
+                               "longer names?"));
+    }
+
+
+
+    /** Give each of the @p objects its state. One that was not there when the
+     * checkpoint was written starts as in a new run. */
+    template <typename Plugin>
+    void
+    load_states(const std::map<std::string, std::string>   &states,
+                const std::vector<std::unique_ptr<Plugin>> &objects)
+    {
+      for (const auto &object : objects)
+        if (const auto state = states.find(object->name); state != states.end())
+          object->load_state(state->second);
     }
 
 
@@ -298,9 +336,9 @@ namespace isochor
     c.last_motion      = state.last_motion;
     c.grid_reset       = state.setup.save_state();
     for (const auto &condition : state.boundary_conditions)
-      c.boundary_conditions.push_back(condition->save_state());
+      c.boundary_conditions[condition->name] = condition->save_state();
     for (const auto &postprocessor : state.postprocessors)
-      c.postprocessors.push_back(postprocessor->save_state());
+      c.postprocessors[postprocessor->name] = postprocessor->save_state();
 
     const auto &handler = state.points.handler();
     c.n_properties      = handler.n_properties_per_particle();
@@ -425,11 +463,8 @@ namespace isochor
   Checkpoint<dim>::restore(const Contents &c, const State &state) const
   {
     run_on_all_ranks(grid->communicator(), [&]() {
-      AssertThrow(c.boundary_conditions.size() ==
-                      state.boundary_conditions.size() &&
-                    c.postprocessors.size() == state.postprocessors.size(),
-                  ExcMessage("The checkpoint was written by a program with "
-                             "other boundary conditions or post-processors."));
+      check_names(c.boundary_conditions, state.boundary_conditions);
+      check_names(c.postprocessors, state.postprocessors);
       AssertThrow(c.n_properties ==
                     state.points.handler().n_properties_per_particle(),
                   ExcMessage("The checkpoint was written by a program whose "
@@ -438,10 +473,8 @@ namespace isochor
     state.time.resume(c.time);
     state.last_motion = c.last_motion;
     state.setup.load_state(c.grid_reset);
-    for (unsigned int i = 0; i < c.boundary_conditions.size(); ++i)
-      state.boundary_conditions[i]->load_state(c.boundary_conditions[i]);
-    for (unsigned int i = 0; i < c.postprocessors.size(); ++i)
-      state.postprocessors[i]->load_state(c.postprocessors[i]);
+    load_states(c.boundary_conditions, state.boundary_conditions);
+    load_states(c.postprocessors, state.postprocessors);
 
     // in the order saved, which is then that of the handler: sums over points
     // must not change by rounding

@@ -7,6 +7,7 @@
 #include <isochor/discrete_extension.h>
 #include <isochor/mpi_sums.h>
 #include <isochor/nearest_cells.h>
+#include <isochor/nodal_unknowns.h>
 #include <isochor/plain_message.h>
 
 #include <boost/serialization/vector.hpp>
@@ -70,9 +71,9 @@ namespace isochor
 
   template <int dim>
   bool
-  DiscreteExtension<dim>::is_active(const bool plain_quadrature) const
+  DiscreteExtension<dim>::is_active(const bool quadrature_asks) const
   {
-    return use == Use::always || (use == Use::automatic && !plain_quadrature);
+    return use == Use::always || (use == Use::automatic && quadrature_asks);
   }
 
 
@@ -395,17 +396,14 @@ namespace isochor
                                const Tensor<1, dim>   &force) const
   {
     const SimplexGeometry<dim> &geometry = grid.geometry();
+    const NodalUnknowns<dim>    nodal(step, unknowns);
     Tensor<2, dim>              gradient;
     for (const unsigned int cell : tie.cells)
       for (unsigned int v = 0; v <= dim; ++v)
-        {
-          const unsigned int entry =
-            step.nodes.node(geometry.vertex_indices(cell)[v]) *
-            step.n_components;
-          for (unsigned int a = 0; a < dim; ++a)
-            gradient[a] += unknowns.local_element(entry + a) /
-                           tie.cells.size() * geometry.gradients(cell)[v];
-        }
+        gradient +=
+          outer_product(nodal.increment(geometry.vertex_indices(cell)[v]) /
+                          double(tie.cells.size()),
+                        geometry.gradients(cell)[v]);
     Tensor<1, dim> arm;
     for (const unsigned int master : tie.masters)
       arm += geometry.vertices()[tie.vertex] - geometry.vertices()[master];

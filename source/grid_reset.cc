@@ -5,51 +5,13 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/grid_reset.h>
+#include <isochor/nodal_unknowns.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace isochor
 {
-  namespace
-  {
-    /** Displacement increment of the node at @p vertex; false if the node takes
-     * no part in the step. */
-    template <int dim>
-    bool
-    nodal_increment(const StepContext<dim> &step,
-                    const NodalField       &unknowns,
-                    const unsigned int      vertex,
-                    Tensor<1, dim>         &increment)
-    {
-      const unsigned int node = step.nodes.node(vertex);
-      if (node == numbers::invalid_unsigned_int)
-        return false;
-      for (unsigned int a = 0; a < dim; ++a)
-        increment[a] = unknowns.local_element(node * step.n_components + a);
-      return true;
-    }
-
-
-
-    /** ΔF of a list of nodes with their gradients. */
-    template <int dim>
-    Tensor<2, dim>
-    deformation_increment(const StepContext<dim>                   &step,
-                          const NodalField                         &unknowns,
-                          const typename PointArrays<dim>::Stencil &stencil)
-    {
-      Tensor<2, dim> F = unit_symmetric_tensor<dim>();
-      Tensor<1, dim> u;
-      for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-        if (nodal_increment(step, unknowns, stencil.vertex[I], u))
-          F += outer_product(u, stencil.gradient[I]);
-      return F;
-    }
-  } // namespace
-
-
-
   template <int dim>
   void
   GridReset<dim>::declare_parameters(ParameterHandler &prm)
@@ -125,26 +87,20 @@ namespace isochor
                                           const NodalField       &unknowns,
                                           PointArrays<dim>       &points)
   {
-    std::vector<double> history(points.n_history);
+    const NodalUnknowns<dim> nodal(step, unknowns);
+    std::vector<double>      history(points.n_history);
     for (unsigned int k = points.n_occupied_cells; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const auto stencil  = points.stencil(step.grid.geometry(), k, q);
-          double     pressure = 0;
-          if (step.mixed())
-            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-              pressure +=
-                stencil.shape[I] *
-                unknowns.local_element(
-                  step.nodes.node(stencil.vertex[I]) * step.n_components + dim);
-          const auto state = step.kernel.final_state(
-            points,
-            q,
-            deformation_increment<dim>(step, unknowns, stencil),
-            step.mixed(),
-            pressure,
-            history.data());
+          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          const auto state =
+            step.kernel.final_state(points,
+                                    q,
+                                    nodal.deformation_at(stencil),
+                                    step.mixed(),
+                                    nodal.pressure_at(stencil),
+                                    history.data());
           points.F[q]        = state.F;
           points.pressure[q] = state.pressure;
           std::copy(history.begin(),
@@ -164,10 +120,11 @@ namespace isochor
   {
     if (!points.has_stencils())
       return;
+    const NodalUnknowns<dim> nodal(step, unknowns);
     for (unsigned int q = 0; q < points.n_points(); ++q)
       {
-        const Tensor<2, dim> inverse = invert(deformation_increment<dim>(
-          step, unknowns, points.stencil(step.grid.geometry(), 0, q)));
+        const Tensor<2, dim> inverse = invert(
+          nodal.deformation_at(points.stencil(step.grid.geometry(), 0, q)));
         for (std::size_t i = points.stencil_start[q];
              i < points.stencil_start[q + 1];
              ++i)
@@ -184,23 +141,24 @@ namespace isochor
                                 PointArrays<dim>       &points)
   {
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
+    const NodalUnknowns<dim>    nodal(step, unknowns);
     points.deform_cells(geometry);
     double worst = 1;
     for (unsigned int k = 0; k < points.cell.size(); ++k)
       {
         auto       &cell     = points.deformed_cell[k];
         const auto &vertices = geometry.vertex_indices(points.cell[k]);
-        std::array<Tensor<1, dim>, dim + 1> u;
-        Tensor<2, dim>                      F = unit_symmetric_tensor<dim>();
-        bool                                active = true;
-        for (unsigned int v = 0; v <= dim; ++v)
-          {
-            active =
-              active && nodal_increment(step, unknowns, vertices[v], u[v]);
-            F += outer_product(u[v], cell.gradients[v]);
-          }
-        if (!active)
+        if (!std::all_of(vertices.begin(), vertices.end(), [&](const auto v) {
+              return nodal.is_active(v);
+            }))
           continue; // the points' domains miss a node of the cell
+        std::array<Tensor<1, dim>, dim + 1> u;
+        for (unsigned int v = 0; v <= dim; ++v)
+          u[v] = nodal.increment(vertices[v]);
+        const Tensor<2, dim> F = deformation_increment<dim>(
+          dim + 1,
+          [&](const unsigned int v) { return u[v]; },
+          cell.gradients.data());
         if (!(determinant(F) > 0))
           return 0;
         const Tensor<2, dim> inverse = invert(F);

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/grid_to_points.h>
+#include <isochor/nodal_unknowns.h>
 
 namespace isochor
 {
@@ -17,10 +18,11 @@ namespace isochor
 
   template <int dim>
   void
-  GridToPoints<dim>::parse_parameters(ParameterHandler &prm,
-                                      const bool        measure_energy)
+  GridToPoints<dim>::parse_parameters(ParameterHandler          &prm,
+                                      const BodyQuadrature<dim> &quadrature,
+                                      const bool                 measure_energy)
   {
-    projects_volume = volume_projection.parse_parameters(prm);
+    projects_volume = volume_projection.parse_parameters(prm, quadrature);
     measures_energy = measure_energy;
   }
 
@@ -33,14 +35,12 @@ namespace isochor
                               const InertiaTerm<dim> *inertia,
                               MaterialPoints<dim>    &points)
   {
-    const PointLayout              &l            = points.layout();
-    const PointArrays<dim>         &arrays       = step.points;
-    const ActiveNodes<dim>         &nodes        = step.nodes;
-    const unsigned int              n_components = step.n_components;
+    const PointLayout              &l      = points.layout();
+    const PointArrays<dim>         &arrays = step.points;
+    const NodalUnknowns<dim>        nodal(step, unknowns);
     std::array<double, max_history> history;
     Tensor<2, dim>                  F_increment;
     SymmetricTensor<2, dim>         strain_increment;
-    std::vector<unsigned int>       node;
     unsigned int                    last_cell = numbers::invalid_unsigned_int;
     if (projects_volume)
       volume_projection.start(step);
@@ -53,37 +53,20 @@ namespace isochor
       const auto stencil = arrays.stencil(step.grid.geometry(), k, q);
       if (k != last_cell || arrays.has_stencils())
         {
-          F_increment = unit_symmetric_tensor<dim>();
-          node.resize(stencil.n_nodes);
-          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            {
-              node[I] = nodes.node(stencil.vertex[I]);
-              for (unsigned int a = 0; a < dim; ++a)
-                F_increment[a] +=
-                  unknowns.local_element(node[I] * n_components + a) *
-                  stencil.gradient[I];
-            }
+          F_increment = nodal.deformation_at(stencil);
           if (measures_energy)
             strain_increment =
               symmetrize(unit_symmetric_tensor<dim>() - invert(F_increment));
           last_cell = k;
         }
 
-      Tensor<1, dim> displacement;
-      double         pressure = 0;
-      for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-        {
-          const double N = stencil.shape[I];
-          for (unsigned int a = 0; a < dim; ++a)
-            displacement[a] +=
-              N * unknowns.local_element(node[I] * n_components + a);
-          if (n_components == dim + 1)
-            pressure +=
-              N * unknowns.local_element(node[I] * n_components + dim);
-        }
-
-      const auto state = step.kernel.final_state(
-        arrays, q, F_increment, step.mixed(), pressure, history.data());
+      const Tensor<1, dim> displacement = nodal.increment_at(stencil);
+      const auto           state        = step.kernel.final_state(arrays,
+                                                 q,
+                                                 F_increment,
+                                                 step.mixed(),
+                                                 nodal.pressure_at(stencil),
+                                                 history.data());
       location += displacement;
       properties[l.pressure] = state.pressure;
       for (unsigned int a = 0; a < dim; ++a)

@@ -2,9 +2,11 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/body_quadrature.h>
 #include <isochor/idle_parameters.h>
 #include <isochor/linear_solver_choice.h>
 #include <isochor/parameter_list.h>
+#include <isochor/plugin_registry.h>
 
 #include <algorithm>
 #include <string>
@@ -146,13 +148,17 @@ namespace isochor
     inspect_cut_cells(const Inspector &inspect)
     {
       const std::string use = inspect.value({"Cut cells", "Extension"});
-      const bool points     = inspect.value({"Quadrature", "Type"}) == "points";
-      if (use == "never" || (use == "auto" && points))
+      // plugins are the same in 2D and 3D
+      const std::string quadrature = inspect.value({"Quadrature", "Type"});
+      const bool        is_asked_for =
+        PluginRegistry<BodyQuadrature<2>>::create(quadrature)->ties_cut_cells();
+      if (use == "never" || (use == "auto" && !is_asked_for))
         inspect.idle({"Cut cells", "Smallest support"},
                      use == "never" ?
                        "with <Cut cells/Extension = never>" :
                        "with <Cut cells/Extension = auto> and <Quadrature/Type "
-                       "= points>");
+                       "= " +
+                         quadrature + ">");
     }
 
 

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/body_quadrature.h>
 #include <isochor/inertia_term.h>
 #include <isochor/plain_message.h>
 #include <isochor/prescribed_motion.h>
@@ -21,7 +22,7 @@ namespace isochor
                       Patterns::Bool(),
                       "Whether the body has inertia, or is in equilibrium at "
                       "all times.");
-    TimeIntegrator::declare_parameters(prm);
+    TimeIntegrator::declare_schemes(prm);
     prm.declare_entry("Transfer",
                       "PIC",
                       Patterns::Selection("PIC|FLIP"),
@@ -51,23 +52,21 @@ namespace isochor
 
   template <int dim>
   bool
-  InertiaTerm<dim>::parse_parameters(ParameterHandler &prm)
+  InertiaTerm<dim>::parse_parameters(ParameterHandler          &prm,
+                                     const BodyQuadrature<dim> &quadrature)
   {
     prm.enter_subsection("Dynamics");
-    const bool dynamic = prm.get_bool("Inertia");
-    integrator.parse_parameters(prm);
+    const bool dynamic      = prm.get_bool("Inertia");
+    integrator              = TimeIntegrator::create(prm);
     kept_part               = prm.get("Transfer") == "FLIP" ? 1 : 0;
     initial_velocity        = prm.get("Initial velocity");
     const std::string start = prm.get("Acceleration");
     prm.leave_subsection();
-    prm.enter_subsection("Quadrature");
-    const std::string quadrature = prm.get("Type");
-    prm.leave_subsection();
-    from_stresses = start != "carried" && quadrature == "CPDI";
+    from_stresses = start != "carried" && !quadrature.forces_jump();
     AssertThrow(!dynamic || from_stresses || start != "from stresses",
                 ExcMessage("<Dynamics/Acceleration = from stresses> needs "
-                           "<Quadrature/Type = CPDI>, not " +
-                           quadrature + "."));
+                           "<Quadrature/Type = CPDI>: with other quadratures "
+                           "forces jump when points change cells."));
     AssertThrow(dynamic || initial_velocity.empty(),
                 ExcMessage("The parameter <Dynamics/Initial velocity> needs "
                            "<Dynamics/Inertia = true>."));

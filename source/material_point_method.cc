@@ -54,7 +54,7 @@ namespace isochor
     scene.parse_parameters(prm);
     setup.parse_parameters(prm);
     equilibrium.parse_parameters(prm);
-    grid_to_points.parse_parameters(prm, setup.ties_nodes());
+    grid_to_points.parse_parameters(prm, *scene.quadrature, setup.ties_nodes());
 
     std::vector<std::string> changeable = {"Output/"};
     for (const auto &paths : {Checkpoint<dim>::changeable_parameters(),
@@ -117,7 +117,7 @@ namespace isochor
   MaterialPointMethod<dim>::set_up()
   {
     TimerOutput::Scope scope(terminal.timer(), "setup");
-    scene.create(setup.needs_domains(), setup.point_arrays());
+    scene.create(setup.point_arrays());
     setup.initialize();
     equilibrium.initialize();
   }

@@ -39,6 +39,7 @@ namespace isochor
     GridAdaptation<dim>::declare_parameters(prm);
     MaterialPoints<dim>::declare_parameters(prm);
     LoadStepping::declare_parameters(prm);
+    BodyQuadrature<dim>::declare_quadratures(prm);
     InertiaTerm<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
@@ -90,7 +91,8 @@ namespace isochor
     points.parse_parameters(prm);
     shape.parse_parameters(prm);
     time.parse_parameters(prm);
-    dynamic = inertia.parse_parameters(prm);
+    quadrature = BodyQuadrature<dim>::create(prm);
+    dynamic    = inertia.parse_parameters(prm, *quadrature);
     parse_formulation(prm);
     parse_materials(prm);
     parse_plugins(prm);
@@ -193,8 +195,9 @@ namespace isochor
 
   template <int dim>
   void
-  Scene<dim>::create(const bool with_domains, const PointArrays<dim> &arrays)
+  Scene<dim>::create(const PointArrays<dim> &arrays)
   {
+    const bool with_domains = quadrature->needs_domains();
     grid.create();
     adaptation.make_initial_grid(grid);
     points.seed(kernel.materials,

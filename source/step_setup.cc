@@ -20,7 +20,6 @@ namespace isochor
     : scene(scene)
     , timer(timer)
     , spacing(scene.grid)
-    , quadrature(scene.grid)
     , occupancy(scene.grid)
     , extension(scene.grid, occupancy)
     , nodes(scene.grid)
@@ -32,7 +31,6 @@ namespace isochor
   void
   StepSetup<dim>::declare_parameters(ParameterHandler &prm)
   {
-    BodyQuadrature<dim>::declare_parameters(prm);
     DiscreteExtension<dim>::declare_parameters(prm);
     PointRefinement<dim>::declare_parameters(prm);
     GridReset<dim>::declare_parameters(prm);
@@ -44,12 +42,11 @@ namespace isochor
   void
   StepSetup<dim>::parse_parameters(ParameterHandler &prm)
   {
-    quadrature.parse_parameters(prm);
     extension.parse_parameters(prm);
     refinement.parse_parameters(prm);
     grid_reset.parse_parameters(prm);
-    extends         = extension.is_active(quadrature.is_plain());
-    needs_occupancy = quadrature.needs_occupancy() || extends;
+    extends         = extension.is_active(scene.quadrature->ties_cut_cells());
+    needs_occupancy = scene.quadrature->needs_occupancy() || extends;
   }
 
 
@@ -151,7 +148,7 @@ namespace isochor
     grid_reset.start(time);
     // here and not after the last step, which may end outside of the grid
     const auto n_changed = scene.points.relocate(*locator);
-    if (quadrature.is_plain() && scene.time.step > 0)
+    if (!scene.quadrature->bears_changes_of_cells() && scene.time.step > 0)
       spacing.watch_changes_of_cells(
         n_changed,
         scene.points.handler().n_global_particles(),
@@ -166,7 +163,7 @@ namespace isochor
       }
     refinement.refine(scene.points, scene.grid, *locator);
     scene.points.gather(arrays);
-    quadrature.start_step(
+    scene.quadrature->start_step(
       arrays, *locator, scene.kernel, needs_occupancy, occupancy);
     spacing.check(arrays, time, scene.time.step == 0, scene.warnings);
     spacing.compare_volumes(arrays, time, scene.warnings);

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/nodal_unknowns.h>
 #include <isochor/surface_forces.h>
 
 #include <algorithm>
@@ -94,11 +95,8 @@ namespace isochor
                                    const NodalField       &unknowns,
                                    const unsigned int      b) const
   {
-    Tensor<1, dim> u     = points.displacement(b);
-    const auto     nodes = points.stencil(b);
-    for (unsigned int I = 0; I < nodes.n_nodes; ++I)
-      u += nodes.shape[I] * nodal_increment(step, unknowns, nodes, I);
-    return u;
+    return points.displacement(b) +
+           NodalUnknowns<dim>(step, unknowns).increment_at(points.stencil(b));
   }
 
 
@@ -214,12 +212,10 @@ namespace isochor
   {
     const double p =
       condition_at(b).pressure.front()(points.reference_location(b), step.time);
-    const auto          nodes       = points.stencil(b);
-    const double *const N           = nodes.shape;
-    Tensor<2, dim>      F_increment = unit_symmetric_tensor<dim>();
-    for (unsigned int I = 0; I < nodes.n_nodes; ++I)
-      F_increment += outer_product(nodal_increment(step, unknowns, nodes, I),
-                                   nodes.gradient[I]);
+    const auto           nodes = points.stencil(b);
+    const double *const  N     = nodes.shape;
+    const Tensor<2, dim> F_increment =
+      NodalUnknowns<dim>(step, unknowns).deformation_at(nodes);
     // Nanson: a = det F F^{-T} A_0
     const Tensor<2, dim> F = F_increment * points.F(b);
     if (!(determinant(F) > 0) || !(determinant(F_increment) > 0))

@@ -36,7 +36,8 @@ namespace isochor
 
   template <int dim>
   bool
-  VolumeProjection<dim>::parse_parameters(ParameterHandler &prm)
+  VolumeProjection<dim>::parse_parameters(ParameterHandler          &prm,
+                                          const BodyQuadrature<dim> &quadrature)
   {
     const bool active = is_asked_for(prm);
     prm.enter_subsection("Formulation");
@@ -44,12 +45,10 @@ namespace isochor
                 ExcMessage("<Formulation/Project volume change> needs the "
                            "pressure field of <Formulation/Type = u-p>."));
     prm.leave_subsection();
-    prm.enter_subsection("Quadrature");
-    AssertThrow(!active || prm.get("Type") != "CPDI",
+    AssertThrow(!active || quadrature.allows_change_of_F(),
                 ExcMessage("<Formulation/Project volume change> changes F, not "
                            "the domains of points: it can't be used with "
                            "<Quadrature/Type = CPDI>."));
-    prm.leave_subsection();
     return active;
   }
 

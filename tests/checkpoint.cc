@@ -38,6 +38,15 @@ namespace
   };
   ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Crash, "Z: after all others")
 
+  /** Knows nothing, but has the first of all names. */
+  template <int dim>
+  class Newcomer : public Postprocessor<dim>
+  {};
+
+  template <int dim>
+  class OtherNewcomer : public BoundaryCondition<dim>
+  {};
+
   // A block flies and turns through the grid under gravity and deforms: its
   // points change cells and ranks in every step.
   const char *const scene = R"(
@@ -497,6 +506,16 @@ main(int argc, char **argv)
   expect_error("nothing to resume",
                run(comm, "checkpoint-c", {resume}),
                "There is no checkpoint to resume from");
+
+  // plugins are told by their names, not by their places in the registry
+  put_back(step_2, step_4);
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Newcomer, "0: first")
+  ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition, OtherNewcomer, "0: first")
+  compare("resumed by a program that knows more plugins",
+          run(comm, b, {resume}),
+          b,
+          whole,
+          a);
 
   test_changed_settings(comm);
   test_kept_grid(comm);

@@ -15,60 +15,77 @@
 namespace isochor
 {
   /**
-   * How integrals over the body are computed from its points. When points
-   * cross cells, the plain sum over points is wrong by O(1) in each cell,
-   * whatever the grid's size, and stresses don't converge. The choices:
-   *
-   *  - points: ∫ a dv = Σ_p J_p V0_p a_p, the Material Point Method as it is;
-   *  - cell-filled: within the step, the points of each interior cell e share
-   *    its measure, V0_p ← V0_p |e| / Σ_{q∈e} J_q V0_q with J at t_n. An
-   *    interior cell that lost all its points gets a massless one with the
-   *    state of the points around, in the mean over each vertex and then over
-   *    the vertices; of several materials that with the largest volume. Masses,
-   *    and with them external forces, are not scaled;
-   *  - cell-filled + boundary: in addition cells at the surface are scaled to
-   *    the part of them that the body fills, the sum of their overlaps with
-   *    the points' convected domains; by a factor in [0.2, 5]. What the
-   *    domains fill of cells without points is integrated by a massless point
-   *    with the state of those around, as holes are;
-   *  - CPDI: each point owns a simplex domain with corners x_c = x_p + F r_c,
-   *    and sees N_pI = 1/(d+1) Σ_c N_I(x_c), ∇N_pI = Σ_c N_I(x_c) ∇λ_c with λ_c
-   *    the domain's barycentric coordinates. The domains move with the
-   *    interpolant on them, so that they go on tiling the body: exact for
-   *    constant stress on every grid. Sadeghirad, Brannon & Burghardt, Int. J.
-   *    Numer. Meth. Eng. 86 (2011) 1435-1456, do so with parallelograms. A
-   *    corner outside of the grid is drawn back towards its point.
+   * Interface of the quadratures of the body: how integrals over it are
+   * computed from its points. When points cross cells, the plain sum over
+   * points is wrong by O(1) in each cell, whatever the grid's size, and
+   * stresses don't converge; the others are remedies, each described in its
+   * file. To add one, write `source/body_quadrature/<name>.cc` with the class
+   * and its registration; its parameters live in the subsection "Quadrature",
+   * where `Type` names it. What others have to know of a quadrature they ask by
+   * the functions below, not by its name.
    */
   template <int dim>
   class BodyQuadrature
   {
   public:
-    BodyQuadrature(const BackgroundGrid<dim> &grid);
+    virtual ~BodyQuadrature() = default;
 
+    /** Declare `Type` and the parameters of all quadratures. */
     static void
-    declare_parameters(ParameterHandler &prm);
-    void
-    parse_parameters(ParameterHandler &prm);
+    declare_quadratures(ParameterHandler &prm);
+    /** The quadrature that the parameters name, its own being read. */
+    static std::unique_ptr<BodyQuadrature<dim>>
+    create(ParameterHandler &prm);
 
-    /** Whether each point must carry a domain. */
-    bool
+    /** For those without parameters. */
+    static void
+    declare_parameters(ParameterHandler & /*prm*/)
+    {}
+    virtual void
+    parse_parameters(ParameterHandler & /*prm*/)
+    {}
+
+    /** Whether each point must carry a simplex domain. */
+    virtual bool
     needs_domains() const
     {
-      return type == Type::cell_filled_with_boundary || type == Type::cpdi;
+      return false;
     }
 
     /** Whether start_step() needs to know the cells' occupancy. */
-    bool
+    virtual bool
     needs_occupancy() const
     {
-      return type != Type::points;
+      return true;
     }
 
-    /** The simple sum over points, the method of the paper. */
-    bool
-    is_plain() const
+    /** Whether cut cells are integrated well enough for ties to help, see
+     * DiscreteExtension. */
+    virtual bool
+    ties_cut_cells() const
     {
-      return type == Type::points;
+      return true;
+    }
+
+    /** Whether stresses converge although points change cells. */
+    virtual bool
+    bears_changes_of_cells() const
+    {
+      return true;
+    }
+
+    /** Whether internal forces jump when a point changes its cell. */
+    virtual bool
+    forces_jump() const
+    {
+      return true;
+    }
+
+    /** Whether F of the points may be changed at will, see VolumeProjection. */
+    virtual bool
+    allows_change_of_F() const
+    {
+      return true;
     }
 
     /**
@@ -76,57 +93,22 @@ namespace isochor
      * for the coming step. Updates @p occupancy if @p with_occupancy.
      * Collective.
      */
-    void
+    virtual void
     start_step(PointArrays<dim>        &points,
                const PointLocator<dim> &locator,
                const MixedKernel<dim>  &kernel,
                const bool               with_occupancy,
-               CellOccupancy<dim>      &occupancy) const;
-
-  private:
-    enum class Type
-    {
-      points,
-      cell_filled,
-      cell_filled_with_boundary,
-      cpdi
-    } type = Type::cpdi;
-
-    /** Reference volume scaled to fill the cells. */
-    void
-    fill_interior_cells(PointArrays<dim>         &points,
-                        const CellOccupancy<dim> &occupancy) const;
-    /** Returns what the body fills of cells without points, of this rank and
-     * near it. */
-    std::map<unsigned int, double>
-    fill_boundary_cells(PointArrays<dim>         &points,
-                        const CellOccupancy<dim> &occupancy) const;
-    std::map<unsigned int, double>
-    fill_of_boundary_cells(const PointArrays<dim>   &points,
-                           const CellOccupancy<dim> &occupancy) const;
-    /** Integrate holes, and @p cells by the volumes given, by a point each. */
-    void
-    add_hole_points(PointArrays<dim>              &points,
-                    const CellOccupancy<dim>      &occupancy,
-                    const MixedKernel<dim>        &kernel,
-                    std::map<unsigned int, double> cells) const;
-
-    /** Returns the part of its corner for each entry of corner_cells. */
-    std::vector<double>
-    build_stencils(PointArrays<dim>        &points,
-                   const PointLocator<dim> &locator) const;
-    void
-    collect_overlapped_cells(PointArrays<dim>          &points,
-                             const std::vector<double> &corner_shares,
-                             const CellOccupancy<dim>  &occupancy,
-                             const MixedKernel<dim>    &kernel) const;
-    Point<dim>
-    location(const PointArrays<dim> &points,
-             const unsigned int      k,
-             const unsigned int      q) const;
-
-    const BackgroundGrid<dim> &grid;
+               CellOccupancy<dim>      &occupancy) const = 0;
   };
+
+  /** Where point @p q of the occupied cell k of the list is, on the undeformed
+   * @p geometry. */
+  template <int dim>
+  Point<dim>
+  location_of_point(const SimplexGeometry<dim> &geometry,
+                    const PointArrays<dim>     &points,
+                    const unsigned int          k,
+                    const unsigned int          q);
 } // namespace isochor
 
 #endif

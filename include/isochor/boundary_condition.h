@@ -24,6 +24,9 @@ namespace isochor
   class BoundaryCondition : public EquationTerm<dim>
   {
   public:
+    /** As it is registered. A checkpoint keeps its state by this name. */
+    std::string name;
+
     /** For those that have none. */
     static void
     declare_parameters(ParameterHandler & /*prm*/)

@@ -80,9 +80,10 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm);
 
-    /** Whether nodes are tied, with the plain quadrature or another. */
+    /** Whether nodes are tied; @p quadrature_asks for it, see
+     * BodyQuadrature::ties_cut_cells(). */
     bool
-    is_active(const bool plain_quadrature) const;
+    is_active(const bool quadrature_asks) const;
 
     /**
      * Find the ties of the unsupported ones among the @p vertices touched by

@@ -23,7 +23,9 @@ namespace isochor
     declare_parameters(ParameterHandler &prm);
     /** @p measure_energy: whether energy() will be asked for. */
     void
-    parse_parameters(ParameterHandler &prm, const bool measure_energy);
+    parse_parameters(ParameterHandler          &prm,
+                     const BodyQuadrature<dim> &quadrature,
+                     const bool                 measure_energy);
 
     /**
      * The points move with Σ N_I Δu_I and get F, stress, history, the pressure

@@ -14,6 +14,9 @@
 
 namespace isochor
 {
+  template <int dim>
+  class BodyQuadrature;
+
   /**
    * Inertia with the consistent mass matrix, R_u = M ((1 - α) a_{n+1} + α a_n),
    * and all that goes with it: velocities and accelerations of the nodes are
@@ -41,7 +44,8 @@ namespace isochor
     declare_parameters(ParameterHandler &prm);
     /** Whether the scene is dynamic. */
     bool
-    parse_parameters(ParameterHandler &prm);
+    parse_parameters(ParameterHandler          &prm,
+                     const BodyQuadrature<dim> &quadrature);
 
     /** Take the points as they are at the start of the step. In the first one
      * their accelerations count in any case. Collective. */
@@ -156,7 +160,9 @@ namespace isochor
     const TimeIntegrator &
     scheme() const
     {
-      return in_trial() ? trial_integrator : integrator;
+      if (in_trial())
+        return trial_integrator;
+      return *integrator;
     }
 
     /** Whether held nodes move otherwise than the points. Collective. */
@@ -178,12 +184,12 @@ namespace isochor
             NodalField             &solution,
             const bool              with_domains = false) const;
 
-    TimeIntegrator       integrator;
-    const TimeIntegrator trial_integrator{0.5, 1., 0.};
-    double               trial_size    = 0;
-    double               kept_part     = 0; ///< η
-    bool                 from_stresses = false;
-    bool                 by_stresses   = false; ///< in this step
+    std::unique_ptr<TimeIntegrator> integrator;
+    const NewmarkFamily             trial_integrator{0.5, 1., 0.};
+    double                          trial_size    = 0;
+    double                          kept_part     = 0; ///< η
+    bool                            from_stresses = false;
+    bool                            by_stresses   = false; ///< in this step
 
     MassMatrix<dim> mass;
     /** All with dim components per node. Σ_p m_p N_I v_p and M a_n; the

@@ -6,6 +6,7 @@
 #define isochor_mixed_kernel_templates_h
 
 #include <isochor/mixed_kernel.h>
+#include <isochor/nodal_unknowns.h>
 
 namespace isochor
 {
@@ -204,9 +205,12 @@ namespace isochor
     constexpr bool     mixed = (n_components == dim + 1);
     const unsigned int n     = element.nodes();
 
-    Tensor<2, dim> F_increment = unit_symmetric_tensor<dim>();
-    for (unsigned int I = 0; I < n; ++I)
-      F_increment += outer_product(element.increment[I], element.gradient[I]);
+    const Tensor<2, dim> F_increment = deformation_increment<dim>(
+      element.nodes(),
+      [&](const unsigned int I) -> const Tensor<1, dim> & {
+        return element.increment[I];
+      },
+      element.gradient.data());
     if (!(determinant(F_increment) > 0))
       return EvaluationStatus::inverted_point;
     Kinematics<dim> kinematics;

@@ -87,13 +87,16 @@ namespace isochor
       return entry->second.create();
     }
 
-    /** Append a new object of every plugin, for kinds of which all take part
-     * and their parameters decide what they do. */
+    /** Append a new object of every plugin, with its name, for kinds of which
+     * all take part and their parameters decide what they do. */
     static void
     create_all(std::vector<std::unique_ptr<Interface>> &objects)
     {
       for (const auto &entry : entries())
-        objects.push_back(entry.second.create());
+        {
+          objects.push_back(entry.second.create());
+          objects.back()->name = entry.first;
+        }
     }
 
   private:

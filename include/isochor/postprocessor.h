@@ -46,6 +46,9 @@ namespace isochor
   public:
     virtual ~Postprocessor() = default;
 
+    /** As it is registered. A checkpoint keeps its state by this name. */
+    std::string name;
+
     /** For those that have none. */
     static void
     declare_parameters(ParameterHandler & /*prm*/)

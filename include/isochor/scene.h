@@ -5,6 +5,7 @@
 #ifndef isochor_scene_h
 #define isochor_scene_h
 
+#include <isochor/body_quadrature.h>
 #include <isochor/body_shape.h>
 #include <isochor/boundary_condition.h>
 #include <isochor/grid_adaptation.h>
@@ -41,12 +42,12 @@ namespace isochor
     parse_parameters(ParameterHandler &prm);
 
     /**
-     * Make the grid, fill the body with points, which own simplices of it if
-     * @p with_domains, and tell boundary conditions and post-processors of
-     * both. @p arrays will hold the points of each step. Once. Collective.
+     * Make the grid, fill the body with points, and tell boundary conditions
+     * and post-processors of both. @p arrays will hold the points of each step.
+     * Once. Collective.
      */
     void
-    create(const bool with_domains, const PointArrays<dim> &arrays);
+    create(const PointArrays<dim> &arrays);
 
     bool
     mixed() const
@@ -60,6 +61,9 @@ namespace isochor
     MaterialPoints<dim> points;
     BodyShape<dim>      shape;
     LoadStepping        time;
+
+    /** How the body is integrated. */
+    std::unique_ptr<BodyQuadrature<dim>> quadrature;
 
     /** The materials, and PPP's coefficient. */
     MixedKernel<dim> kernel;

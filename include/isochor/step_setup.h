@@ -7,7 +7,6 @@
 
 #include <deal.II/base/timer.h>
 
-#include <isochor/body_quadrature.h>
 #include <isochor/cell_occupancy.h>
 #include <isochor/discrete_extension.h>
 #include <isochor/grid_reset.h>
@@ -39,13 +38,6 @@ namespace isochor
     declare_parameters(ParameterHandler &prm);
     void
     parse_parameters(ParameterHandler &prm);
-
-    /** Whether each point must carry a domain, for Scene::create(). */
-    bool
-    needs_domains() const
-    {
-      return quadrature.needs_domains();
-    }
 
     /** Once, after Scene::create(). Collective. */
     void
@@ -172,7 +164,6 @@ namespace isochor
     GridReset<dim>                     grid_reset;
     PointRefinement<dim>               refinement;
     PointSpacing<dim>                  spacing;
-    BodyQuadrature<dim>                quadrature;
     CellOccupancy<dim>                 occupancy;
     bool                               needs_occupancy = false;
     DiscreteExtension<dim>             extension;

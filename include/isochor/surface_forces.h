@@ -121,21 +121,6 @@ namespace isochor
     add_dead_loads(const StepContext<dim> &step, NodalField &force) const;
 
   private:
-    /** Displacement increment of the step at node I of a stencil. */
-    static Tensor<1, dim>
-    nodal_increment(const StepContext<dim>                      &step,
-                    const NodalField                            &unknowns,
-                    const typename BoundaryPoints<dim>::Stencil &nodes,
-                    const unsigned int                           I)
-    {
-      const unsigned int entry =
-        step.nodes.node(nodes.vertex[I]) * step.n_components;
-      Tensor<1, dim> u;
-      for (unsigned int a = 0; a < dim; ++a)
-        u[a] = unknowns.local_element(entry + a);
-      return u;
-    }
-
     /** β G/h A_b at a point. */
     double
     stiffness(const unsigned int b) const;

@@ -8,6 +8,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <isochor/active_nodes.h>
+#include <isochor/body_quadrature.h>
 #include <isochor/equation_term.h>
 #include <isochor/material_points.h>
 
@@ -41,7 +42,8 @@ namespace isochor
     is_asked_for(ParameterHandler &prm);
     /** The same. Throws if it can't be used in the scene. */
     bool
-    parse_parameters(ParameterHandler &prm);
+    parse_parameters(ParameterHandler          &prm,
+                     const BodyQuadrature<dim> &quadrature);
 
     /** A new step of @p step.points; holes included. */
     void

@@ -4,12 +4,71 @@
  * --------------------------------------------------------------------- */
 #include <isochor/body_quadrature.h>
 #include <isochor/nearest_cells.h>
+#include <isochor/plugin_registry.h>
 
 #include <algorithm>
 #include <limits>
 
 namespace isochor
 {
+  /**
+   * Each point owns a simplex domain with corners x_c = x_p + F r_c, and sees
+   *   N_pI = 1/(d+1) Σ_c N_I(x_c),   ∇N_pI = Σ_c N_I(x_c) ∇λ_c
+   * with λ_c the domain's barycentric coordinates. The domains move with the
+   * interpolant on them, so that they go on tiling the body: exact for constant
+   * stress on every grid. Sadeghirad, Brannon & Burghardt, Int. J. Numer. Meth.
+   * Eng. 86 (2011) 1435-1456, do so with parallelograms. A corner outside of
+   * the grid is drawn back towards its point.
+   */
+  template <int dim>
+  class CPDI : public BodyQuadrature<dim>
+  {
+  public:
+    bool
+    needs_domains() const override
+    {
+      return true;
+    }
+
+    bool
+    forces_jump() const override
+    {
+      return false;
+    }
+
+    /** The domains would no longer tile the body. */
+    bool
+    allows_change_of_F() const override
+    {
+      return false;
+    }
+
+    void
+    start_step(PointArrays<dim>        &points,
+               const PointLocator<dim> &locator,
+               const MixedKernel<dim>  &kernel,
+               const bool /*with_occupancy*/,
+               CellOccupancy<dim> &occupancy) const override
+    {
+      const std::vector<double> corner_shares = build_stencils(points, locator);
+      occupancy.update(points, kernel, false);
+      collect_overlapped_cells(points, corner_shares, occupancy, kernel);
+    }
+
+  private:
+    /** Returns the part of its corner for each entry of corner_cells. */
+    std::vector<double>
+    build_stencils(PointArrays<dim>        &points,
+                   const PointLocator<dim> &locator) const;
+    void
+    collect_overlapped_cells(PointArrays<dim>          &points,
+                             const std::vector<double> &corner_shares,
+                             const CellOccupancy<dim>  &occupancy,
+                             const MixedKernel<dim>    &kernel) const;
+  };
+
+
+
   namespace
   {
     /** Shape functions below this are zero: a corner on a face. */
@@ -186,11 +245,12 @@ namespace isochor
 
   template <int dim>
   std::vector<double>
-  BodyQuadrature<dim>::build_stencils(PointArrays<dim>        &points,
-                                      const PointLocator<dim> &locator) const
+  CPDI<dim>::build_stencils(PointArrays<dim>        &points,
+                            const PointLocator<dim> &locator) const
   {
-    std::vector<double>       corner_shares;
-    std::vector<unsigned int> cells;
+    const SimplexGeometry<dim> &geometry = locator.geometry();
+    std::vector<double>         corner_shares;
+    std::vector<unsigned int>   cells;
     points.stencil_start.assign(1, 0);
     points.stencil_vertex.clear();
     points.stencil_shape.clear();
@@ -201,8 +261,8 @@ namespace isochor
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const Point<dim>                       x = location(points, k, q);
-          CornerVectors<dim>                     corners;
+          const Point<dim>   x = location_of_point(geometry, points, k, q);
+          CornerVectors<dim> corners;
           std::array<LocateResult<dim>, dim + 1> places;
           for (unsigned int c = 0; c <= dim; ++c)
             {
@@ -233,7 +293,7 @@ namespace isochor
                 }
               for (unsigned int I = 0; I <= dim; ++I)
                 if (places[c].barycentric[I] > 0)
-                  stencil.add(grid.geometry().vertex_indices(places[c].cell)[I],
+                  stencil.add(geometry.vertex_indices(places[c].cell)[I],
                               places[c].barycentric[I] / sum,
                               gradients[c]);
             }
@@ -246,11 +306,10 @@ namespace isochor
 
   template <int dim>
   void
-  BodyQuadrature<dim>::collect_overlapped_cells(
-    PointArrays<dim>          &points,
-    const std::vector<double> &corner_shares,
-    const CellOccupancy<dim>  &occupancy,
-    const MixedKernel<dim>    &kernel) const
+  CPDI<dim>::collect_overlapped_cells(PointArrays<dim>          &points,
+                                      const std::vector<double> &corner_shares,
+                                      const CellOccupancy<dim>  &occupancy,
+                                      const MixedKernel<dim>    &kernel) const
   {
     // a corner stands for its part of the domain
     std::map<unsigned int, double> volume_over_G;
@@ -267,6 +326,5 @@ namespace isochor
 
 
 
-  template class BodyQuadrature<2>;
-  template class BodyQuadrature<3>;
+  ISOCHOR_REGISTER_FOR_DIMENSION(BodyQuadrature, CPDI, "CPDI")
 } // namespace isochor

@@ -4,7 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
-#include <isochor/body_quadrature.h>
+#include <isochor/cell_filling.h>
 
 #include <algorithm>
 #include <cmath>
@@ -240,12 +240,12 @@ namespace isochor
 
   template <int dim>
   void
-  BodyQuadrature<dim>::add_hole_points(
-    PointArrays<dim>              &points,
-    const CellOccupancy<dim>      &occupancy,
-    const MixedKernel<dim>        &kernel,
-    std::map<unsigned int, double> cells) const
+  add_hole_points(PointArrays<dim>              &points,
+                  const CellOccupancy<dim>      &occupancy,
+                  const MixedKernel<dim>        &kernel,
+                  std::map<unsigned int, double> cells)
   {
+    const BackgroundGrid<dim>  &grid     = occupancy.grid;
     const SimplexGeometry<dim> &geometry = grid.geometry();
     const unsigned int          rank =
       Utilities::MPI::this_mpi_process(grid.communicator());
@@ -302,6 +302,14 @@ namespace isochor
 
 
 
-  template class BodyQuadrature<2>;
-  template class BodyQuadrature<3>;
+  template void
+  add_hole_points(PointArrays<2> &,
+                  const CellOccupancy<2> &,
+                  const MixedKernel<2> &,
+                  std::map<unsigned int, double>);
+  template void
+  add_hole_points(PointArrays<3> &,
+                  const CellOccupancy<3> &,
+                  const MixedKernel<3> &,
+                  std::map<unsigned int, double>);
 } // namespace isochor

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/mpi_sums.h>
+#include <isochor/nodal_unknowns.h>
 #include <isochor/postprocessor.h>
 
 #include <algorithm>
@@ -178,6 +179,7 @@ namespace isochor
     {
       const StepContext<dim>         &step   = result.step;
       const PointArrays<dim>         &points = step.points;
+      const NodalUnknowns<dim>        nodal(step, result.unknowns);
       std::array<double, n_sums>      sums{};
       std::array<double, max_history> history;
       for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
@@ -185,20 +187,8 @@ namespace isochor
              q < points.cell_start[k + 1];
              ++q)
           {
-            const auto     stencil = points.stencil(step.grid.geometry(), k, q);
-            Tensor<2, dim> gradient; // ∇_n Δu
-            double         p = 0;
-            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-              {
-                const unsigned int first =
-                  step.nodes.node(stencil.vertex[I]) * step.n_components;
-                for (unsigned int a = 0; a < dim; ++a)
-                  gradient[a] += result.unknowns.local_element(first + a) *
-                                 stencil.gradient[I];
-                if (step.mixed())
-                  p += stencil.shape[I] *
-                       result.unknowns.local_element(first + dim);
-              }
+            const auto stencil = points.stencil(step.grid.geometry(), k, q);
+            const Tensor<2, dim>      gradient = nodal.gradient_at(stencil);
             const MaterialModel<dim> &material =
               *step.kernel.materials[points.material[q]];
             const double *const old_history =
@@ -211,7 +201,7 @@ namespace isochor
                                       q,
                                       gradient + unit_symmetric_tensor<dim>(),
                                       step.mixed(),
-                                      p,
+                                      nodal.pressure_at(stencil),
                                       history.data());
             const double stored =
               material.deviatoric_energy(state.F, history.data()) +
@@ -255,13 +245,13 @@ namespace isochor
       double                  energy = 0;
       if (!step.mixed() || !(step.kernel.ppp_coefficient > 0))
         return energy;
+      const NodalUnknowns<dim> nodal(step, result.unknowns);
       const auto add = [&](const unsigned int cell, const double V_over_G) {
         Element<dim, dim + 1, dim + 1> element;
         element.residual.fill(0.);
         const auto &vertices = step.grid.geometry().vertex_indices(cell);
         for (unsigned int I = 0; I <= dim; ++I)
-          element.pressure[I] = result.unknowns.local_element(
-            step.nodes.node(vertices[I]) * (dim + 1) + dim);
+          element.pressure[I] = nodal.pressure(vertices[I]);
         step.kernel.add_pressure_projection(element, V_over_G, false);
         for (unsigned int I = 0; I <= dim; ++I)
           energy -=
