@@ -210,7 +210,7 @@ namespace isochor
     scene.points.seed(scene.kernel.materials,
                       scene.dynamic,
                       scene.inertia.initial_velocity,
-                      needs_domains());
+                      scene.quadrature->needs_domains());
     grid_changed();
     return true;
   }

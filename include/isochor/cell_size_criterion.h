@@ -15,6 +15,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace isochor
@@ -77,6 +78,9 @@ namespace isochor
     static constexpr double any_size = std::numeric_limits<double>::infinity();
 
     virtual ~CellSizeCriterion() = default;
+
+    /** As it is registered. */
+    std::string name;
 
     virtual void
     parse_parameters(ParameterHandler & /*prm*/)
