@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_system.h>
@@ -52,38 +53,15 @@ namespace isochor
 
 
   template <int dim>
-  IndexSet
-  DealIIView<dim>::relevant_dofs() const
-  {
-    IndexSet                             relevant(dofs.n_dofs());
-    std::vector<types::global_dof_index> indices;
-    const auto                           add = [&](const auto &cell) {
-      indices.resize(cell->get_fe().n_dofs_per_cell());
-      cell->get_dof_indices(indices);
-      for (const auto index : indices)
-        relevant.add_index(index);
-    };
-    for (const auto &cell : dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          add(cell);
-          for (const unsigned int f : cell->face_indices())
-            if (!cell->at_boundary(f))
-              add(cell->neighbor(f));
-        }
-    relevant.compress();
-    return relevant;
-  }
-
-
-
-  template <int dim>
   void
   DealIIView<dim>::copy_values(const StepContext<dim> &step,
                                const NodalField       &unknowns)
   {
+    // all: tools may go over all cells that a rank knows
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
     values.reinit(dofs.locally_owned_dofs(),
-                  relevant_dofs(),
+                  relevant,
                   step.grid.communicator());
     // every rank knows the values at the vertices of its own cells
     for (const auto &cell : dofs.active_cell_iterators())

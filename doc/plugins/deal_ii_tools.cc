@@ -27,7 +27,7 @@ namespace isochor
     static void
     declare_parameters(ParameterHandler &prm)
     {
-      prm.declare_entry("deal.II tools",
+      prm.declare_entry("Estimate errors",
                         "false",
                         Patterns::Bool(),
                         "Whether to estimate errors and write them with the "
@@ -37,7 +37,7 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm) override
     {
-      is_wanted = prm.get_bool("deal.II tools");
+      is_wanted = prm.get_bool("Estimate errors");
     }
 
     void

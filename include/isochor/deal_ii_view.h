@@ -50,8 +50,9 @@ namespace isochor
       return dofs;
     }
 
-    /** With ghosts: all degrees of freedom of this rank's cells and, for jumps,
-     * of their neighbours. */
+    /** With all other degrees of freedom as ghosts: every rank knows the whole
+     * grid, and tools such as KellyErrorEstimator go over all of it if they
+     * aren't told a subdomain. */
     const LinearAlgebra::distributed::Vector<double> &
     solution() const
     {
@@ -73,9 +74,6 @@ namespace isochor
   private:
     void
     mark_cells(const StepContext<dim> &step);
-    /** Of this rank's cells and their neighbours. */
-    IndexSet
-    relevant_dofs() const;
     void
     copy_values(const StepContext<dim> &step, const NodalField &unknowns);
 
