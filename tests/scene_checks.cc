@@ -190,14 +190,12 @@ namespace
            {"against: translation in x (the one"});
     expect("free to turn about a node",
            messages<2>("Grid/Subdivisions = 1, 1\n"
-                       "Quadrature/Type = points\n"
                        "Material points/Region = y > x\n"
                        "Boundary conditions/Displacement = bottom: x = 0, y = "
                        "0\n"),
            {"against: rotation about (0, 0) (the one"});
     expect("one of two bodies",
            messages<2>(held + "x = 0, y = 0\n"
-                              "Quadrature/Type = points\n"
                               "Material points/Region = (y-0.25)*(y-0.75) > "
                               "0\n"),
            {"Nothing holds a body", "rotation (the one around (0.5, 0.875)"});
