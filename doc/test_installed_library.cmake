@@ -41,6 +41,9 @@ file(READ ${place}/plugins/last_step last_step)
 if(NOT last_step MATCHES " -25544[0-9.]* .* 1[.]42857[0-9]* 0[.]70000[0-9]* ")
   message(FATAL_ERROR "the scene with plugins gives ${last_step}")
 endif()
+if(NOT EXISTS ${place}/plugins/output/deal_ii.vtu)
+  message(FATAL_ERROR "deal.II's DataOut has not written the nodal unknowns")
+endif()
 
 run(COMMAND ${place}/usr/bin/isochor ${DOC}/plugins/backward_euler.prm --quiet
   --output-directory fall IN ${place}/plugins)
