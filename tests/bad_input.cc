@@ -145,12 +145,11 @@ main(int argc, char **argv)
                    "subsection Quadrature\nset Type = CPDI\nend\n"),
              1,
              {"Formulation/Project volume change", "CPDI"});
-  test_scene("splitting of domains",
-             scene("subsection Material points\n"
-                   "set Split at share of cell = 0.5\nend\n"
-                   "subsection Quadrature\nset Type = CPDI\nend\n"),
+  test_scene("levels in the wrong order",
+             scene("subsection Adaptive grid\nset Minimum level = 3\n"
+                   "set Maximum level = 2\nend\n"),
              1,
-             {"Material points/Split at share of cell", "cell-filled"});
+             {"Adaptive grid/Minimum level", "Adaptive grid/Maximum level"});
   test_scene("splitting without end",
              scene("subsection Material points\n"
                    "set Split at share of cell = 0.01\nend\n"),
