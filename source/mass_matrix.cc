@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace isochor
 {
@@ -375,7 +376,15 @@ namespace isochor
     ScaledMatrix matrix{*this, step, held, ties, scale, with_domains, scale};
     IterationNumberControl control(200, 1e-14 * goal, false, false);
     SolverCG<NodalField>   cg(control);
-    cg.solve(matrix, correction, residual, PreconditionIdentity());
+    try
+      {
+        cg.solve(matrix, correction, residual, PreconditionIdentity());
+      }
+    catch (const SolverControl::NoConvergence &)
+      {
+        // not a number: the matrix is singular, the load not in its range
+        return std::numeric_limits<double>::infinity();
+      }
     correction.scale(scale);
     solution.zero_out_ghost_values();
     solution += correction;

@@ -149,7 +149,7 @@ namespace
                    "Boundary conditions/Displacement = bottom: y = 0; left: x "
                    "= 0; top: y = if(t < 0.1, -0.1*t, -3)\n"
                    "Time/Step size = 0.04\nTime/Minimum step size = 0.01\n"),
-           {"hardly a limit load", "Minimum step size"});
+           {"Only displacements are prescribed", "Minimum step size"});
     expect("points that leave the grid",
            failure("Grid/Subdivisions = 2, 2\nBoundary conditions/Displacement "
                    "= everywhere: x = 0, y = 2*t\nTime/Step size = 0.5\n"),

@@ -83,7 +83,8 @@ namespace isochor
      * spin, isn't. For loads that are not of the form Σ m_p N_I f_p, and can be
      * anything in the directions that M can't see. B exerts neither force nor
      * torque: linear and angular momentum are those of M.
-     * @return the residual relative to the load, in the norm of the diagonal.
+     * @return the residual relative to the load, in the norm of the diagonal;
+     * infinity, and @p solution as it was, if the iteration breaks down.
      */
     double
     solve(const StepContext<dim>           &step,
