@@ -163,9 +163,8 @@ namespace isochor
           const auto   nodes = points.stencil(b);
           double       v     = 0;
           for (unsigned int I = 0; I < nodes.n_nodes; ++I)
-            v += nodes.shape[I] *
-                 velocity.local_element(step.nodes.node(nodes.vertex[I]) * dim +
-                                        a);
+            v += nodes.shape[I] * velocity.local_element(
+                                    step.nodes.node(nodes.vertex[I]) * dim + a);
           if (std::abs(V - v) > 1e-8 * std::max(std::abs(V), std::abs(v)))
             return true;
         }

@@ -27,9 +27,9 @@ namespace isochor
    *
    * w_p the volume of integration; a hole counts as full. A node with φ_I below
    * the parameter `Smallest support` is unsupported; so is one with less than
-   * this part of its stiffness of its own (see DependentNodes). Its unknowns, displacement
-   * and pressure, are the linear continuation of those of a cell R all of whose
-   * nodes are supported,
+   * this part of its stiffness of its own (see DependentNodes). Its unknowns,
+   * displacement and pressure, are the linear continuation of those of a cell R
+   * all of whose nodes are supported,
    *
    *   u_I = Σ_J λ_J u_J,   λ_J the barycentric coordinates of x_I in R,
    *

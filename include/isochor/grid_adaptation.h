@@ -58,9 +58,9 @@ namespace isochor
 
     /**
      * The grid is reset at @p time, and the points have been located in the old
-     * one: replace it and put them into the new one, if a leaf changes. Nodes of
-     * the new one get what @p last_motion has at their places. Returns whether
-     * the grid changed. Collective.
+     * one: replace it and put them into the new one, if a leaf changes. Nodes
+     * of the new one get what @p last_motion has at their places. Returns
+     * whether the grid changed. Collective.
      */
     bool
     adapt(BackgroundGrid<dim>     &grid,

@@ -151,7 +151,7 @@ namespace isochor
 
     struct Trial
     {
-      double size = 0;         ///< 0: none
+      double size  = 0;          ///< 0: none
       double start = 0, end = 0; ///< of the step itself
     } trial;
   };

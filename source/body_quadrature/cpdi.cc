@@ -151,16 +151,14 @@ namespace isochor
     {
       for (unsigned int v = 0; v <= dim; ++v)
         if (place.barycentric[v] >= no_support &&
-            std::none_of(cells.begin(),
-                         cells.end(),
-                         [&](const unsigned int cell) {
-                           const auto &nodes = geometry.vertex_indices(cell);
-                           return std::find(
-                                    nodes.begin(),
-                                    nodes.end(),
-                                    geometry.vertex_indices(place.cell)[v]) !=
-                                  nodes.end();
-                         }))
+            std::none_of(
+              cells.begin(), cells.end(), [&](const unsigned int cell) {
+                const auto &nodes = geometry.vertex_indices(cell);
+                return std::find(nodes.begin(),
+                                 nodes.end(),
+                                 geometry.vertex_indices(place.cell)[v]) !=
+                       nodes.end();
+              }))
           return true;
       return false;
     }
