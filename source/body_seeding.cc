@@ -18,11 +18,17 @@ namespace isochor
   BodySeeding<dim>::declare_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Material points");
-    prm.declare_entry("Points per cell",
-                      dim == 2 ? "3" : "4",
-                      Patterns::Integer(1),
-                      "Material points seeded per cell: 1, 3, 4, 6, 7, 9, 12, "
-                      "15, 16, ... in 2D, 1, 4, 8, 14, 27, 35, ... in 3D.");
+    prm.declare_entry(
+      "Points per cell",
+      "0",
+      Patterns::Integer(0),
+      "Material points seeded per cell: 1, 3, 4, 6, 7, 9, 12, "
+      "15, 16, ... in 2D, 1, 4, 8, 14, 27, 35, ... in 3D. Where "
+      "points own parts of the body (<Quadrature/Type> CPDI, "
+      "the default, or cell-filled + boundary), the cells must "
+      "be divisible: 1, 3, 4, 6, 9, 12, 16, 24, ...; 3D: 1, 4, "
+      "8, 24, 27, .... 0 stands for 4 (3D: 8) there and 3 (3D: "
+      "4) else.");
     prm.declare_entry("Points per cell in zones",
                       "",
                       Patterns::Anything(),
@@ -80,7 +86,8 @@ namespace isochor
     prm.leave_subsection();
     check_combinations();
     // fail now and not after an hour of meshing
-    if (!can_be_tiled<dim>(parameters.points_per_cell))
+    if (parameters.points_per_cell > 0 &&
+        !can_be_tiled<dim>(parameters.points_per_cell))
       material_point_rule<dim>(parameters.points_per_cell);
     Expression<dim>(parameters.region,
                     "Material points/Region",
@@ -191,7 +198,12 @@ namespace isochor
       else
         zones.push_back({material_point_rule<dim>(n_points), {}, condition});
     };
-    add_zone(parameters.points_per_cell, Expression<dim>("1", ""));
+    // parts with edges half as long as those of the cell, which may be
+    // stretched before they are longer than a cell
+    const unsigned int by_default = with_domains ? (1 << dim) : dim + 1;
+    add_zone(parameters.points_per_cell > 0 ? parameters.points_per_cell :
+                                              by_default,
+             Expression<dim>("1", ""));
     for (const auto &zone :
          split_named_list(parameters.zones,
                           "Material points/Points per cell in zones"))

@@ -3,10 +3,47 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/grid_to_points.h>
+#include <isochor/mpi_sums.h>
 #include <isochor/nodal_unknowns.h>
+#include <isochor/plain_message.h>
+
+#include <array>
+#include <cmath>
 
 namespace isochor
 {
+  namespace
+  {
+    /** Tell if the material's own volumes have little to do any more with the
+     * pressure: @p sums are Σ V (θ^e - p/K)² and Σ V of the points of this
+     * rank. Collective. */
+    template <int dim>
+    void
+    warn_of_wandering_volumes(const StepContext<dim> &step,
+                              std::array<double, 2>   sums)
+    {
+      constexpr double tolerated = 0.05;
+      sum_over_ranks(sums, step.grid.communicator());
+      const double difference = std::sqrt(sums[0] / sums[1]);
+      if (!(difference > tolerated))
+        return;
+      step.warnings.add(
+        "volumes of the points wander",
+        "At t = " + rounded(step.time) +
+          " the volumes of the material points differ by " +
+          rounded(100 * difference) +
+          " % (root mean square) from what the pressure says, while the cells "
+          "hold the right volume: motions that no cell feels have grown from "
+          "one reset of the grid to the next. Loads may still look right, "
+          "displacements and stresses are not. Keep the grid for several steps "
+          "or all (<Grid reset/Steps between resets>), let it follow the body "
+          "(<Grid/Stretch>), use more <Material points/Points per cell>, "
+          "another <Quadrature/Type>, or <Formulation/Project volume change>.");
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   GridToPoints<dim>::declare_parameters(ParameterHandler &prm)
@@ -45,6 +82,7 @@ namespace isochor
     if (projects_volume)
       volume_projection.start(step);
     step_energy = 0;
+    std::array<double, 2> volume_errors{};
 
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
@@ -86,13 +124,17 @@ namespace isochor
             std::abs(work) * determinant(state.F) * properties[l.volume];
         }
       std::copy_n(history.begin(), l.n_history, &properties[l.history]);
-      if (projects_volume)
-        volume_projection.set_excess(q,
-                                     state.volumetric_strain -
-                                       state.pressure *
-                                         step.kernel
-                                           .materials[arrays.material[q]]
-                                           ->inverse_bulk_modulus());
+      if (step.mixed())
+        {
+          const double excess =
+            state.volumetric_strain -
+            state.pressure *
+              step.kernel.materials[arrays.material[q]]->inverse_bulk_modulus();
+          volume_errors[0] += properties[l.volume] * excess * excess;
+          volume_errors[1] += properties[l.volume];
+          if (projects_volume)
+            volume_projection.set_excess(q, excess);
+        }
       if (inertia)
         {
           const auto motion = inertia->point(step, stencil, arrays.velocity[q]);
@@ -105,6 +147,8 @@ namespace isochor
             step_energy += properties[l.mass] / 2 * motion.first.norm_square();
         }
     });
+    if (step.mixed())
+      warn_of_wandering_volumes(step, volume_errors);
   }
 
 

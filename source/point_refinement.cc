@@ -75,7 +75,8 @@ namespace isochor
   {
     prm.enter_subsection("Material points");
     largest_share         = prm.get_double("Split at share of cell");
-    const double per_cell = prm.get_integer("Points per cell");
+    const double asked    = prm.get_integer("Points per cell");
+    const double per_cell = asked > 0 ? asked : (1 << dim);
     prm.leave_subsection();
     prm.enter_subsection("Grid");
     const bool adaptive = prm.get("Type") == "adaptive";

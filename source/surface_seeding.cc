@@ -340,8 +340,10 @@ namespace isochor
             seeding.result.candidate[s] > 0 ?
               "The body's surface <" + surface.name + "> of the parameter <" +
                 surface.parameter +
-                "> does not lie on faces of the grid's cells. Give the body's "
-                "mesh in <Boundary conditions/Mesh of body surfaces>." :
+                "> does not lie on faces of the grid's cells: they, or the end "
+                "of the <Material points/Region>, are elsewhere. Let grid lines "
+                "and region end at the surface, or give the body's mesh in "
+                "<Boundary conditions/Mesh of body surfaces>." :
               "The body's surface <" + surface.name + "> of the parameter <" +
                 surface.parameter +
                 "> has no face. Its condition must hold at the centres of "

@@ -53,7 +53,7 @@ namespace isochor
   private:
     struct Parameters
     {
-      unsigned int             points_per_cell = 3;
+      unsigned int             points_per_cell = 0; ///< 0: by quadrature
       std::string              zones;
       std::string              region = "1";
       std::vector<std::string> groups;

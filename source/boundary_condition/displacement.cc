@@ -3,10 +3,13 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/boundary_condition.h>
+#include <isochor/nearest_cells.h>
+#include <isochor/plain_message.h>
 #include <isochor/prescribed_motion.h>
 #include <isochor/scene_checks.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -56,7 +59,9 @@ namespace isochor
         "all nodes of the boundary. With 'x >= formula' or 'x <= formula' the "
         "boundary only pushes: it is a smooth wall in this distance from where "
         "the grid's boundary is at t = 0, a node that would have to be pulled "
-        "leaves it, and is held again when it comes back.");
+        "leaves it, and is held again when it comes back. A boundary that "
+        "pushes the body by more than half of a cell must take the grid along "
+        "(<Grid/Stretch>), or the grid be kept.");
     }
 
     void
@@ -182,6 +187,10 @@ namespace isochor
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override
     {
+      if (!step.grid_is_kept && !step.grid.is_moving())
+        for (const auto &condition : conditions)
+          if (condition.boundary != "everywhere")
+            warn_of_lost_body(condition, step);
       for (auto &condition : conditions)
         if (condition.side != 0)
           {
@@ -255,6 +264,52 @@ namespace isochor
       std::vector<unsigned int> vertices;
       std::vector<WallNode>     wall; ///< by vertex, if one-sided
     };
+
+    /** A boundary that pushes the body away, on a grid that is put back: once
+     * the body has left its row of cells, little of the push arrives. */
+    void
+    warn_of_lost_body(const Condition        &condition,
+                      const StepContext<dim> &step) const
+    {
+      double push = 0;
+      for (const unsigned int v : condition.vertices)
+        {
+          const double u = condition.displacement(reference[v], step.time);
+          if (std::abs(u) > std::abs(push))
+            push = u;
+        }
+      if (push == 0)
+        return;
+      const SimplexGeometry<dim> &geometry = step.grid.geometry();
+      const types::boundary_id    id =
+        step.grid.boundary_id(condition.boundary,
+                              "Boundary conditions/Displacement");
+      Tensor<1, dim> inwards;
+      double         size = 0;
+      for (const BoundaryFace &face : step.grid.boundary_faces())
+        if (face.id == id)
+          {
+            inwards += geometry.measure(face.cell) *
+                       geometry.gradients(face.cell)[face.opposite_vertex];
+            size = std::max(size, cell_size(geometry, face.cell));
+          }
+      const double along =
+        push * inwards[condition.component] / std::max(inwards.norm(), 1e-300);
+      if (along > 0.5 * size)
+        step.warnings.add(
+          "a boundary that leaves the body behind",
+          "At t = " + rounded(step.time) +
+            " <Boundary conditions/"
+            "Displacement = " +
+            condition.boundary + ": " + "xyz"[condition.component] +
+            " = ...> has pushed the body by " + rounded(along) +
+            " m away from the boundary <" + condition.boundary +
+            ">, more than half of a cell (" + rounded(size) +
+            " m), but the grid is put back after each step, and the boundary "
+            "with it: it loses the body. Let the grid follow (<Grid/Stretch>), "
+            "keep it (<Grid reset/Steps between resets>), or move the body's "
+            "own surface (<Boundary conditions/Displacement of body>).");
+    }
 
     void
     parse_item(const std::string &boundary,

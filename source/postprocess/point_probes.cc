@@ -190,6 +190,29 @@ namespace isochor
                                  result.step.grid.communicator()) == 1;
     }
 
+    /** How many points act on each node. One without points may be a node of a
+     * cell that holds a point all the same: a point with a domain acts through
+     * its corners. Its unknowns mean nothing. */
+    static NodalField
+    touched_nodes(const StepContext<dim> &step)
+    {
+      NodalField touched;
+      step.nodes.initialize(touched, 1);
+      for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+        for (unsigned int q = step.points.cell_start[k];
+             q < step.points.cell_start[k + 1];
+             ++q)
+          {
+            const auto stencil =
+              step.points.stencil(step.grid.geometry(), k, q);
+            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+              touched.local_element(step.nodes.node(stencil.vertex[I])) += 1;
+          }
+      touched.compress(VectorOperation::add);
+      touched.update_ghost_values();
+      return touched;
+    }
+
     /**
      * Displacement increment, pressure and the number of ranks that found the
      * probe in an occupied cell, summed over them. Among the cells around the
@@ -208,14 +231,16 @@ namespace isochor
       // error at the start
       double best_fit =
         result.time.step == 0 && !lies_in_body(result, probe) ? -1e-2 : -1;
+      const NodalField touched = touched_nodes(step);
       for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         {
           const auto &vertices = geometry.vertex_indices(step.points.cell[k]);
           if (std::any_of(vertices.begin(),
                           vertices.end(),
-                          [&step](const unsigned int v) {
-                            return step.nodes.node(v) ==
-                                   numbers::invalid_unsigned_int;
+                          [&](const unsigned int v) {
+                            const unsigned int node = step.nodes.node(v);
+                            return node == numbers::invalid_unsigned_int ||
+                                   touched.local_element(node) == 0.;
                           }))
             continue;
           const auto lambda =
