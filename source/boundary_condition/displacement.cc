@@ -274,7 +274,7 @@ namespace isochor
       double push = 0;
       for (const unsigned int v : condition.vertices)
         {
-          const double u = condition.displacement(reference[v], step.time);
+          const double u = condition.displacement(reference[v], step.old_time);
           if (std::abs(u) > std::abs(push))
             push = u;
         }
@@ -298,7 +298,7 @@ namespace isochor
       if (along > 0.5 * size)
         step.warnings.add(
           "a boundary that leaves the body behind",
-          "At t = " + rounded(step.time) +
+          "At t = " + rounded(step.old_time) +
             " <Boundary conditions/"
             "Displacement = " +
             condition.boundary + ": " + "xyz"[condition.component] +
