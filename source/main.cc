@@ -39,10 +39,11 @@ namespace
     problem->run();
   }
 
-  /** Without a launcher there is one process, which needs neither Open MPI's
-   * daemon nor its network drivers; starting them takes longer than a small
-   * scene (0.4 of 0.8 s). Who sets these variables is not overruled; other MPIs
-   * don't read them. */
+  /** Without a launcher there is one process, which needs none of Open MPI's
+   * network drivers; starting them takes as long as a small scene. (Its daemon
+   * isn't needed either, but without it, ess_singleton_isolated, processes that
+   * start at the same time share a directory and some fail.) Who sets these
+   * variables is not overruled; other MPIs don't read them. */
   void
   keep_a_single_process_simple()
   {
@@ -53,7 +54,6 @@ namespace
                                  "SLURM_PROCID"})
       if (std::getenv(launched) != nullptr)
         return;
-    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     setenv("OMPI_MCA_pml", "ob1", 0);
     setenv("OMPI_MCA_btl", "self", 0);
     setenv("OMPI_MCA_osc", "^ucx", 0);
