@@ -3,9 +3,9 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include <isochor/command_line.h>
-#include <isochor/material_point_method.h>
-#include <isochor/parameter_file.h>
+#include <isochor/base/parameter_file.h>
+#include <isochor/program/command_line.h>
+#include <isochor/step/material_point_method.h>
 
 #include <cstdlib>
 #include <memory>

@@ -9,8 +9,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/tensor.h>
 
-#include <isochor/adaptive_forest.h>
-#include <isochor/conforming_closure.h>
+#include <isochor/grid/adaptive_forest.h>
+#include <isochor/grid/conforming_closure.h>
 
 #include <cmath>
 #include <iostream>

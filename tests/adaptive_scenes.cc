@@ -7,7 +7,7 @@
 // follows a body and changes in each step, what is conserved when points are
 // split.
 
-#include <isochor/material_point_method.h>
+#include <isochor/step/material_point_method.h>
 
 #include "scene.h"
 

@@ -6,7 +6,7 @@
 // What users with a mistake are told: the program ends with a status other
 // than zero, names the parameter or file, and says what is allowed.
 
-#include <isochor/command_line.h>
+#include <isochor/program/command_line.h>
 
 #include <fstream>
 

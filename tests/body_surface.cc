@@ -7,7 +7,7 @@
 // what it covers of faces, and depend neither on the numbering of cells nor on
 // where the origin is.
 
-#include <isochor/nearest_cells.h>
+#include <isochor/grid/nearest_cells.h>
 
 #include <random>
 

@@ -7,8 +7,8 @@
 // bit: statistics, all that the points carry, and the files of fields. Broken
 // checkpoints and those of other problems must not be taken.
 
-#include <isochor/material_point_method.h>
-#include <isochor/parameter_file.h>
+#include <isochor/base/parameter_file.h>
+#include <isochor/step/material_point_method.h>
 
 #include <cmath>
 #include <fstream>

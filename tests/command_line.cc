@@ -8,9 +8,9 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <isochor/command_line.h>
-#include <isochor/edit_distance.h>
-#include <isochor/parameter_file.h>
+#include <isochor/base/edit_distance.h>
+#include <isochor/base/parameter_file.h>
+#include <isochor/program/command_line.h>
 
 #include <filesystem>
 #include <fstream>

@@ -12,7 +12,7 @@
 #include <deal.II/numerics/error_estimator.h>
 #include <deal.II/numerics/vector_tools.h>
 
-#include <isochor/deal_ii_view.h>
+#include <isochor/postprocess/deal_ii_view.h>
 
 #include "scene.h"
 

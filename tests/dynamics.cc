@@ -5,7 +5,7 @@
 
 // Inertia: free fall, conservation of momentum, the axial vibration of a bar.
 
-#include <isochor/mpi_sums.h>
+#include <isochor/base/mpi_sums.h>
 
 #include <algorithm>
 

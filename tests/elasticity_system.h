@@ -10,7 +10,7 @@
 #include <deal.II/base/utilities.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include <isochor/sparse_system.h>
+#include <isochor/linear_solver/sparse_system.h>
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 // its symmetry where that is claimed, and the residual of the Neo-Hookean law
 // against finite differences of its potential.
 
-#include <isochor/mixed_kernel.h>
+#include <isochor/equations/mixed_kernel.h>
 
 #include <algorithm>
 #include <functional>

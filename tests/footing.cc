@@ -9,7 +9,7 @@
 //   gmsh -2 footing.geo -setnumber h 0.4 -setnumber h_far 2.5
 //     -setnumber h_edge 0.125 -o footing.msh
 
-#include <isochor/mpi_sums.h>
+#include <isochor/base/mpi_sums.h>
 
 #include <set>
 

@@ -8,9 +8,9 @@
 // nor loses, however often the grid is reset; and that is done when the
 // parameters say so.
 
-#include <isochor/boundary_condition.h>
-#include <isochor/expression.h>
-#include <isochor/mpi_sums.h>
+#include <isochor/base/expression.h>
+#include <isochor/base/mpi_sums.h>
+#include <isochor/boundary_condition/boundary_condition.h>
 
 #include <algorithm>
 

@@ -9,8 +9,8 @@
 
 #include <deal.II/physics/transformations.h>
 
-#include <isochor/boundary_condition.h>
-#include <isochor/expression.h>
+#include <isochor/base/expression.h>
+#include <isochor/boundary_condition/boundary_condition.h>
 
 #include <algorithm>
 

@@ -7,8 +7,8 @@
 // shear and plane-strain tension with free sides. The references are written
 // here from the equations of the laws, with 2 x 2 matrices and bisection.
 
-#include <isochor/boundary_condition.h>
-#include <isochor/expression.h>
+#include <isochor/base/expression.h>
+#include <isochor/boundary_condition/boundary_condition.h>
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 
 #include <deal.II/physics/transformations.h>
 
-#include <isochor/boundary_condition.h>
+#include <isochor/boundary_condition/boundary_condition.h>
 
 #include <cmath>
 #include <iomanip>

@@ -11,7 +11,7 @@
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
-#include <isochor/linear_solver.h>
+#include <isochor/linear_solver/linear_solver.h>
 
 #include <cstdint>
 #include <fstream>

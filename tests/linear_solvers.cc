@@ -10,7 +10,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
-#include <isochor/linear_solver.h>
+#include <isochor/linear_solver/linear_solver.h>
 
 #include <iostream>
 #include <limits>

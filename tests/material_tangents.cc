@@ -7,7 +7,7 @@
 // asked: the tangents against finite differences along random strain paths
 // and at special states, the symmetry that is claimed, and objectivity.
 
-#include <isochor/tensor_tools.h>
+#include <isochor/material_model/tensor_tools.h>
 
 #include <algorithm>
 

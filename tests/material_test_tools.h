@@ -10,7 +10,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <isochor/material_model.h>
+#include <isochor/material_model/material_model.h>
 
 #include <iomanip>
 #include <iostream>

@@ -6,7 +6,7 @@
 // What holds for the plugins of a kind, whatever they are called; and what the
 // registry says of names.
 
-#include <isochor/time_integrator.h>
+#include <isochor/dynamics/time_integrator.h>
 
 #include <cmath>
 #include <iostream>

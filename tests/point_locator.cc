@@ -14,9 +14,9 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/particles/particle_handler.h>
 
-#include <isochor/point_locator.h>
-#include <isochor/relocation.h>
-#include <isochor/simplex_geometry.h>
+#include <isochor/grid/simplex_geometry.h>
+#include <isochor/material_points/point_locator.h>
+#include <isochor/material_points/relocation.h>
 
 #include <cmath>
 #include <functional>

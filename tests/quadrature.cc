@@ -9,7 +9,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <isochor/condition_number.h>
+#include <isochor/linear_solver/condition_number.h>
 
 #include <cmath>
 #include <fstream>

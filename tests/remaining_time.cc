@@ -6,7 +6,7 @@
 // The estimate of the time that a run still takes, from clocks that the test
 // makes up.
 
-#include <isochor/remaining_time.h>
+#include <isochor/base/remaining_time.h>
 
 #include "scene.h"
 

@@ -6,7 +6,7 @@
 // 'Project volume change' for every registered material: a change of volume
 // moves the elastic volumetric strain by what is asked, and keeps dev τ.
 
-#include <isochor/mixed_kernel.h>
+#include <isochor/equations/mixed_kernel.h>
 
 #include <sstream>
 

@@ -9,7 +9,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <isochor/material_point_method.h>
+#include <isochor/step/material_point_method.h>
 
 #include <cmath>
 #include <iostream>

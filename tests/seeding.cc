@@ -5,7 +5,7 @@
 
 // Where material points are seeded and which volume and mass they get.
 
-#include <isochor/seeding.h>
+#include <isochor/material_points/seeding.h>
 
 #include <set>
 

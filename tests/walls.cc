@@ -7,7 +7,7 @@
 // body; one-sided walls stand where their formulas say, and the set of nodes in
 // contact is right when a step is accepted.
 
-#include <isochor/mpi_sums.h>
+#include <isochor/base/mpi_sums.h>
 
 #include <set>
 

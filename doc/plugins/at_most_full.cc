@@ -8,8 +8,8 @@
 // points have gathered the body is then not too stiff; where they are missing
 // it is as soft as with 'points'.
 
-#include <isochor/body_quadrature.h>
-#include <isochor/plugin_registry.h>
+#include <isochor/base/plugin_registry.h>
+#include <isochor/body_quadrature/body_quadrature.h>
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 //   v_{n+1} = Δu / Δt,   a_{n+1} = (v_{n+1} - v_n) / Δt.
 // It is of first order, and damps: for motions that come to rest.
 
-#include <isochor/time_integrator.h>
+#include <isochor/dynamics/time_integrator.h>
 
 namespace isochor
 {

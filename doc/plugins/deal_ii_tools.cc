@@ -13,8 +13,8 @@
 #include <deal.II/numerics/error_estimator.h>
 #include <deal.II/numerics/vector_tools.h>
 
-#include <isochor/deal_ii_view.h>
-#include <isochor/postprocessor.h>
+#include <isochor/postprocess/deal_ii_view.h>
+#include <isochor/postprocess/postprocessor.h>
 
 #include <cmath>
 

@@ -24,9 +24,9 @@
 // need. The other two headers help to write isochoric laws.
 #include <deal.II/base/mpi.h>
 
-#include <isochor/isochoric_elasticity.h>
-#include <isochor/material_point_method.h>
-#include <isochor/tensor_tools.h>
+#include <isochor/material_model/isochoric_elasticity.h>
+#include <isochor/material_model/tensor_tools.h>
+#include <isochor/step/material_point_method.h>
 
 #include <cmath>
 #include <cstdio>

@@ -4,10 +4,10 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
-#include <isochor/body_quadrature.h>
-#include <isochor/cell_filling.h>
-#include <isochor/plugin_registry.h>
-#include <isochor/simplex_overlap.h>
+#include <isochor/base/plugin_registry.h>
+#include <isochor/body_quadrature/body_quadrature.h>
+#include <isochor/body_quadrature/cell_filling.h>
+#include <isochor/grid/simplex_overlap.h>
 
 #include <algorithm>
 #include <cmath>

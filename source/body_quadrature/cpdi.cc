@@ -2,9 +2,9 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/body_quadrature.h>
-#include <isochor/nearest_cells.h>
-#include <isochor/plugin_registry.h>
+#include <isochor/base/plugin_registry.h>
+#include <isochor/body_quadrature/body_quadrature.h>
+#include <isochor/grid/nearest_cells.h>
 
 #include <algorithm>
 #include <limits>

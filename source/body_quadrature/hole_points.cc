@@ -4,7 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
-#include <isochor/cell_filling.h>
+#include <isochor/body_quadrature/cell_filling.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/boundary_condition.h>
-#include <isochor/mpi_sums.h>
-#include <isochor/prescribed_motion.h>
-#include <isochor/surface_forces.h>
+#include <isochor/base/mpi_sums.h>
+#include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/boundary_condition/surface_forces.h>
+#include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
 #include <string>

@@ -2,11 +2,9 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/boundary_condition.h>
-#include <isochor/nearest_cells.h>
-#include <isochor/plain_message.h>
-#include <isochor/prescribed_motion.h>
-#include <isochor/scene_checks.h>
+#include <isochor/boundary_condition/boundary_checks.h>
+#include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -127,41 +125,12 @@ namespace isochor
                                                       parameter),
                               everywhere);
           }
-      warn_of_walls_inside(step);
-    }
-
-    /** A wall stands outside of the grid and pushes inwards. */
-    void
-    warn_of_walls_inside(const StepContext<dim> &step) const
-    {
       for (const auto &condition : conditions)
-        {
-          if (condition.side == 0 || condition.boundary == "everywhere")
-            continue;
-          const types::boundary_id id =
-            step.grid.boundary_id(condition.boundary,
-                                  "Boundary conditions/Displacement");
-          const SimplexGeometry<dim> &geometry = step.grid.geometry();
-          Tensor<1, dim>              inwards;
-          for (const BoundaryFace &face : step.grid.boundary_faces())
-            if (face.id == id)
-              {
-                const auto g =
-                  geometry.gradients(face.cell)[face.opposite_vertex];
-                inwards += geometry.measure(face.cell) * g; // by area
-              }
-          const double push = condition.side * inwards[condition.component];
-          if (push < -0.5 * inwards.norm())
-            step.warnings.add(
-              "a wall that pushes outwards",
-              std::string("<Boundary conditions/Displacement = ") +
-                condition.boundary + ": " + "xyz"[condition.component] + " " +
-                (condition.side > 0 ? ">" : "<") +
-                "= ...> holds the body only as long as it is pulled away from "
-                "the boundary, as if a wall stood inside of it. A wall at "
-                "this boundary is '" +
-                (condition.side > 0 ? "<" : ">") + "='.");
-        }
+        if (condition.side != 0 && condition.boundary != "everywhere")
+          warn_of_wall_inside(step,
+                              condition.boundary,
+                              condition.component,
+                              condition.side);
     }
 
     void
@@ -187,10 +156,10 @@ namespace isochor
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override
     {
-      if (!step.grid_is_kept && !step.grid.is_moving())
+      if (step.old_time > 0 && !step.grid_is_kept && !step.grid.is_moving())
         for (const auto &condition : conditions)
           if (condition.boundary != "everywhere")
-            warn_of_lost_body(condition, step);
+            warn_if_body_is_lost(condition, step);
       for (auto &condition : conditions)
         if (condition.side != 0)
           {
@@ -265,50 +234,21 @@ namespace isochor
       std::vector<WallNode>     wall; ///< by vertex, if one-sided
     };
 
-    /** A boundary that pushes the body away, on a grid that is put back: once
-     * the body has left its row of cells, little of the push arrives. */
+    /** Tell if the body has been pushed out of the row of cells at the
+     * boundary, which has been put back since. */
     void
-    warn_of_lost_body(const Condition        &condition,
-                      const StepContext<dim> &step) const
+    warn_if_body_is_lost(const Condition        &condition,
+                         const StepContext<dim> &step) const
     {
-      double push = 0;
+      double push = 0; // as far as it came before this step
       for (const unsigned int v : condition.vertices)
         {
           const double u = condition.displacement(reference[v], step.old_time);
           if (std::abs(u) > std::abs(push))
             push = u;
         }
-      if (push == 0)
-        return;
-      const SimplexGeometry<dim> &geometry = step.grid.geometry();
-      const types::boundary_id    id =
-        step.grid.boundary_id(condition.boundary,
-                              "Boundary conditions/Displacement");
-      Tensor<1, dim> inwards;
-      double         size = 0;
-      for (const BoundaryFace &face : step.grid.boundary_faces())
-        if (face.id == id)
-          {
-            inwards += geometry.measure(face.cell) *
-                       geometry.gradients(face.cell)[face.opposite_vertex];
-            size = std::max(size, cell_size(geometry, face.cell));
-          }
-      const double along =
-        push * inwards[condition.component] / std::max(inwards.norm(), 1e-300);
-      if (along > 0.5 * size)
-        step.warnings.add(
-          "a boundary that leaves the body behind",
-          "At t = " + rounded(step.old_time) +
-            " <Boundary conditions/"
-            "Displacement = " +
-            condition.boundary + ": " + "xyz"[condition.component] +
-            " = ...> has pushed the body by " + rounded(along) +
-            " m away from the boundary <" + condition.boundary +
-            ">, more than half of a cell (" + rounded(size) +
-            " m), but the grid is put back after each step, and the boundary "
-            "with it: it loses the body. Let the grid follow (<Grid/Stretch>), "
-            "keep it (<Grid reset/Steps between resets>), or move the body's "
-            "own surface (<Boundary conditions/Displacement of body>).");
+      if (push != 0)
+        warn_of_lost_body(step, condition.boundary, condition.component, push);
     }
 
     void

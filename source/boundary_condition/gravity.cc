@@ -4,8 +4,8 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
-#include <isochor/boundary_condition.h>
-#include <isochor/expression.h>
+#include <isochor/base/expression.h>
+#include <isochor/boundary_condition/boundary_condition.h>
 
 namespace isochor
 {

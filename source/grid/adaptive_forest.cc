@@ -5,7 +5,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/p4est_wrappers.h>
 
-#include <isochor/adaptive_forest.h>
+#include <isochor/grid/adaptive_forest.h>
 
 #include <p4est_connectivity.h>
 #include <p8est_connectivity.h>

@@ -7,9 +7,9 @@
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <isochor/background_grid.h>
-#include <isochor/mesh_reader.h>
-#include <isochor/structured_grid.h>
+#include <isochor/grid/background_grid.h>
+#include <isochor/grid/mesh_reader.h>
+#include <isochor/grid/structured_grid.h>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/tensor.h>
 
-#include <isochor/conforming_closure.h>
+#include <isochor/grid/conforming_closure.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include <isochor/linear_solver.h>
-#include <isochor/trilinos_export.h>
+#include <isochor/linear_solver/linear_solver.h>
+#include <isochor/linear_solver/trilinos_export.h>
 
 #include <Amesos.h>
 #include <Epetra_LinearProblem.h>

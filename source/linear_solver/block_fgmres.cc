@@ -6,8 +6,8 @@
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/trilinos_precondition.h>
 
-#include <isochor/linear_solver.h>
-#include <isochor/saddle_point_matrix.h>
+#include <isochor/linear_solver/linear_solver.h>
+#include <isochor/linear_solver/saddle_point_matrix.h>
 
 #include <Teuchos_ParameterList.hpp>
 

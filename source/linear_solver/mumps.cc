@@ -5,8 +5,8 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <isochor/linear_solver.h>
-#include <isochor/nested_dissection.h>
+#include <isochor/linear_solver/linear_solver.h>
+#include <isochor/linear_solver/nested_dissection.h>
 
 #include <dmumps_c.h>
 

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include <isochor/material_model.h>
+#include <isochor/material_model/material_model.h>
 
 #include <string>
 

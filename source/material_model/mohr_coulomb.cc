@@ -3,10 +3,10 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include <isochor/material_model.h>
-#include <isochor/mohr_coulomb_return.h>
-#include <isochor/spectral_decomposition.h>
-#include <isochor/tensor_tools.h>
+#include <isochor/material_model/material_model.h>
+#include <isochor/material_model/mohr_coulomb_return.h>
+#include <isochor/material_model/spectral_decomposition.h>
+#include <isochor/material_model/tensor_tools.h>
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/mohr_coulomb_return.h>
+#include <isochor/material_model/mohr_coulomb_return.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include <isochor/isochoric_elasticity.h>
-#include <isochor/material_model.h>
-#include <isochor/tensor_tools.h>
+#include <isochor/material_model/isochoric_elasticity.h>
+#include <isochor/material_model/material_model.h>
+#include <isochor/material_model/tensor_tools.h>
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include <isochor/spectral_decomposition.h>
+#include <isochor/material_model/spectral_decomposition.h>
 
 #include <cmath>
 #include <limits>

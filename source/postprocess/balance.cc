@@ -2,8 +2,8 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/mpi_sums.h>
-#include <isochor/postprocessor.h>
+#include <isochor/base/mpi_sums.h>
+#include <isochor/postprocess/postprocessor.h>
 
 #include <algorithm>
 #include <limits>

@@ -2,9 +2,9 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/field_output.h>
-#include <isochor/grid_fields.h>
-#include <isochor/postprocessor.h>
+#include <isochor/postprocess/field_output.h>
+#include <isochor/postprocess/grid_fields.h>
+#include <isochor/postprocess/postprocessor.h>
 
 namespace isochor
 {

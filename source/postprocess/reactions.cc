@@ -2,9 +2,9 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/mpi_sums.h>
-#include <isochor/postprocessor.h>
-#include <isochor/scene_checks.h>
+#include <isochor/base/mpi_sums.h>
+#include <isochor/boundary_condition/boundary_checks.h>
+#include <isochor/postprocess/postprocessor.h>
 
 #include <set>
 

@@ -1,0 +1,142 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_grid_adaptation_h
+#define isochor_grid_adaptation_h
+
+#include <isochor/adaptation/cell_size_criterion.h>
+#include <isochor/equations/equation_term.h>
+#include <isochor/material_points/material_points.h>
+#include <isochor/material_points/point_locator.h>
+#include <isochor/transfer/last_motion.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * When and how a grid of the type "adaptive" is replaced by another one.
+   * Material points carry all of the state, so that at a reset of the grid the
+   * next one may be any; nothing is transferred.
+   *
+   * At the end of a step each point gets the size of cells that it asks for,
+   * the smallest of all criteria (CellSizeCriterion), which it carries to the
+   * next reset. There a leaf's level follows from the smallest size of its
+   * points. Leaves without points get the minimum level, but near the body that
+   * of their neighbours. If no leaf changes, the grid stays as it is.
+   */
+  template <int dim>
+  class GridAdaptation
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** What @p grid is to begin with: refined where sizes are known without a
+     * body. Before there are points. Nothing if it is not adaptive. */
+    void
+    make_initial_grid(BackgroundGrid<dim> &grid);
+
+    /**
+     * Before the points move: let them ask for sizes by what @p unknowns will
+     * make of them. Sets columns of the @p statistics. Collective.
+     */
+    void
+    set_sizes(const StepContext<dim> &step,
+              const NodalField       &unknowns,
+              MaterialPoints<dim>    &points,
+              Statistics             &statistics);
+
+    /** The grid is reset: whether it may change this time. */
+    bool
+    is_due();
+
+    /**
+     * The grid is reset at @p time, and the points have been located in the old
+     * one: replace it and put them into the new one, if a leaf changes. Nodes
+     * of the new one get what @p last_motion has at their places. Returns
+     * whether the grid changed. Collective.
+     */
+    bool
+    adapt(BackgroundGrid<dim>     &grid,
+          MaterialPoints<dim>     &points,
+          const PointLocator<dim> &locator,
+          const double             time,
+          LastMotion              &last_motion);
+
+    /** Whether the first step, just solved for the time number @p n, is to be
+     * solved again on the grid that follows from it. */
+    bool
+    repeats_first_step(const unsigned int n) const
+    {
+      return n <= n_repetitions;
+    }
+
+    /** Cells, levels and changes, for the statistics. Collective. */
+    void
+    evaluate(const BackgroundGrid<dim> &grid,
+             const MaterialPoints<dim> &points,
+             Statistics                &statistics);
+
+    /** What has to survive a restart, the mesh included. */
+    std::string
+    save_state(const BackgroundGrid<dim> &grid) const;
+    /** Returns whether the mesh was changed. Collective. */
+    bool
+    load_state(const std::string       &state,
+               BackgroundGrid<dim>     &grid,
+               MaterialPoints<dim>     &points,
+               const PointLocator<dim> &locator);
+
+  private:
+    /** The last motion by vertex of an old grid. */
+    struct Motion
+    {
+      std::unique_ptr<const SimplexGeometry<dim>> geometry;
+      std::vector<Leaf<dim>>                      leaves;
+      std::vector<unsigned int>                   first_cells; ///< of leaves
+      unsigned int                                n_components = 0;
+      std::vector<double>                         unknowns;
+      std::vector<unsigned char>                  is_known;
+    };
+
+    static Motion
+    motion_in_old_grid(const BackgroundGrid<dim> &grid,
+                       const LastMotion          &last_motion);
+    static void
+    set_motion_in_new_grid(const Motion              &motion,
+                           const BackgroundGrid<dim> &grid,
+                           LastMotion                &last_motion);
+
+    bool
+    needs_state() const;
+    double
+    size_at(const Point<dim> &x, const double time) const;
+    BodyState<dim>
+    body_state(const StepContext<dim> &step, const NodalField &unknowns) const;
+    /** The level of each leaf of the present grid, and how many points it has.
+     * Collective. */
+    std::vector<unsigned int>
+    wanted_levels(const BackgroundGrid<dim> &grid,
+                  const MaterialPoints<dim> &points,
+                  const double               time,
+                  std::vector<double>       &n_points) const;
+    /** Give leaves around those with points the level of these. */
+    void
+    add_buffer(const BackgroundGrid<dim> &grid,
+               const std::vector<double> &n_points,
+               std::vector<unsigned int> &levels) const;
+
+    std::vector<std::unique_ptr<CellSizeCriterion<dim>>> criteria;
+    LevelRule<dim>                                       rule;
+    unsigned int n_buffer = 1, n_repetitions = 0, resets_between = 1;
+    unsigned int n_resets = 0, n_changes = 0;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,114 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_body_quadrature_h
+#define isochor_body_quadrature_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <isochor/cut_cells/cell_occupancy.h>
+#include <isochor/material_points/point_locator.h>
+
+#include <map>
+
+namespace isochor
+{
+  /**
+   * Interface of the quadratures of the body: how integrals over it are
+   * computed from its points. When points cross cells, the plain sum over
+   * points is wrong by O(1) in each cell, whatever the grid's size, and
+   * stresses don't converge; the others are remedies, each described in its
+   * file. To add one, write `source/body_quadrature/<name>.cc` with the class
+   * and its registration; its parameters live in the subsection "Quadrature",
+   * where `Type` names it. What others have to know of a quadrature they ask by
+   * the functions below, not by its name.
+   */
+  template <int dim>
+  class BodyQuadrature
+  {
+  public:
+    virtual ~BodyQuadrature() = default;
+
+    /** Declare `Type` and the parameters of all quadratures. */
+    static void
+    declare_quadratures(ParameterHandler &prm);
+    /** The quadrature that the parameters name, its own being read. */
+    static std::unique_ptr<BodyQuadrature<dim>>
+    create(ParameterHandler &prm);
+
+    /** For those without parameters. */
+    static void
+    declare_parameters(ParameterHandler & /*prm*/)
+    {}
+    virtual void
+    parse_parameters(ParameterHandler & /*prm*/)
+    {}
+
+    /** Whether each point must carry a simplex domain. */
+    virtual bool
+    needs_domains() const
+    {
+      return false;
+    }
+
+    /** Whether start_step() needs to know the cells' occupancy. */
+    virtual bool
+    needs_occupancy() const
+    {
+      return true;
+    }
+
+    /** Whether cut cells are integrated well enough for ties to help, see
+     * DiscreteExtension. */
+    virtual bool
+    ties_cut_cells() const
+    {
+      return true;
+    }
+
+    /** Whether stresses converge although points change cells. */
+    virtual bool
+    bears_changes_of_cells() const
+    {
+      return true;
+    }
+
+    /** Whether internal forces jump when a point changes its cell. */
+    virtual bool
+    forces_jump() const
+    {
+      return true;
+    }
+
+    /** Whether F of the points may be changed at will, see VolumeProjection. */
+    virtual bool
+    allows_change_of_F() const
+    {
+      return true;
+    }
+
+    /**
+     * Prepare weights, stencils and massless points of @p points, as gathered,
+     * for the coming step. Updates @p occupancy if @p with_occupancy.
+     * Collective.
+     */
+    virtual void
+    start_step(PointArrays<dim>        &points,
+               const PointLocator<dim> &locator,
+               const MixedKernel<dim>  &kernel,
+               const bool               with_occupancy,
+               CellOccupancy<dim>      &occupancy) const = 0;
+  };
+
+  /** Where point @p q of the occupied cell k of the list is, on the undeformed
+   * @p geometry. */
+  template <int dim>
+  Point<dim>
+  location_of_point(const SimplexGeometry<dim> &geometry,
+                    const PointArrays<dim>     &points,
+                    const unsigned int          k,
+                    const unsigned int          q);
+} // namespace isochor
+
+#endif

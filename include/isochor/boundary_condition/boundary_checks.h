@@ -1,0 +1,50 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_boundary_checks_h
+#define isochor_boundary_checks_h
+
+#include <isochor/equations/equation_term.h>
+
+#include <string>
+
+namespace isochor
+{
+  /**
+   * Warn if no active node is on the boundary called @p name, whose id is
+   * @p id (any if @p everywhere), so that the entry of @p parameter for it has
+   * no effect now. A wall that the body reaches later is a case in which it may
+   * be meant. Collective.
+   */
+  template <int dim>
+  void
+  warn_if_untouched(const StepContext<dim>  &step,
+                    const std::string       &parameter,
+                    const std::string       &name,
+                    const types::boundary_id id,
+                    const bool               everywhere = false);
+
+  /** A wall stands outside of the grid and pushes inwards: warn of a one-sided
+   * condition u >= ... (@p side 1) or u <= ... (-1) on @p component of
+   * @p boundary that could only push outwards. All ranks alike. */
+  template <int dim>
+  void
+  warn_of_wall_inside(const StepContext<dim> &step,
+                      const std::string      &boundary,
+                      const unsigned int      component,
+                      const int               side);
+
+  /** On a grid that is put back, a @p boundary that has pushed the body by
+   * @p push (m, along the axis @p component) out of the row of cells there
+   * hands hardly anything on to it: warn from half a cell on. All ranks alike.
+   */
+  template <int dim>
+  void
+  warn_of_lost_body(const StepContext<dim> &step,
+                    const std::string      &boundary,
+                    const unsigned int      component,
+                    const double            push);
+} // namespace isochor
+
+#endif

@@ -1,0 +1,185 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_boundary_condition_h
+#define isochor_boundary_condition_h
+
+#include <isochor/base/plugin_registry.h>
+#include <isochor/base/statistics.h>
+#include <isochor/equations/equation_term.h>
+#include <isochor/material_points/body_shape.h>
+
+#include <string>
+
+namespace isochor
+{
+  /**
+   * Interface of the boundary conditions and loads. To add one, write
+   * `source/boundary_condition/<name>.cc` with the class and its registration.
+   * Its parameters live in the subsection "Boundary conditions"; a condition
+   * whose parameters are left empty does nothing.
+   */
+  template <int dim>
+  class BoundaryCondition : public EquationTerm<dim>
+  {
+  public:
+    /** As it is registered. A checkpoint keeps its state by this name. */
+    std::string name;
+
+    /** For those that have none. */
+    static void
+    declare_parameters(ParameterHandler & /*prm*/)
+    {}
+    virtual void
+    parse_parameters(ParameterHandler & /*prm*/)
+    {}
+
+    /** Look up boundary names and the like; once, after the grid is made. */
+    virtual void
+    initialize(const BackgroundGrid<dim> & /*grid*/)
+    {}
+
+    /** The grid has been replaced (BackgroundGrid::change()): cells and
+     * vertices have other numbers. @p at_start: there was no step yet.
+     * Collective. */
+    virtual void
+    grid_changed(const BackgroundGrid<dim> & /*grid*/, const bool /*at_start*/)
+    {}
+
+    /** For conditions on the body: where it is at t = 0, and its points, which
+     * are set up anew before touch_vertices() is called. Both outlive this
+     * object. Once, before initialize(). */
+    virtual void
+    set_body(const BodyShape<dim> & /*shape*/,
+             const PointArrays<dim> & /*points*/)
+    {}
+
+    /** The first step is set up: warn of what can't be meant, as parts of the
+     * parameters that act on nothing. See scene_checks.h. Collective. */
+    virtual void
+    check_scene(const StepContext<dim> & /*step*/) const
+    {}
+
+    /** Prescribe increments of nodal unknowns over the step. */
+    virtual void
+    constrain(const StepContext<dim> & /*step*/,
+              NodalConstraints & /*constraints*/) const
+    {}
+
+    /** The search for the contact nodes of a step begins, or begins again
+     * after a failure: with those of the last step that was accepted. */
+    virtual void
+    start_contact()
+    {}
+
+    /** What check_contact() compares with zero. */
+    struct ContactTolerance
+    {
+      double force;    ///< N
+      double relative; ///< of penetrations to displacements of the step
+    };
+
+    /** Newton's method has converged: change what constrain() will prescribe
+     * where a one-sided condition is violated. @p reaction is the force of the
+     * boundary on the body at constrained unknowns (N). Returns why the search
+     * is to be given up, nothing as long as it goes on or if it has ended.
+     * Nodes that follow others (@p ties) because hardly any material touches
+     * them may go through a wall: where they are the body isn't. Collective. */
+    virtual std::string
+    check_contact(const StepContext<dim> & /*step*/,
+                  const NodalField & /*unknowns*/,
+                  const NodalField & /*reaction*/,
+                  const NodalTies & /*ties*/,
+                  const ContactTolerance & /*tolerance*/)
+    {
+      return {};
+    }
+
+    /** Add the dead loads at the end of the step (N) from this rank's cells,
+     * entry n_components * node + component. */
+    virtual void
+    add_external_force(const StepContext<dim> & /*step*/,
+                       NodalField & /*force*/) const
+    {}
+
+    /** Whether what assemble() adds is symmetric. */
+    virtual bool
+    has_symmetric_matrix() const
+    {
+      return true;
+    }
+
+    /** Whether assemble() adds a load that turns with the body, such as a
+     * pressure. */
+    virtual bool
+    follows_body() const
+    {
+      return false;
+    }
+
+    /** Whether assemble() sets this rank's part of the body in motion over the
+     * step. The first residual of such a step is no measure of forces. */
+    virtual bool
+    moves_body(const StepContext<dim> & /*step*/) const
+    {
+      return false;
+    }
+
+    /**
+     * For conditions that move_body(): a trial step in dynamics begins, of size
+     * @p trial_size (positive or negative, s), which looks for the initial
+     * acceleration; 0: it is over. What the condition prescribes is the
+     * increment h V + h²/2 A then, with V and A the velocity and acceleration
+     * of its motion at the start of @p step, by the parabola through its places
+     * at the start, the middle and the end. See InertiaTerm.
+     */
+    virtual void
+    set_trial(const StepContext<dim> & /*step*/, const double /*trial_size*/)
+    {}
+
+    /** In a trial: whether what is prescribed on this rank's part of the body
+     * has another velocity than the body, which has @p velocity (dim per node).
+     */
+    virtual bool
+    starts_suddenly(const StepContext<dim> & /*step*/,
+                    const NodalField & /*velocity*/) const
+    {
+      return false;
+    }
+
+    /** Add the forces on the body (N) that assemble() accounts for, as
+     * add_external_force(): what residuals are measured against. */
+    virtual void
+    add_boundary_force(const StepContext<dim> & /*step*/,
+                       const NodalField & /*unknowns*/,
+                       NodalField & /*force*/) const
+    {}
+
+    /** The step has converged: set columns of the statistics. Collective. */
+    virtual void
+    evaluate(const StepContext<dim> & /*step*/,
+             const NodalField & /*unknowns*/,
+             Statistics & /*statistics*/) const
+    {}
+
+    /** The step has converged: follow the body. Collective. */
+    virtual void
+    advance(const StepContext<dim> & /*step*/, const NodalField & /*unknowns*/)
+    {}
+
+    /** What has to survive a restart, the same text on all ranks. Collective.
+     */
+    virtual std::string
+    save_state() const
+    {
+      return {};
+    }
+    /** Called on all ranks, after initialize(). */
+    virtual void
+    load_state(const std::string & /*state*/)
+    {}
+  };
+} // namespace isochor
+
+#endif

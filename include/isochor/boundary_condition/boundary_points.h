@@ -1,0 +1,185 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_boundary_points_h
+#define isochor_boundary_points_h
+
+#include <isochor/equations/equation_term.h>
+#include <isochor/material_points/relocation.h>
+#include <isochor/material_points/surface_seeding.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * Boundary material points: massless points that lie on the surface of the
+   * body and follow it through the grid. Each carries a piece of the surface as
+   * the area vector A_0 (outward normal times area) of the reference
+   * configuration; the present one is Nanson's a = det F F^{-T} A_0 with the
+   * deformation gradient F of the body at the point.
+   *
+   * A point acts on the nodes of the cell it lies in, if that is occupied. On
+   * the surface it may as well lie in an empty cell: it then acts on the
+   * nearest occupied one, with the shape functions extrapolated. Where several
+   * cells are equally near (a point on a face, or next to a vertex) it acts on
+   * all of them, N_I and ∇N_I being the means; so that the choice depends
+   * neither on numbering nor on rounding. With points whose domains reach
+   * beyond their cells (CPDI), what counts is not whether a cell is occupied
+   * but whether all of its nodes are active. Each rank holds the points of its
+   * cells.
+   */
+  template <int dim>
+  class BoundaryPoints
+  {
+  public:
+    /** @p grid must outlive this object. */
+    explicit BoundaryPoints(const BackgroundGrid<dim> &grid);
+
+    const BackgroundGrid<dim> &
+    background_grid() const
+    {
+      return grid;
+    }
+
+    /** Begin with these points, the same on all ranks, at t = 0. */
+    void
+    seed(const std::vector<SurfacePoint<dim>> &seeds);
+
+    /** The grid has been replaced: go to the new cells. Points that are too
+     * large for these are split in two (2D) or four (3D) side by side, each
+     * with its part of the area; force and moment of a uniform load stay.
+     * Collective. */
+    void
+    change_grid();
+
+    /** Find the nodes each point acts on, and bring the points to the ranks
+     * that own their cells. For a step on a grid that was reset; while the grid
+     * is kept (see GridReset) they stay. Collective. */
+    void
+    locate(const PointArrays<dim> &body);
+
+    /** Move with the displacement increments in @p unknowns. At the end of a
+     * step. */
+    void
+    advance(const StepContext<dim> &step, const NodalField &unknowns);
+
+    unsigned int
+    size() const
+    {
+      return records.size();
+    }
+
+    /** Index of the surface of point @p b. */
+    unsigned int
+    surface(const unsigned int b) const
+    {
+      return static_cast<unsigned int>(records.payload(b)[surface_entry]);
+    }
+
+    Point<dim>
+    reference_location(const unsigned int b) const
+    {
+      return Point<dim>(records.locations[b] - displacement(b));
+    }
+
+    /** Total displacement up to the start of the step. */
+    Tensor<1, dim>
+    displacement(const unsigned int b) const;
+
+    /** A_0 (m^(dim-1)). */
+    Tensor<1, dim>
+    reference_area(const unsigned int b) const;
+
+    /** F at the start of the step. */
+    Tensor<2, dim>
+    F(const unsigned int b) const;
+
+    /** The nodes of a point, by vertex, with N_I and, with respect to the grid
+     * at the start of the step, ∇_n N_I. */
+    struct Stencil
+    {
+      unsigned int          n_nodes;
+      const unsigned int   *vertex;
+      const double         *shape;
+      const Tensor<1, dim> *gradient;
+    };
+
+    /** Valid after locate(). */
+    Stencil
+    stencil(const unsigned int b) const
+    {
+      const std::size_t begin = stencil_start[b];
+      return {static_cast<unsigned int>(stencil_start[b + 1] - begin),
+              &stencil_vertex[begin],
+              &stencil_shape[begin],
+              &stencil_gradient[begin]};
+    }
+
+    /** The size of the cells that point @p b acts on (m), see cell_size(). */
+    double
+    size_of_cells(const unsigned int b) const
+    {
+      return cell_sizes[b];
+    }
+
+    /** Of the body around the point (Pa), as it was last set. */
+    double
+    shear_modulus(const unsigned int b) const
+    {
+      return records.payload(b)[modulus_entry];
+    }
+    void
+    set_shear_modulus(const unsigned int b, const double G)
+    {
+      records.payloads[b * n_entries + modulus_entry] = G;
+    }
+
+    /** Append the vertices of all points' nodes. */
+    void
+    touch_vertices(std::vector<unsigned int> &vertices) const;
+
+    /** All points of all ranks as text. Collective. */
+    std::string
+    save_state() const;
+    /** To be called with the same text on all ranks; leaves each its own. */
+    void
+    load_state(const std::string &state);
+
+  private:
+    /** Split the points that are too large; how many there were. */
+    unsigned int
+    split();
+    /** Entries of a point's payload. */
+    static constexpr unsigned int surface_entry      = 0;
+    static constexpr unsigned int displacement_entry = 1;
+    static constexpr unsigned int area_entry         = 1 + dim;
+    static constexpr unsigned int F_entry            = 1 + 2 * dim;
+    static constexpr unsigned int modulus_entry      = 1 + 2 * dim + dim * dim;
+    static constexpr unsigned int n_entries          = 1 + modulus_entry;
+
+    class Candidates;
+
+    std::vector<unsigned int>
+    find_cells(const unsigned int b, const Candidates &candidates) const;
+    void
+    clear_stencils();
+    void
+    add_stencil(const unsigned int b, const std::vector<unsigned int> &cells);
+
+    const BackgroundGrid<dim>         &grid;
+    std::unique_ptr<PointLocator<dim>> locator;
+    PointRecords<dim>                  records;
+
+    std::vector<std::size_t>    stencil_start;
+    std::vector<unsigned int>   stencil_vertex;
+    std::vector<double>         stencil_shape;
+    std::vector<Tensor<1, dim>> stencil_gradient;
+    std::vector<double>         cell_sizes;
+  };
+} // namespace isochor
+
+#endif

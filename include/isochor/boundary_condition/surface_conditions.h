@@ -1,0 +1,72 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_surface_conditions_h
+#define isochor_surface_conditions_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <isochor/base/expression.h>
+#include <isochor/material_points/surface_seeding.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /** What is prescribed on a surface of the body. */
+  template <int dim>
+  struct SurfaceCondition
+  {
+    BodySurface<dim>             place;
+    std::vector<Expression<dim>> traction; ///< dim or none
+    std::vector<Expression<dim>> pressure; ///< one or none
+    std::array<std::vector<Expression<dim>>, dim>
+      displacement; ///< by component: one or none
+
+    bool
+    is_fixed() const
+    {
+      return std::any_of(displacement.begin(),
+                         displacement.end(),
+                         [](const auto &u) { return !u.empty(); });
+    }
+  };
+
+  /** The parameters of the conditions on the body's surface, in the subsection
+   * "Boundary conditions". */
+  template <int dim>
+  struct SurfaceConditions
+  {
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** Look up the boundaries of the grid. */
+    void
+    find_boundaries(const BackgroundGrid<dim> &grid);
+
+    std::vector<SurfaceCondition<dim>> surfaces;
+    unsigned int                       points_per_face = 3;
+    std::string                        body_mesh;
+    double                             penalty = 1e3;
+
+  private:
+    void
+    parse_tractions(ParameterHandler &prm);
+    void
+    parse_loads(ParameterHandler &prm);
+    void
+    parse_displacements(ParameterHandler &prm);
+    SurfaceCondition<dim> &
+    find_surface(const std::string &name, const std::string &parameter);
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,160 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_surface_forces_h
+#define isochor_surface_forces_h
+
+#include <isochor/boundary_condition/boundary_points.h>
+#include <isochor/boundary_condition/surface_conditions.h>
+#include <isochor/grid/prescribed_motion.h>
+
+namespace isochor
+{
+  /**
+   * Forces on the surface of the body, by boundary points b with reference area
+   * A_b:
+   *  - dead loads t per reference area: f_I = Σ_b N_I A_b t;
+   *  - a follower pressure p per present area: f_I = -Σ_b N_I p a_b;
+   *  - prescribed displacements ū by a penalty, component by component,
+   *    f_I = -Σ_b N_I β (G/h) A_b (u_b - ū), u_b the total displacement of the
+   *    point. The force of a surface on the body is Σ_b of that.
+   * Formulas are in the reference position.
+   */
+  template <int dim>
+  class SurfaceForces
+  {
+  public:
+    /** Both are kept by reference. */
+    SurfaceForces(const SurfaceConditions<dim> &conditions,
+                  BoundaryPoints<dim>          &points)
+      : conditions(conditions)
+      , points(points)
+    {}
+
+    /** Residual and tangent of one point; room for any number of nodes. */
+    struct PointElement
+    {
+      std::vector<double> residual, matrix;
+
+      void
+      reinit(const unsigned int n_dofs, const bool with_matrix)
+      {
+        residual.assign(n_dofs, 0.);
+        if (with_matrix)
+          matrix.assign(n_dofs * n_dofs, 0.);
+      }
+    };
+
+    /** Give the points that need it the G of their penalty: that of the body
+     * or, if it consists of several materials, the mean by volume around the
+     * point's nodes. After the points are located. Collective. */
+    void
+    find_shear_moduli(const StepContext<dim> &step) const;
+
+    const SurfaceCondition<dim> &
+    condition_at(const unsigned int b) const
+    {
+      return conditions.surfaces[points.surface(b)];
+    }
+
+    /** Whether point @p b adds to the matrix; dead loads don't. */
+    bool
+    has_element(const unsigned int b) const
+    {
+      return condition_at(b).is_fixed() || !condition_at(b).pressure.empty();
+    }
+
+    /** Prescribed displacements are increments of a trial from now on, see
+     * BoundaryCondition::set_trial(). */
+    void
+    set_trial(const StepContext<dim> &step, const double trial_size)
+    {
+      trial.size  = trial_size;
+      trial.start = step.old_time;
+      trial.end   = step.time;
+    }
+
+    /** What component @p a of the displacement of point @p b, which has to be
+     * prescribed, is to be at the end of the step or trial. */
+    double
+    target(const StepContext<dim> &step,
+           const unsigned int      b,
+           const unsigned int      a) const;
+
+    /** Whether that is another place than before. */
+    bool
+    moves(const StepContext<dim> &step,
+          const unsigned int      b,
+          const unsigned int      a) const
+    {
+      return (trial.size != 0 ?
+                target(step, b, a) :
+                prescribed_increment(condition_at(b).displacement[a].front(),
+                                     points.reference_location(b),
+                                     step.old_time,
+                                     step.time)) != 0;
+    }
+
+    /** Whether points with a prescribed component have another velocity than
+     * the body, which has @p velocity (dim per node). */
+    bool
+    starts_suddenly(const StepContext<dim> &step,
+                    const NodalField       &velocity) const;
+
+    /** The penalty's force on the body (N). */
+    Tensor<1, dim>
+    penalty_force(const StepContext<dim> &step,
+                  const NodalField       &unknowns,
+                  const unsigned int      b) const;
+
+    /** Penalty and pressure at point @p b, entries by node and component. */
+    EvaluationStatus
+    evaluate_point(const StepContext<dim> &step,
+                   const NodalField       &unknowns,
+                   const unsigned int      b,
+                   const bool              with_matrix,
+                   PointElement           &element) const;
+
+    /** Add the dead loads (N) to nodal forces. */
+    void
+    add_dead_loads(const StepContext<dim> &step, NodalField &force) const;
+
+  private:
+    /** β G/h A_b at a point. */
+    double
+    stiffness(const unsigned int b) const;
+    Tensor<1, dim>
+    displacement(const StepContext<dim> &step,
+                 const NodalField       &unknowns,
+                 const unsigned int      b) const;
+    void
+    add_penalty(const StepContext<dim> &step,
+                const NodalField       &unknowns,
+                const unsigned int      b,
+                const bool              with_matrix,
+                PointElement           &element) const;
+    EvaluationStatus
+    add_pressure(const StepContext<dim> &step,
+                 const NodalField       &unknowns,
+                 const unsigned int      b,
+                 const bool              with_matrix,
+                 PointElement           &element) const;
+
+    /** V and A, components @p a of the prescribed motion of point @p b at the
+     * start of the step that is tried. */
+    std::pair<double, double>
+    initial_motion(const unsigned int b, const unsigned int a) const;
+
+    const SurfaceConditions<dim> &conditions;
+    BoundaryPoints<dim>          &points;
+
+    struct Trial
+    {
+      double size  = 0;          ///< 0: none
+      double start = 0, end = 0; ///< of the step itself
+    } trial;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,232 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_cell_occupancy_h
+#define isochor_cell_occupancy_h
+
+#include <isochor/equations/mixed_kernel.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * Which cells the body occupies in a step, and where it ends: full and cut
+   * cells, holes, and what the cells hold. Known to each rank for its own cells
+   * and some layers of cells around them. What a step does here is
+   * proportional to the number of occupied cells.
+   *
+   * The body ends at vertices with an empty cell around them, and at *open*
+   * boundary faces of the grid, those that no condition holds in their normal
+   * direction. A held boundary is a wall that the body touches, or a symmetry
+   * plane.
+   */
+  template <int dim>
+  class CellOccupancy
+  {
+  public:
+    CellOccupancy(const BackgroundGrid<dim> &grid);
+
+    /** With a new grid. @p held(vertex, component) tells whether a
+     * displacement is prescribed there. */
+    template <typename Held>
+    void
+    initialize(const Held &held);
+
+    /**
+     * Take stock of @p points. If @p find_holes, a few empty cells in a row
+     * that occupied ones enclose face by face become holes; these then count
+     * as occupied. Collective.
+     */
+    void
+    update(const PointArrays<dim> &points,
+           const MixedKernel<dim> &kernel,
+           const bool              find_holes);
+
+    /** The content of an occupied cell, over all ranks. */
+    struct Content
+    {
+      unsigned int cell             = 0;
+      double       volume           = 0; ///< Σ J V_0 at t_n
+      double       reference_volume = 0; ///< Σ V_0
+      double       volume_times_G   = 0; ///< Σ V_0 G
+      /** Without points: the measure of the cell is its volume, with J and G in
+       * the mean of the cells around the hole. */
+      bool is_hole = false;
+    };
+
+    /** What @p cell holds; null if it is empty (or far from this rank). */
+    const Content *
+    content(const unsigned int cell) const
+    {
+      return entry_of_cell[cell] == numbers::invalid_unsigned_int ?
+               nullptr :
+               &contents[entry_of_cell[cell]];
+    }
+
+    const std::vector<Content> &
+    occupied_cells() const
+    {
+      return contents;
+    }
+
+    /** Whether some point touches the node at @p vertex. */
+    bool
+    is_active(const unsigned int vertex) const
+    {
+      return vertex_active[vertex] != 0;
+    }
+
+    /** Whether one of the cells at @p vertex is empty. */
+    bool
+    is_at_empty_cell(const unsigned int vertex) const
+    {
+      return n_occupied_at[vertex] < n_cells_at[vertex];
+    }
+
+    /** Whether an open face of the grid's boundary meets @p vertex. */
+    bool
+    is_at_open_boundary(const unsigned int vertex) const
+    {
+      return open_vertex[vertex] != 0;
+    }
+
+    /** Whether the body surely fills the occupied @p cell. */
+    bool
+    is_interior(const unsigned int cell) const;
+
+    /** Whether all nodes of @p cell are active. */
+    bool
+    is_closed(const unsigned int cell) const;
+
+    /** Cells that hold material of points in other cells, by their numbers; the
+     * cells around still count as next to an empty one. */
+    void
+    add_cells(const std::map<unsigned int, double> &cells);
+
+    /** Send @p values of this rank's cells to the ranks that are near them, and
+     * add those of their cells. Collective. */
+    void
+    share(std::map<unsigned int, double> &values) const;
+
+    /** The cells around a vertex. */
+    ArrayView<const unsigned int>
+    cells_at(const unsigned int vertex) const
+    {
+      return ArrayView<const unsigned int>(cells_at_vertices.data() +
+                                             cells_at_start[vertex],
+                                           cells_at_start[vertex + 1] -
+                                             cells_at_start[vertex]);
+    }
+
+    /** Other ranks with cells within some layers around @p vertex. What one
+     * rank knows there, they have to be told. */
+    ArrayView<const unsigned int>
+    ranks_near(const unsigned int vertex) const
+    {
+      const auto near = near_ranks.find(vertex);
+      return near == near_ranks.end() ?
+               ArrayView<const unsigned int>() :
+               ArrayView<const unsigned int>(near->second.data(),
+                                             near->second.size());
+    }
+
+    const BackgroundGrid<dim> &grid;
+
+  private:
+    void
+    find_cells_at_vertices();
+    void
+    find_near_ranks();
+    void
+    mark_open(const BoundaryFace &face);
+    void
+    clear();
+    void
+    activate(const unsigned int vertex);
+    Content &
+    entry(const unsigned int cell);
+    void
+    add_own(const PointArrays<dim> &points, const MixedKernel<dim> &kernel);
+    void
+    exchange();
+    std::set<unsigned int>
+    ranks_near_cell(const unsigned int cell) const;
+    void
+    add_received(const std::vector<double> &message);
+    void
+    find_hole_cells();
+    /** @p cell and the empty cells connected with it, as far as needed to see
+     * whether they are more than largest_hole. */
+    std::set<unsigned int>
+    empty_cells_around(const unsigned int cell) const;
+    /** The content of each cell of a gap, in units of the cell's measure: J and
+     * G in the mean of the cells around. Not a hole if the gap is too large or
+     * not enclosed. */
+    Content
+    fill_of_gap(const std::set<unsigned int> &gap) const;
+
+    /** Cells of a hole, at most, and how many layers of cells around its own a
+     * rank has to know to agree with the others on all of them. */
+    static constexpr unsigned int largest_hole  = (dim == 2 ? 6 : 2);
+    static constexpr unsigned int n_near_layers = largest_hole + 2;
+
+    std::vector<unsigned int>  cells_at_start, cells_at_vertices;
+    std::vector<unsigned int>  n_cells_at;
+    std::vector<unsigned char> open_vertex;
+    /** Other ranks with cells within n_near_layers around a vertex; only
+     * vertices where there are any. */
+    std::map<unsigned int, std::vector<unsigned int>> near_ranks;
+
+    std::vector<Content>       contents;
+    std::vector<unsigned int>  entry_of_cell;
+    std::vector<unsigned char> vertex_active;
+    std::vector<unsigned int>  active_list;
+    std::vector<unsigned int>  n_occupied_at;
+  };
+
+
+
+  template <int dim>
+  template <typename Held>
+  void
+  CellOccupancy<dim>::initialize(const Held &held)
+  {
+    const unsigned int n_vertices = grid.triangulation().n_vertices();
+    contents.clear();
+    active_list.clear();
+    near_ranks.clear();
+    entry_of_cell.assign(grid.geometry().n_cells(),
+                         numbers::invalid_unsigned_int);
+    vertex_active.assign(n_vertices, 0);
+    n_occupied_at.assign(n_vertices, 0);
+    open_vertex.assign(n_vertices, 0);
+    find_cells_at_vertices();
+    find_near_ranks();
+
+    for (const BoundaryFace &face : grid.boundary_faces())
+      {
+        const SimplexGeometry<dim> &geometry = grid.geometry();
+        Tensor<1, dim> n = geometry.gradients(face.cell)[face.opposite_vertex];
+        n /= n.norm();
+        double free_part = 0; // the largest of |n|^2 in components not held
+        for (unsigned int v = 0; v <= dim; ++v)
+          if (v != face.opposite_vertex)
+            {
+              double sum = 0;
+              for (unsigned int a = 0; a < dim; ++a)
+                if (!held(geometry.vertex_indices(face.cell)[v], a))
+                  sum += n[a] * n[a];
+              free_part = std::max(free_part, sum);
+            }
+        if (free_part > 0.5)
+          mark_open(face);
+      }
+  }
+} // namespace isochor
+
+#endif

@@ -1,0 +1,219 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_inertia_term_h
+#define isochor_inertia_term_h
+
+#include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/dynamics/mass_matrix.h>
+#include <isochor/dynamics/time_integrator.h>
+#include <isochor/equations/equation_term.h>
+
+#include <memory>
+
+namespace isochor
+{
+  template <int dim>
+  class BodyQuadrature;
+
+  /**
+   * Inertia with the consistent mass matrix, R_u = M ((1 - α) a_{n+1} + α a_n),
+   * and all that goes with it: velocities and accelerations of the nodes are
+   * the projections of those of the points (MassMatrix), where displacements
+   * are prescribed those of the prescribed motion; TimeIntegrator gives
+   * a_{n+1} and v_{n+1} at the end of the step, and the points take
+   *   a_p = Σ N_I a_I,  v_p = Σ N_I v_I + η (v_p,n - Σ N_I v_n,I),
+   * with η the part that is kept of what the nodes can't represent (0: all
+   * velocity is interpolated, PIC; 1: increments are, FLIP) and v_n,I without
+   * constraints. Only present in dynamic scenes.
+   *
+   * The acceleration a_n that a step starts with is either this projection, or
+   * (`Acceleration = from stresses`) the solution of
+   *   M a_n = f_ext(t_n) - Σ_p V_p σ_p ∇_n N_I + Σ_p m_p N_I d_p,
+   * with d = a_n - ((1 - α) a_n + α a_{n-1}) all that is carried by the points
+   * then. Over a step the forces that do work are then those of one grid, and
+   * what kinetic energy loses strain energy gains, whatever cells the points
+   * are in.
+   */
+  template <int dim>
+  class InertiaTerm : public EquationTerm<dim>
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm);
+    /** Whether the scene is dynamic. */
+    bool
+    parse_parameters(ParameterHandler          &prm,
+                     const BodyQuadrature<dim> &quadrature);
+
+    /** Take the points as they are at the start of the step. In the first one
+     * their accelerations count in any case. Collective. */
+    void
+    start_step(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      MaterialPoints<dim>                                        &points,
+      const bool                                                  is_first);
+
+    /**
+     * Give the unknowns held by @p constraints the velocity and acceleration of
+     * their prescribed motion, the parabola through its places at the start,
+     * the middle and the end of @p step, and project to the others. Has to be
+     * called whenever other unknowns are held than before. Collective.
+     *
+     * What a one-sided wall holds starts with what the points bring, so that
+     * the search for the nodes in contact doesn't change what it starts from,
+     * and ends with the motion of the wall: the impact is over within the step.
+     */
+    void
+    prescribe(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      const NodalConstraints                                     &constraints);
+
+    /** Whether prescribe() has been called in this step. */
+    bool
+    is_prescribed() const
+    {
+      return prescribed;
+    }
+
+    /**
+     * Look for the acceleration at the start of the first step. From now on the
+     * equations are those of a step of size @p trial_step (positive or
+     * negative) whose acceleration is constant and in equilibrium with what
+     * acts at its end:
+     *   Δu = h v_n + h²/2 a,   M a + f_int(u_n + Δu) = f_ext(0).
+     * Pressures that a constraint or a bulk modulus which the step does not
+     * resolve answer with are part of it. (Newmark's β = 1/2, γ = 1: a_n has no
+     * influence.) @p step is the first step itself.
+     */
+    void
+    start_trial(
+      const StepContext<dim>                                     &step,
+      const double                                                trial_step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
+    /** The increments of a trial: those of the prescribed motion in
+     * @p constraints. */
+    void
+    set_trial_increments(const StepContext<dim> &step,
+                         NodalConstraints       &constraints) const;
+    /**
+     * A trial was successful: add half of its acceleration to those of the
+     * points. If prescribed motions start suddenly, what the step does not
+     * resolve has to follow at once, too, or it would oscillate with each step:
+     * the points get the velocity (a_+ - a_-) h/4, which is V where the motion
+     * in both trials is all prescribed, and of second order in h for what h
+     * resolves. Collective.
+     */
+    void
+    finish_trial(
+      const StepContext<dim>                                     &step,
+      const NodalField                                           &unknowns,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      PointArrays<dim>                                           &points);
+    /** Whether the equations are those of a trial. */
+    bool
+    in_trial() const
+    {
+      return trial_size != 0;
+    }
+    /** Back to the equations of a step. */
+    void
+    end_trial(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
+
+    void
+    collect_elements(const StepContext<dim> &step,
+                     ElementNodes           &elements) override;
+
+    EvaluationStatus
+    assemble(const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             const NodalField       &pending,
+             const unsigned int      first_element,
+             const bool              with_matrix,
+             MixedSystem<dim>       &system) override;
+
+    /** The step has converged: compute what point() needs. */
+    void
+    finish_step(const StepContext<dim> &step, const NodalField &unknowns);
+
+    /** Velocity and acceleration of a point at the end of the step. */
+    std::pair<Tensor<1, dim>, Tensor<1, dim>>
+    point(const StepContext<dim>                   &step,
+          const typename PointArrays<dim>::Stencil &stencil,
+          const Tensor<1, dim>                     &old_velocity) const;
+
+    /** Velocity (m/s) of the body at t = 0, formulas in x, y(, z). */
+    std::string initial_velocity;
+
+  private:
+    /** Size of the step whose equations are assembled (s). */
+    double
+    step_size(const StepContext<dim> &step) const
+    {
+      return in_trial() ? trial_size : step.step_size();
+    }
+    const TimeIntegrator &
+    scheme() const
+    {
+      if (in_trial())
+        return trial_integrator;
+      return *integrator;
+    }
+
+    /** Whether held nodes move otherwise than the points. Collective. */
+    bool
+    starts_suddenly(const StepContext<dim> &step) const;
+    /** Loads minus internal forces at the start of the step, from the stresses
+     * of the points. Collective. */
+    void
+    collect_forces(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      MaterialPoints<dim>                                        &points);
+
+    /** M x = load at the entries not held, from the lumped solution. */
+    void
+    project(const StepContext<dim> &step,
+            const NodalField       &load,
+            const NodalTies        &ties,
+            NodalField             &solution,
+            const bool              with_domains = false) const;
+
+    std::unique_ptr<TimeIntegrator> integrator;
+    const NewmarkFamily             trial_integrator{0.5, 1., 0.};
+    double                          trial_size    = 0;
+    double                          kept_part     = 0; ///< η
+    bool                            from_stresses = false;
+    bool                            by_stresses   = false; ///< in this step
+
+    MassMatrix<dim> mass;
+    /** All with dim components per node. Σ_p m_p N_I v_p and M a_n; the
+     * projection of v_p; velocity and acceleration at the start of the step;
+     * and at its end, after finish_step(). */
+    NodalField momentum, force, projected, velocity, acceleration, new_velocity,
+      new_acceleration;
+    /** Prescribed entries, of local nodes. */
+    std::vector<unsigned char> held;
+    /** An entry that a one-sided wall holds, with the wall's velocity and
+     * acceleration at the end of the step. */
+    struct Stopped
+    {
+      unsigned int entry;
+      double       velocity, acceleration;
+    };
+    std::vector<Stopped> stopped;
+    bool                 prescribed = false;
+
+    /** What assemble() works with. */
+    NodalField                inertial_acceleration;
+    std::vector<unsigned int> nodes;
+    std::vector<double>       element_mass, element_residual, element_matrix;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,135 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_mass_matrix_h
+#define isochor_mass_matrix_h
+
+#include <isochor/equations/equation_term.h>
+
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * The consistent mass matrix M_IJ = Σ_p m_p N_I(x_p) N_J(x_p) and the
+   * projection of fields of the points to the nodes that goes with it,
+   *   M f_I = Σ_p m_p N_I f_p,
+   * the least-squares fit of Σ_I N_I f_I to the f_p. A field that nodes can
+   * represent comes back as it is, mass times field and its moment (linear and
+   * angular momentum of velocities) are kept by any. Where points hardly touch
+   * a node, M is nearly singular and f_I of such a node means little; but
+   * Σ_I N_I f_I at the points, all that is ever used, is bounded by the f_p in
+   * the norm Σ m_p f_p².
+   */
+  template <int dim>
+  class MassMatrix
+  {
+  public:
+    /** Take the points of @p step, and their nodes; if they have domains,
+     * @p with_domains also the inertia of these about their centres.
+     * Collective. */
+    void
+    reinit(const StepContext<dim> &step, const bool with_domains = false);
+
+    /** Elements of this rank: cells that hold points or, if points have
+     * stencils of their own, points. */
+    unsigned int
+    n_elements(const StepContext<dim> &step) const
+    {
+      return step.points.has_stencils() ? step.points.n_points() :
+                                          step.points.n_occupied_cells;
+    }
+
+    /** The nodes of an element. @p nodes is cleared first. */
+    void
+    element_nodes(const StepContext<dim>    &step,
+                  const unsigned int         element,
+                  std::vector<unsigned int> &nodes) const;
+
+    /** M_IJ of an element, by rows. */
+    void
+    element_matrix(const StepContext<dim> &step,
+                   const unsigned int      element,
+                   std::vector<double>    &matrix) const;
+
+    /** @p result = Σ_p m_p N_I f_p with f_p = @p field[p], dim components per
+     * node. Collective. */
+    void
+    collect(const StepContext<dim>            &step,
+            const std::vector<Tensor<1, dim>> &field,
+            NodalField                        &result) const;
+
+    /** @p result = M @p field, both of dim components per node; @p field has
+     * its ghosts updated. Collective. */
+    void
+    vmult(const StepContext<dim> &step,
+          const NodalField       &field,
+          NodalField             &result) const;
+
+    /**
+     * Solve M x = @p load for the entries of @p solution (dim per node) that
+     * are not @p held (one char per local entry); those that are stay as they
+     * are. Entries of nodes with @p ties follow others, and the load on them
+     * acts there. @p solution is where the iteration starts; its ghosts are
+     * updated at the end. Nodes without mass get zero. Collective.
+     *
+     * @p with_domains solves M + B instead, with the inertia against stretching
+     * of the points' domains,
+     *   v·B w = Σ_p D_p(v) : (C_p D_p(w)),   C_p = ∫ ρ (x - x_p) ⊗ (x - x_p)
+     * dv, D_p the symmetric part of Σ_I v_I ⊗ ∇N_pI. M has rank one for each
+     * point and component, and is singular where fewer points than nodes are; M
+     * + B, the mass of fields that are linear on the domains but for their
+     * spin, isn't. For loads that are not of the form Σ m_p N_I f_p, and can be
+     * anything in the directions that M can't see. B exerts neither force nor
+     * torque: linear and angular momentum are those of M.
+     * @return the residual relative to the load, in the norm of the diagonal;
+     * infinity, and @p solution as it was, if the iteration breaks down.
+     */
+    double
+    solve(const StepContext<dim>           &step,
+          const NodalField                 &load,
+          const std::vector<unsigned char> &held,
+          const NodalTies                  &ties,
+          NodalField                       &solution,
+          const bool                        with_domains = false) const;
+
+    /** Σ_p m_p N_I, by node. */
+    NodalField lumped;
+
+  private:
+    /** @p result += M @p field on this rank. */
+    void
+    add_product(const StepContext<dim> &step,
+                const NodalField       &field,
+                NodalField             &result) const;
+    /** The same with B. */
+    void
+    add_product_of_domains(const StepContext<dim> &step,
+                           const NodalField       &field,
+                           NodalField             &result) const;
+
+    /** Move what acts on tied entries to those they follow. Collective. */
+    void
+    hand_on(const StepContext<dim>           &step,
+            const std::vector<unsigned char> &held,
+            const NodalTies                  &ties,
+            NodalField                       &load) const;
+    /** Update ghosts, and set tied entries by those they follow. Collective. */
+    void
+    interpolate(const std::vector<unsigned char> &held,
+                const NodalTies                  &ties,
+                NodalField                       &field) const;
+
+    static constexpr unsigned int n_entries = (dim + 1) * (dim + 2) / 2;
+
+    /** M_IJ, J <= I, of the cells; empty if points have stencils. */
+    std::vector<std::array<double, n_entries>> cell_mass;
+    /** M_II, and G·C G that bounds B_II, by node. */
+    NodalField diagonal, diagonal_of_domains;
+    /** C_p by point (kg m^2). */
+    std::vector<SymmetricTensor<2, dim>> domain_inertia;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,147 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_mixed_kernel_h
+#define isochor_mixed_kernel_h
+
+#include <isochor/material_model/material_model.h>
+#include <isochor/material_points/material_points.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace isochor
+{
+  /** The longest history a material may have, so that hot loops need no heap.
+   */
+  constexpr unsigned int max_history = 16;
+
+  /** What can go wrong in an evaluation; the largest of all ranks counts. */
+  enum class EvaluationStatus : unsigned int
+  {
+    success           = 0,
+    inverted_point    = 1,
+    return_map_failed = 2
+  };
+
+  /**
+   * The part of the body that shares one list of nodes: a background cell with
+   * its points. Nodes are local to the element. Input is filled by the caller,
+   * output by the kernel. Unknown a of node I is entry I * n_components + a;
+   * the pressure, if any, is component dim.
+   *
+   * @tparam n_components dim for u, dim + 1 for u-p.
+   * @tparam max_nodes dim + 1 for cells (then n_nodes is ignored).
+   */
+  template <int dim, int n_components, std::size_t max_nodes>
+  struct Element
+  {
+    static constexpr int  n_max = max_nodes * n_components;
+    static constexpr bool mixed = (n_components == dim + 1);
+
+    unsigned int                          n_nodes = max_nodes;
+    std::array<Tensor<1, dim>, max_nodes> gradient;  ///< ∇_n N_I
+    std::array<Tensor<1, dim>, max_nodes> increment; ///< Δu_I
+    std::array<double, max_nodes>         pressure;  ///< p_I
+    std::array<double, n_max>             residual;
+    std::array<double, n_max * n_max>     matrix; ///< row-major, n_dofs wide
+
+    constexpr unsigned int
+    nodes() const
+    {
+      return max_nodes == dim + 1 ? dim + 1 : n_nodes;
+    }
+    constexpr unsigned int
+    n_dofs() const
+    {
+      return nodes() * n_components;
+    }
+  };
+
+  /**
+   * The discrete equations of one element, the only place where they stand.
+   * With V_p the reference volume a point integrates, τ = dev τ + p s 1 the
+   * Kirchhoff stress, g_I = ΔF^{-T} ∇_n N_I the spatial gradient of N_I:
+   *
+   *   R_u,I = Σ_p V_p τ g_I                                (P(12), P(18))
+   *   R_p,I = Σ_p V_p N_I (θ^e - p/K)                      (doc/method.md)
+   *
+   * u: p = K θ^e at the point. u-p: p = Σ_I N_I p_I. Tension is positive.
+   * In u-p a law whose strength depends on p is evaluated at that p, so that τ
+   * is on its yield surface. Without such laws both are the derivatives of
+   *   Π = Σ_p V_p [ W_dev(ΔF F_n) + p θ - p²/(2K) ],
+   * so that the matrix is symmetric and 1/K = 0 allowed.
+   */
+  template <int dim>
+  class MixedKernel
+  {
+  public:
+    std::vector<std::unique_ptr<MaterialModel<dim>>> materials;
+
+    /** α of the Polynomial Pressure Projection (Dohrmann & Bochev 2004), P(26);
+     * 0 for none. */
+    double ppp_coefficient = 0;
+
+    /**
+     * Residual and, if @p with_matrix, matrix of @p element from the points
+     * [begin, end) of @p points. @p shape(q, I) is N_I at point q.
+     */
+    template <int n_components, std::size_t max_nodes, typename Shape>
+    EvaluationStatus
+    evaluate(Element<dim, n_components, max_nodes> &element,
+             const PointArrays<dim>                &points,
+             const unsigned int                     begin,
+             const unsigned int                     end,
+             const Shape                           &shape,
+             const bool                             with_matrix) const;
+
+    /**
+     * The stabilisation of one cell, P(26) over the part of the cell that is
+     * filled: - α/G V (M_IJ - 1/(d+1)²) added to R_p and the matrix, with V the
+     * reference volume of the cell's points and M_IJ the P1 mass matrix of unit
+     * measure. In closed form: with a point at the centroid only, integration
+     * by points would give zero.
+     */
+    template <std::size_t max_nodes>
+    void
+    add_pressure_projection(Element<dim, dim + 1, max_nodes> &element,
+                            const double volume_over_shear_modulus,
+                            const bool   with_matrix) const;
+
+    /** The state at the end of the step of point @p q: what the convective
+     * phase stores. */
+    struct PointState
+    {
+      Tensor<2, dim>        F;
+      SymmetricTensor<2, 3> cauchy_stress;
+      double                pressure;          ///< p, from the nodes or K θ^e
+      double                volumetric_strain; ///< θ^e
+    };
+
+    /** @p nodal_pressure is Σ N_I p_I, ignored in the u form. @p history gets
+     * the new history. */
+    PointState
+    final_state(const PointArrays<dim> &points,
+                const unsigned int      q,
+                const Tensor<2, dim>   &F_increment,
+                const bool              mixed,
+                const double            nodal_pressure,
+                double                 *history) const;
+
+    /** Add @p correction to θ^e of point @p q: rescale its F, its @p history
+     * and the Cauchy stress, at unchanged p and dev τ. */
+    void
+    change_volume(const PointArrays<dim> &points,
+                  const unsigned int      q,
+                  const double            correction,
+                  Tensor<2, dim>         &F,
+                  SymmetricTensor<2, 3>  &cauchy_stress,
+                  double                 *history) const;
+  };
+} // namespace isochor
+
+#include <isochor/equations/mixed_kernel.templates.h>
+
+#endif

@@ -1,0 +1,383 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_mixed_kernel_templates_h
+#define isochor_mixed_kernel_templates_h
+
+#include <isochor/equations/mixed_kernel.h>
+#include <isochor/equations/nodal_unknowns.h>
+
+namespace isochor
+{
+  namespace internal
+  {
+    /** s = J θ'(J) of a volumetric measure, and J ds/dJ. */
+    struct PressureFactor
+    {
+      double s, Js_prime;
+
+      PressureFactor(const VolumetricMeasure measure, const double J)
+        : s(measure == VolumetricMeasure::jacobian ? J : 1.)
+        , Js_prime(measure == VolumetricMeasure::jacobian ? J : 0.)
+      {}
+    };
+
+    /** Sums over the points of an element: since P1 gradients are constant in
+     * an element, stress and modulus are summed before they meet gradients. */
+    template <int dim, std::size_t max_nodes>
+    struct ElementSums
+    {
+      /** In plane. The parts of p and of dev τ are apart until complete(). */
+      SymmetricTensor<2, dim>       stress;  ///< Σ V τ
+      SymmetricTensor<4, dim>       modulus; ///< Σ V of that of τ
+      double                        spherical        = 0; ///< Σ V p s
+      double                        spherical_change = 0; ///< Σ V p J ds/dJ
+      std::array<double, max_nodes> constraint{};         ///< R_p
+      std::array<double, max_nodes> s{};                  ///< Σ V N_I s
+      std::array<SymmetricTensor<2, dim>, max_nodes> volumetric_tangent;
+      /** Σ V N_I N_J (1/K - ∂θ^e/∂p). */
+      std::array<double, max_nodes * max_nodes> compressibility{};
+
+      /** Σ V N_I ∂(dev τ)/∂p, of laws that depend on p. */
+      bool                                           pressure_dependent = false;
+      std::array<SymmetricTensor<2, dim>, max_nodes> pressure_tangent;
+
+      /** A point's stress. */
+      void
+      add_stress(const StressResponse<dim> &response,
+                 const double               V,
+                 const double               p,
+                 const PressureFactor      &factor,
+                 const bool                 with_matrix)
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = i; j < dim; ++j)
+            stress[i][j] += V * response.deviatoric_stress[i][j];
+        spherical += V * p * factor.s;
+        if (!with_matrix)
+          return;
+        modulus += V * response.tangent;
+        spherical_change += V * p * factor.Js_prime;
+      }
+
+      /** In the u form p = K θ^e changes with the displacement. */
+      void
+      add_bulk_stiffness(const StressResponse<dim> &response,
+                         const double               V_K_s)
+      {
+        modulus += outer_product(V_K_s * unit_symmetric_tensor<dim>(),
+                                 response.volumetric_tangent);
+      }
+
+      /** A point's share of the pressure equation. @p N: its shape values. */
+      template <typename Shape>
+      void
+      add_constraint(const StressResponse<dim> &response,
+                     const double               V,
+                     const double               p,
+                     const double               inverse_K,
+                     const PressureFactor      &factor,
+                     const bool                 depends_on_pressure,
+                     const unsigned int         n_nodes,
+                     const Shape               &N,
+                     const bool                 with_matrix)
+      {
+        for (unsigned int I = 0; I < n_nodes; ++I)
+          {
+            const double VN = V * N(I);
+            constraint[I] += VN * (response.volumetric_strain - p * inverse_K);
+            if (!with_matrix)
+              continue;
+            s[I] += VN * factor.s;
+            volumetric_tangent[I] += VN * response.volumetric_tangent;
+            for (unsigned int J = 0; J < n_nodes; ++J)
+              compressibility[I * n_nodes + J] += VN * N(J) * inverse_K;
+            if (!depends_on_pressure)
+              continue;
+            pressure_dependent = true;
+            pressure_tangent[I] += VN * response.deviatoric_pressure_tangent;
+            for (unsigned int J = 0; J < n_nodes; ++J)
+              compressibility[I * n_nodes + J] -=
+                VN * N(J) * response.volumetric_pressure_tangent;
+          }
+      }
+
+      /** Add p's parts to stress and modulus. */
+      void
+      complete(const bool with_matrix)
+      {
+        const SymmetricTensor<2, dim> one = unit_symmetric_tensor<dim>();
+        stress += spherical * one;
+        if (!with_matrix)
+          return;
+        modulus += spherical_change * outer_product(one, one);
+        modulus -= (2 * spherical) * identity_tensor<dim>();
+      }
+    };
+
+    /** Matrix block of displacements: material part sym(e_a ⊗ g_I) : c :
+     * sym(e_b ⊗ g_J) and geometric part δ_ab g_I · τ g_J. */
+    template <int dim, int n_components, std::size_t max_nodes>
+    void
+    add_stiffness(Element<dim, n_components, max_nodes>       &element,
+                  const std::array<Tensor<1, dim>, max_nodes> &g,
+                  const SymmetricTensor<2, dim>               &stress,
+                  const SymmetricTensor<4, dim>               &modulus)
+    {
+      const unsigned int n = element.nodes(), n_dofs = element.n_dofs();
+      double             c[dim][dim][dim][dim];
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          for (unsigned int k = 0; k < dim; ++k)
+            for (unsigned int l = 0; l < dim; ++l)
+              c[i][j][k][l] = modulus[i][j][k][l];
+      for (unsigned int J = 0; J < n; ++J)
+        {
+          double cg[dim][dim][dim]; // c_aibl g_J,l
+          for (unsigned int a = 0; a < dim; ++a)
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int b = 0; b < dim; ++b)
+                {
+                  double sum = 0;
+                  for (unsigned int l = 0; l < dim; ++l)
+                    sum += c[a][i][b][l] * g[J][l];
+                  cg[a][i][b] = sum;
+                }
+          const Tensor<1, dim> stress_g = stress * g[J];
+          for (unsigned int I = 0; I < n; ++I)
+            {
+              const double geometric = g[I] * stress_g;
+              for (unsigned int a = 0; a < dim; ++a)
+                for (unsigned int b = 0; b < dim; ++b)
+                  {
+                    double sum = (a == b ? geometric : 0.);
+                    for (unsigned int i = 0; i < dim; ++i)
+                      sum += g[I][i] * cg[a][i][b];
+                    element.matrix[(I * n_components + a) * n_dofs +
+                                   J * n_components + b] = sum;
+                  }
+            }
+        }
+    }
+
+    /** Matrix blocks of u-p: Σ V (s 1 + ∂(dev τ)/∂p) g_I N_J, Σ V N_I ∂θ^e/∂d
+     * g_J, Σ V N_I N_J (∂θ^e/∂p - 1/K). */
+    template <int dim, std::size_t max_nodes>
+    void
+    add_coupling(Element<dim, dim + 1, max_nodes>            &element,
+                 const std::array<Tensor<1, dim>, max_nodes> &g,
+                 const ElementSums<dim, max_nodes>           &sums)
+    {
+      const unsigned int     n = element.nodes(), n_dofs = element.n_dofs();
+      constexpr unsigned int nc = dim + 1;
+      for (unsigned int I = 0; I < n; ++I)
+        for (unsigned int J = 0; J < n; ++J)
+          {
+            const Tensor<1, dim> theta_g = sums.volumetric_tangent[J] * g[I];
+            Tensor<1, dim>       force   = sums.s[J] * g[I];
+            if (sums.pressure_dependent)
+              force += sums.pressure_tangent[J] * g[I];
+            for (unsigned int a = 0; a < dim; ++a)
+              {
+                element.matrix[(I * nc + a) * n_dofs + J * nc + dim] = force[a];
+                element.matrix[(J * nc + dim) * n_dofs + I * nc + a] =
+                  theta_g[a];
+              }
+            element.matrix[(I * nc + dim) * n_dofs + J * nc + dim] =
+              -sums.compressibility[I * n + J];
+          }
+    }
+  } // namespace internal
+
+
+
+  template <int dim>
+  template <int n_components, std::size_t max_nodes, typename Shape>
+  EvaluationStatus
+  MixedKernel<dim>::evaluate(Element<dim, n_components, max_nodes> &element,
+                             const PointArrays<dim>                &points,
+                             const unsigned int                     begin,
+                             const unsigned int                     end,
+                             const Shape                           &shape,
+                             const bool with_matrix) const
+  {
+    constexpr bool     mixed = (n_components == dim + 1);
+    const unsigned int n     = element.nodes();
+
+    const Tensor<2, dim> F_increment = deformation_increment<dim>(
+      element.nodes(),
+      [&](const unsigned int I) -> const Tensor<1, dim> & {
+        return element.increment[I];
+      },
+      element.gradient.data());
+    if (!(determinant(F_increment) > 0))
+      return EvaluationStatus::inverted_point;
+    Kinematics<dim> kinematics;
+    kinematics.set_increment(F_increment);
+    kinematics.with_tangent                       = with_matrix;
+    const Tensor<2, dim>                  inverse = invert(F_increment);
+    std::array<Tensor<1, dim>, max_nodes> g;
+    for (unsigned int I = 0; I < n; ++I)
+      g[I] = element.gradient[I] * inverse;
+
+    internal::ElementSums<dim, max_nodes> sums;
+    StressResponse<dim>                   response;
+    std::array<double, max_history>       history;
+
+    for (unsigned int q = begin; q < end; ++q)
+      {
+        const MaterialModel<dim> &material = *materials[points.material[q]];
+        kinematics.F                       = F_increment * points.F[q];
+        kinematics.J                       = determinant(kinematics.F);
+        if (!(kinematics.J > 0))
+          return EvaluationStatus::inverted_point;
+        double p                  = 0;
+        bool   pressure_dependent = false;
+        if (mixed)
+          {
+            for (unsigned int I = 0; I < n; ++I)
+              p += shape(q, I) * element.pressure[I];
+            pressure_dependent = material.depends_on_pressure();
+            kinematics.pressure =
+              pressure_dependent ? std::optional<double>(p) : std::nullopt;
+          }
+        if (material.evaluate(kinematics,
+                              points.history.data() +
+                                q * std::size_t(points.n_history),
+                              history.data(),
+                              response) != StressStatus::success)
+          return EvaluationStatus::return_map_failed;
+
+        const double V         = points.weight[q];
+        const double inverse_K = material.inverse_bulk_modulus();
+        const internal::PressureFactor factor(material.volumetric_measure(),
+                                              kinematics.J);
+        if (!mixed)
+          p = response.volumetric_strain / inverse_K;
+        sums.add_stress(response, V, p, factor, with_matrix);
+        if (!mixed && with_matrix)
+          sums.add_bulk_stiffness(response, V * factor.s / inverse_K);
+        if (mixed)
+          sums.add_constraint(
+            response,
+            V,
+            p,
+            inverse_K,
+            factor,
+            pressure_dependent,
+            n,
+            [&](const unsigned int I) { return shape(q, I); },
+            with_matrix);
+      }
+    sums.complete(with_matrix);
+
+    for (unsigned int I = 0; I < n; ++I)
+      {
+        const Tensor<1, dim> force = sums.stress * g[I];
+        for (unsigned int a = 0; a < dim; ++a)
+          element.residual[I * n_components + a] = force[a];
+        if (mixed)
+          element.residual[I * n_components + n_components - 1] =
+            sums.constraint[I];
+      }
+    if (with_matrix)
+      {
+        internal::add_stiffness(element, g, sums.stress, sums.modulus);
+        if constexpr (mixed)
+          internal::add_coupling(element, g, sums);
+      }
+    return EvaluationStatus::success;
+  }
+
+
+
+  template <int dim>
+  template <std::size_t max_nodes>
+  void
+  MixedKernel<dim>::add_pressure_projection(
+    Element<dim, dim + 1, max_nodes> &element,
+    const double                      volume_over_shear_modulus,
+    const bool                        with_matrix) const
+  {
+    constexpr unsigned int nc     = dim + 1;
+    const unsigned int     n_dofs = element.n_dofs();
+    const double           scale  = ppp_coefficient * volume_over_shear_modulus;
+    for (unsigned int I = 0; I <= dim; ++I)
+      for (unsigned int J = 0; J <= dim; ++J)
+        {
+          const double entry =
+            scale * ((I == J ? 2. : 1.) / ((dim + 1) * (dim + 2)) -
+                     1. / ((dim + 1) * (dim + 1)));
+          element.residual[I * nc + dim] -= entry * element.pressure[J];
+          if (with_matrix)
+            element.matrix[(I * nc + dim) * n_dofs + J * nc + dim] -= entry;
+        }
+  }
+
+
+
+  template <int dim>
+  typename MixedKernel<dim>::PointState
+  MixedKernel<dim>::final_state(const PointArrays<dim> &points,
+                                const unsigned int      q,
+                                const Tensor<2, dim>   &F_increment,
+                                const bool              mixed,
+                                const double            nodal_pressure,
+                                double                 *history) const
+  {
+    const MaterialModel<dim> &material = *materials[points.material[q]];
+    Kinematics<dim>           kinematics;
+    kinematics.set_increment(F_increment);
+    kinematics.with_tangent = false;
+    kinematics.F            = F_increment * points.F[q];
+    kinematics.J            = determinant(kinematics.F);
+    if (mixed && material.depends_on_pressure())
+      kinematics.pressure = nodal_pressure;
+    StressResponse<dim> response;
+    material.evaluate(kinematics,
+                      points.history.data() + q * std::size_t(points.n_history),
+                      history,
+                      response);
+    PointState state;
+    state.F                 = kinematics.F;
+    state.volumetric_strain = response.volumetric_strain;
+    state.pressure =
+      mixed ? nodal_pressure :
+              response.volumetric_strain / material.inverse_bulk_modulus();
+    const internal::PressureFactor factor(material.volumetric_measure(),
+                                          kinematics.J);
+    state.cauchy_stress =
+      (response.deviatoric_stress +
+       state.pressure * factor.s * unit_symmetric_tensor<3>()) /
+      kinematics.J;
+    return state;
+  }
+
+
+
+  template <int dim>
+  void
+  MixedKernel<dim>::change_volume(const PointArrays<dim> &points,
+                                  const unsigned int      q,
+                                  const double            correction,
+                                  Tensor<2, dim>         &F,
+                                  SymmetricTensor<2, 3>  &cauchy_stress,
+                                  double                 *history) const
+  {
+    const MaterialModel<dim> &material = *materials[points.material[q]];
+    const double              J        = determinant(F);
+    const bool                logarithmic =
+      material.volumetric_measure() == VolumetricMeasure::logarithmic;
+    const double factor =
+      logarithmic ? std::exp(correction) : 1 + correction / J;
+    F *= std::pow(factor, 1. / dim);
+    material.rescale_volume(factor, history);
+    const SymmetricTensor<2, 3> one  = unit_symmetric_tensor<3>();
+    const double                mean = trace(cauchy_stress) / 3;
+    cauchy_stress                    = (cauchy_stress - mean * one) / factor +
+                    (logarithmic ? mean / factor : mean) * one;
+  }
+} // namespace isochor
+
+#endif

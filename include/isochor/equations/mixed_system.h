@@ -1,0 +1,175 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_mixed_system_h
+#define isochor_mixed_system_h
+
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <isochor/equations/active_nodes.h>
+#include <isochor/equations/element_nodes.h>
+#include <isochor/equations/nodal_constraints.h>
+#include <isochor/equations/tied_elements.h>
+#include <isochor/linear_solver/sparse_system.h>
+
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * The algebraic system of the free unknowns at the active nodes: equation
+   * numbers, sparsity pattern, and for each element where its entries go, so
+   * that assembly is additions at known places. Constrained unknowns have no
+   * equation; what they contribute goes to the right-hand side. Neither have
+   * tied ones (see NodalTies): their rows and columns, and the forces on them,
+   * go to the unknowns that they follow.
+   */
+  template <int dim>
+  class MixedSystem
+  {
+  public:
+    MixedSystem(const ActiveNodes<dim> &nodes);
+
+    /**
+     * Number the equations and lay out the matrix. Nothing is done if neither
+     * the active nodes (@p nodes_changed), the elements nor the constraints
+     * have changed since the last call; then the solver keeps its analysis.
+     * Collective.
+     */
+    void
+    reinit(const bool              nodes_changed,
+           const unsigned int      n_components,
+           const ElementNodes     &elements,
+           const NodalConstraints &constraints,
+           const bool              symmetric);
+
+    /** Zero the residual, and matrix and lifting if @p with_matrix. */
+    void
+    start_assembly(const bool with_matrix);
+
+    /**
+     * Add an element's residual (n_dofs) and, if not null, matrix (n_dofs x
+     * n_dofs by rows; of a symmetric one the upper triangle is read).
+     * @p pending holds per nodal unknown the part of the prescribed increments
+     * that is still to come; their columns go to the right-hand side.
+     */
+    void
+    add_element(const unsigned int e,
+                const double      *element_residual,
+                const double      *element_matrix,
+                const NodalField  &pending);
+
+    /** Sum the residual over ranks, subtract the dead loads @p external_force
+     * (summed up), and move what acts on tied unknowns to those they follow. */
+    void
+    finish_assembly(const NodalField &external_force);
+
+    /** The force (N; component dim: the volume defect) that was moved away from
+     * node k of the ties, if it is this rank's. Valid after finish_assembly().
+     */
+    double
+    tie_force(const unsigned int k, const unsigned int component) const
+    {
+      return tied.force(k, component);
+    }
+
+    /** Make @p vector one over the equations, if it isn't. Collective. */
+    void
+    shape(TrilinosWrappers::MPI::Vector &vector) const;
+
+    /** rhs = - residual - (columns of pending increments), free unknowns. */
+    void
+    right_hand_side(TrilinosWrappers::MPI::Vector &rhs) const;
+
+    /** Write the solution to the free and tied unknowns of @p field (others
+     * kept) and update its ghosts. */
+    void
+    to_nodes(const TrilinosWrappers::MPI::Vector &solution,
+             NodalField                          &field) const;
+
+    /** Set the tied unknowns of @p field, ghosts updated, by those that they
+     * follow; ghosts too. */
+    void
+    interpolate_ties(NodalField &field) const
+    {
+      tied.interpolate(field);
+    }
+
+    /** Equation of an entry of a nodal field, local number, or invalid. */
+    unsigned int
+    equation(const unsigned int entry) const
+    {
+      return equations[entry];
+    }
+
+    const SparseSystem &
+    matrix() const
+    {
+      return system;
+    }
+
+    /** Residual at all active nodes, constrained ones included: there it is
+     * the reaction. Valid after finish_assembly() on owned entries. */
+    NodalField residual;
+
+  private:
+    void
+    number_equations();
+    void
+    collect_neighbours();
+    void
+    build_rows();
+    void
+    find_blocks();
+    /** Add what two nodes share, by its strides in the element's matrix. */
+    void
+    add_block(const unsigned int row_node,
+              const unsigned int column_node,
+              const unsigned int offset,
+              const double      *block,
+              const unsigned int row_stride,
+              const unsigned int column_stride);
+    /** The elements with all nodes that their entries go to. */
+    const ElementNodes &
+    all_elements() const
+    {
+      return tied.empty() ? elements : tied.extended();
+    }
+    unsigned int
+    n_free(const unsigned int node) const
+    {
+      return node_first_free[node + 1] - node_first_free[node];
+    }
+
+    const ActiveNodes<dim>    &nodes;
+    unsigned int               n_components = 0;
+    ElementNodes               elements;
+    std::vector<unsigned char> constrained;
+    TiedElements               tied;
+    bool                       any_ties = false; ///< on any rank
+
+    SparseSystem              system;
+    std::vector<unsigned int> equations;
+    /** Prefix sums over nodes of the number of their free unknowns. */
+    std::vector<unsigned int> node_first_free;
+
+    /** Nodes with free unknowns in the order of their equations, and the
+     * neighbours of each in that order with the offset of their columns. */
+    std::vector<unsigned int> node_order, nodes_in_order;
+    std::vector<std::size_t>  neighbour_start;
+    std::vector<unsigned int> neighbour, neighbour_offset;
+
+    /** For each pair of an element's nodes (of a symmetric matrix once, the
+     * node first whose equations are) where in a row of the first one the
+     * columns of the second begin, counted as if the row began with those of
+     * its first neighbour: of a symmetric matrix, the node itself. */
+    std::vector<std::size_t>   block_start;
+    std::vector<unsigned int>  block_offset;
+    std::vector<unsigned char> element_is_constrained;
+
+    NodalField lifting;
+  };
+} // namespace isochor
+
+#endif

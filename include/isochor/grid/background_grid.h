@@ -1,0 +1,211 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_background_grid_h
+#define isochor_background_grid_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/fe/mapping_fe.h>
+
+#include <isochor/base/expression.h>
+#include <isochor/grid/adaptive_grid.h>
+#include <isochor/grid/simplex_geometry.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /** A face of the grid on its boundary. */
+  struct BoundaryFace
+  {
+    unsigned int       cell;            ///< active cell index
+    unsigned int       opposite_vertex; ///< the cell's vertex not on the face
+    types::boundary_id id;
+  };
+
+  /**
+   * The computational grid: a simplex triangulation, the names of its
+   * boundaries, and the cached affine geometry that everything hot works on.
+   * The grid does not know the body: the material points decide which cells
+   * take part.
+   *
+   * A grid of the type "adaptive" can be replaced, see change(). Cells and
+   * vertices then get other numbers: what is kept by number for longer than a
+   * step has to be told, or to look at mesh_number().
+   *
+   * Every rank knows the whole mesh (parallel::shared::Triangulation); cells
+   * are addressed by their active cell index, nodes by their vertex index.
+   */
+  template <int dim>
+  class BackgroundGrid
+  {
+  public:
+    BackgroundGrid(const MPI_Comm comm);
+
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** Generate or read the mesh. */
+    void
+    create();
+
+    /** Whether change() can be called: <Grid/Type = adaptive>. */
+    bool
+    is_adaptive() const
+    {
+      return forest != nullptr;
+    }
+
+    /** The forest of an adaptive grid. */
+    const AdaptiveGrid<dim> &
+    adaptive_grid() const
+    {
+      return *forest;
+    }
+
+    /**
+     * Replace the mesh by that of @p leaves, which belong to the ranks
+     * @p owners, as it is at @p time. geometry() stays the same object with
+     * other contents; all iterators and indices are void. The old
+     * triangulation is returned, so that what is attached to it can let go
+     * first. Collective.
+     */
+    std::unique_ptr<Triangulation<dim>>
+    change(const std::vector<Leaf<dim>>    &leaves,
+           const std::vector<unsigned int> &owners,
+           const double                     time);
+
+    /** By cell before the last change(): one near it now. */
+    const std::vector<unsigned int> &
+    cells_after_change() const
+    {
+      return new_cells;
+    }
+
+    /** Increases with each change(). */
+    unsigned int
+    mesh_number() const
+    {
+      return n_meshes;
+    }
+
+    /** Where the vertices are at @p time by the prescribed motion of the grid
+     * (parameter "Stretch"); where they were generated if there is none. */
+    std::vector<Point<dim>>
+    vertices_at_time(const double time) const;
+
+    /** Displace the vertices to @p positions (by vertex index). */
+    void
+    set_vertices(const std::vector<Point<dim>> &positions);
+
+    /** Whether the parameters prescribe a motion of the grid. */
+    bool
+    is_moving() const;
+
+    /** The id of the boundary called @p name; throws and lists the names if
+     * there is none, naming @p parameter. */
+    types::boundary_id
+    boundary_id(const std::string &name, const std::string &parameter) const;
+
+    /** Names and ids of all boundaries. */
+    const std::map<std::string, types::boundary_id> &
+    boundary_names() const;
+
+    const std::vector<BoundaryFace> &
+    boundary_faces() const;
+
+    /** Names and ids of the physical groups of cells of a gmsh grid. */
+    const std::map<std::string, types::material_id> &
+    group_ids() const;
+
+    /** The name of the boundary through which one leaves the grid from the
+     * centre of @p cell to @p x, for messages. */
+    std::string
+    boundary_crossed(const unsigned int cell, const Point<dim> &x) const;
+
+    /** Rank that owns the node at vertex @p vertex. */
+    unsigned int
+    vertex_owner(const unsigned int vertex) const
+    {
+      return vertex_owners[vertex];
+    }
+
+    const parallel::shared::Triangulation<dim> &
+    triangulation() const;
+    const SimplexGeometry<dim> &
+    geometry() const;
+    const Mapping<dim> &
+    mapping() const;
+    MPI_Comm
+    communicator() const;
+
+  private:
+    using SharedTriangulation = parallel::shared::Triangulation<dim>;
+
+    /** An empty one. */
+    std::unique_ptr<SharedTriangulation>
+    new_triangulation() const;
+    void
+    create_structured();
+    /** The coarse cells of an adaptive grid. */
+    CoarseGrid<dim>
+    make_coarse_grid();
+    /** Take over what follows from a new mesh. */
+    void
+    read_mesh_data();
+    Point<dim>
+    place_in_box(const Point<dim> &unit) const;
+    Point<dim>
+    place_in_trapezoid(const Point<dim> &unit) const;
+    void
+    read_gmsh();
+    void
+    collect_boundary();
+    void
+    assign_owners();
+    Point<dim>
+    place_at_time(const Point<dim> &reference, const double time) const;
+
+    struct Parameters
+    {
+      std::string               type, coarse_type;
+      Point<dim>                lower, upper;
+      std::vector<Point<2>>     corners;
+      double                    depth;
+      std::vector<unsigned int> subdivisions;
+      std::vector<double>       offset;
+      std::string               diagonals;
+      std::string               file;
+      int                       stretch_axis = -1;
+    } parameters;
+
+    const MPI_Comm                            comm;
+    std::unique_ptr<SharedTriangulation>      tria;
+    MappingFE<dim>                            p1_mapping;
+    std::unique_ptr<SimplexGeometry<dim>>     cached_geometry;
+    std::unique_ptr<AdaptiveGrid<dim>>        forest;
+    unsigned int                              n_meshes = 0;
+    std::vector<unsigned int>                 new_cells;
+    std::map<std::string, types::boundary_id> names;
+    std::map<std::string, types::material_id> group_names;
+    std::vector<BoundaryFace>                 faces;
+    std::vector<unsigned int>                 vertex_owners;
+    /** Vertices as generated, before any motion of the grid. */
+    std::vector<Point<dim>> reference_vertices;
+    /** Planes that move with the prescribed motion, and how. */
+    std::vector<double>        stretch_planes;
+    std::vector<Expression<1>> plane_displacement;
+  };
+} // namespace isochor
+
+#endif

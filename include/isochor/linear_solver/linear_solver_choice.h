@@ -1,0 +1,79 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_linear_solver_choice_h
+#define isochor_linear_solver_choice_h
+
+#include <isochor/base/warnings.h>
+#include <isochor/linear_solver/linear_solver.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * The linear solver of a run: the one that the parameters name or, with
+   * `auto`, for each matrix the direct or the iterative one, by the number of
+   * equations. Where an iterative solver fails, the direct one takes over, with
+   * a warning, as long as the pattern of the matrix stays.
+   */
+  class LinearSolverChoice : public LinearSolver
+  {
+  public:
+    explicit LinearSolverChoice(Warnings &warnings);
+
+    /** The names of the solvers that may do the work if @p solver is the
+     * parameter's value. */
+    static std::vector<std::string>
+    candidates(const std::string &solver);
+
+    /** Those of all solvers, too. */
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm) override;
+
+    /** Whether the one in use is. */
+    bool
+    is_iterative() const override;
+
+    void
+    set_accuracy(const SolutionAccuracy &accuracy) override;
+
+    LinearSolverReport
+    factorise(const SparseSystem &A) override;
+
+    LinearSolverReport
+    solve(const TrilinosWrappers::MPI::Vector &b,
+          TrilinosWrappers::MPI::Vector       &x) override;
+
+  private:
+    /** The one that @p A calls for. */
+    LinearSolver &
+    choose(const SparseSystem &A) const;
+
+    /** Factorise @p A directly since @p failure befell the iterative solver. */
+    LinearSolverReport
+    fall_back(const SparseSystem &A, const std::string &failure);
+
+    Warnings &warnings;
+
+    /** The two that `auto` chooses from, or the one named and, if that is
+     * iterative, the one to fall back to. */
+    std::unique_ptr<LinearSolver> direct, iterative;
+    std::string                   iterative_name;
+    bool                          automatic             = false;
+    unsigned int                  largest_direct_system = 0;
+
+    LinearSolver       *in_use = nullptr;
+    const SparseSystem *matrix = nullptr;
+    /** The pattern that the iterative solver has failed with, 0: none. Nothing
+     * else is remembered: a resumed run would not know. */
+    unsigned long failed_pattern = 0;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,54 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+#ifndef isochor_isochoric_elasticity_h
+#define isochor_isochoric_elasticity_h
+
+#include <isochor/material_model/material_model.h>
+#include <isochor/material_model/tensor_tools.h>
+
+namespace isochor
+{
+  /**
+   * The spatial modulus of dev τ = G dev b̄ (Lie derivative, in Pa):
+   *   2 μ̄ (I - 1/3 1⊗1) - 2/3 (dev τ ⊗ 1 + 1 ⊗ dev τ),  μ̄ = G tr b̄ / 3
+   * (Simo & Hughes 1998, Box 9.2, the trial modulus).
+   */
+  template <int dim>
+  inline SymmetricTensor<4, dim>
+  isochoric_modulus(const double mu_bar, const SymmetricTensor<2, 3> &dev_tau)
+  {
+    constexpr unsigned int n =
+      SymmetricTensor<2, dim>::n_independent_components;
+    const SymmetricTensor<2, dim> s = in_plane<dim>(dev_tau);
+
+    SymmetricTensor<4, dim> modulus;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          const bool   row_normal = i < dim, column_normal = j < dim;
+          const double identity = (i != j ? 0. : row_normal ? 1. : 0.5);
+          modulus.access_raw_entry(i * n + j) =
+            2 * mu_bar *
+              (identity - (row_normal && column_normal ? 1. / 3. : 0.)) -
+            2. / 3. *
+              ((column_normal ? s.access_raw_entry(i) : 0.) +
+               (row_normal ? s.access_raw_entry(j) : 0.));
+        }
+    return modulus;
+  }
+
+  /** Volume change is elastic, θ^e = J - 1 and ∂θ^e/∂d = J 1: the volumetric
+   * half of the answer of a law with isochoric flow. */
+  template <int dim>
+  inline void
+  set_elastic_volume_change(const double J, StressResponse<dim> &response)
+  {
+    response.volumetric_strain  = J - 1;
+    response.volumetric_tangent = J * unit_symmetric_tensor<dim>();
+  }
+} // namespace isochor
+
+#endif

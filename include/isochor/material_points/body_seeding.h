@@ -1,0 +1,87 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_body_seeding_h
+#define isochor_body_seeding_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <isochor/grid/background_grid.h>
+#include <isochor/material_points/seeding.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /** A material point about to be. */
+  template <int dim>
+  struct Seed
+  {
+    Point<dim>   location;
+    unsigned int cell; ///< of the grid
+    double       volume;
+    /** The corners of its domain relative to it; zero if it has none. */
+    CornerVectors<dim> domain;
+    unsigned int       material = 0;
+  };
+
+  /**
+   * Where the material points are at t = 0, and what volume and material each
+   * has: in the cells of the grid or of a mesh of the body, or on a lattice.
+   * Reads the subsection "Material points".
+   */
+  template <int dim>
+  class BodySeeding
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm);
+    /** Throws for parameters that exclude each other. */
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** All points of the body, the same on all ranks, with simplex domains if
+     * @p with_domains. Throws if none lies in the @p grid. */
+    std::vector<Seed<dim>>
+    seeds(const BackgroundGrid<dim> &grid,
+          const bool                 with_domains,
+          const unsigned int         n_materials) const;
+
+  private:
+    struct Parameters
+    {
+      unsigned int             points_per_cell = 0; ///< 0: by quadrature
+      std::string              zones;
+      std::string              region = "1";
+      std::vector<std::string> groups;
+      std::string              body_mesh;
+      double                   lattice_spacing = 0;
+      std::string              material_zones;
+    } parameters;
+
+    void
+    check_combinations() const;
+    std::vector<Seed<dim>>
+    seeds_in_cells(const SimplexGeometry<dim>                      &geometry,
+                   const std::map<std::string, types::material_id> &group_ids,
+                   const bool with_domains) const;
+    std::vector<Seed<dim>>
+    seeds_in_body_mesh(const BackgroundGrid<dim> &grid,
+                       const bool                 with_domains) const;
+    std::vector<Seed<dim>>
+    seeds_on_lattice(const BackgroundGrid<dim> &grid,
+                     const bool                 with_domains) const;
+    /** Find the grid cell of each seed; drop those outside of the grid. */
+    void
+    locate(const BackgroundGrid<dim> &grid,
+           std::vector<Seed<dim>>    &seeds) const;
+    void
+    choose_materials(const unsigned int      n_materials,
+                     std::vector<Seed<dim>> &seeds) const;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,386 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_material_points_h
+#define isochor_material_points_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/particles/particle_handler.h>
+
+#include <isochor/grid/background_grid.h>
+#include <isochor/material_model/material_model.h>
+#include <isochor/material_model/tensor_tools.h>
+#include <isochor/material_points/body_seeding.h>
+#include <isochor/material_points/point_locator.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /**
+   * Where each field of a material point stands in its block of particle
+   * properties. The one layout that seeding, output, checkpoint and the
+   * exchange between ranks share. A scene carries only the fields it needs.
+   */
+  struct PointLayout
+  {
+    unsigned int volume       = 0; ///< reference volume V_0 (m^dim)
+    unsigned int mass         = 0; ///< kg
+    unsigned int material     = 0; ///< index of the material
+    unsigned int displacement = 0; ///< total displacement (m), dim components
+    unsigned int F            = 0; ///< deformation gradient, dim x dim by rows
+    unsigned int pressure = 0; ///< p, conjugate to θ (Pa), tension positive
+    unsigned int stress   = 0; ///< Cauchy: xx, yy, zz, xy(, xz, yz) (Pa)
+    unsigned int velocity = 0; ///< m/s, only in dynamics
+    unsigned int acceleration = 0; ///< m/s^2, only in dynamics
+    unsigned int history      = 0; ///< of the material, n_history components
+    unsigned int n_history    = 0;
+    bool         dynamic      = false;
+    /** Corners 1 ... dim of the point's simplex domain at t = 0, relative to
+     * the point (m), the first being minus their sum; only if with_domains. */
+    unsigned int domain       = 0;
+    bool         with_domains = false;
+    /** The size of cells that the point asks for (m), 0: as it is; only on
+     * adaptive grids. */
+    unsigned int cell_size      = 0;
+    bool         with_cell_size = false;
+    unsigned int n_properties   = 0;
+
+    PointLayout() = default;
+    PointLayout(const unsigned int dim,
+                const unsigned int n_history,
+                const bool         dynamic,
+                const bool         with_domains   = false,
+                const bool         with_cell_size = false);
+  };
+
+  /** F of a point from its @p properties. */
+  template <int dim>
+  Tensor<2, dim>
+  deformation_gradient(const double *properties, const PointLayout &layout)
+  {
+    Tensor<2, dim> F;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        F[i][j] = properties[layout.F + i * dim + j];
+    return F;
+  }
+
+  /**
+   * The material points of this rank in typed arrays, ordered by cell: what
+   * the hot loops of one step work on. Cell k of the list `cell` holds the
+   * points cell_start[k] <= q < cell_start[k+1].
+   *
+   * Behind the cells with material points may stand cells with massless points
+   * of integration that live for one step (see BodyQuadrature); also ascending.
+   */
+  template <int dim>
+  struct PointArrays
+  {
+    std::vector<unsigned int> cell;       ///< occupied cells, ascending
+    std::vector<unsigned int> cell_start; ///< size cell.size() + 1
+    unsigned int n_occupied_cells = 0;    ///< cells with material points
+
+    std::vector<std::array<double, dim + 1>> shape;  ///< N_I at the point
+    std::vector<double>                      volume; ///< V_0
+    std::vector<double>                      mass;
+    std::vector<double>                      weight; ///< volume of integration
+    std::vector<double>                      pressure;
+    std::vector<Tensor<2, dim>>              F;
+    std::vector<unsigned char>               material; ///< its index
+    std::vector<double>         history; ///< n_history values a point
+    std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
+    /** Domains at t = 0, if the layout has them. */
+    std::vector<CornerVectors<dim>> domain;
+
+    /**
+     * If points reach beyond their cell: their nodes in compressed-row form,
+     * by vertex, with N_I and its gradient. Empty otherwise.
+     */
+    std::vector<std::size_t>    stencil_start;
+    std::vector<unsigned int>   stencil_vertex;
+    std::vector<double>         stencil_shape;
+    std::vector<Tensor<1, dim>> stencil_gradient;
+    /** Pairs (point, cell) for the corners of domains, at least dim + 1 a
+     * point: the cells whose nodes corners touch. */
+    std::vector<std::pair<unsigned int, unsigned int>> corner_cells;
+    /** Cells that domains overlap and all of whose nodes are active, with the
+     * part of the points' Σ V_0/G in them. */
+    std::vector<std::pair<unsigned int, double>> overlapped_cells;
+
+    /** A cell as the motion of the body since the last reset of the grid has
+     * deformed it: its vertices and the gradients of its N_I. */
+    struct DeformedCell
+    {
+      std::array<Point<dim>, dim + 1>     corners;
+      std::array<Tensor<1, dim>, dim + 1> gradients;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &corners &gradients;
+      }
+    };
+    /** By cell of the list; empty as long as they are undeformed. See
+     * GridReset. */
+    std::vector<DeformedCell> deformed_cell;
+
+    unsigned int n_history = 0;
+
+    /** Vertex @p v of cell k of the list at the start of the step. */
+    const Point<dim> &
+    corner(const SimplexGeometry<dim> &geometry,
+           const unsigned int          k,
+           const unsigned int          v) const
+    {
+      return deformed_cell.empty() ?
+               geometry.vertices()[geometry.vertex_indices(cell[k])[v]] :
+               deformed_cell[k].corners[v];
+    }
+
+    /** ∇_n N_I in cell k of the list: with respect to the grid at the start of
+     * the step. */
+    const std::array<Tensor<1, dim>, dim + 1> &
+    gradients(const SimplexGeometry<dim> &geometry, const unsigned int k) const
+    {
+      return deformed_cell.empty() ? geometry.gradients(cell[k]) :
+                                     deformed_cell[k].gradients;
+    }
+
+    /** Barycentric coordinates of @p x with respect to cell k of the list at
+     * the start of the step. */
+    typename SimplexGeometry<dim>::Barycentric
+    barycentric(const SimplexGeometry<dim> &geometry,
+                const unsigned int          k,
+                const Point<dim>           &x) const
+    {
+      if (deformed_cell.empty())
+        return geometry.barycentric(cell[k], x);
+      typename SimplexGeometry<dim>::Barycentric lambda;
+      const Tensor<1, dim> distance = x - deformed_cell[k].corners[0];
+      lambda[0]                     = 1.;
+      for (unsigned int i = 1; i <= dim; ++i)
+        {
+          lambda[i] = deformed_cell[k].gradients[i] * distance;
+          lambda[0] -= lambda[i];
+        }
+      return lambda;
+    }
+
+    /** Give deformed_cell its entries, if it has none: undeformed cells. */
+    void
+    deform_cells(const SimplexGeometry<dim> &geometry)
+    {
+      if (!deformed_cell.empty())
+        return;
+      std::vector<DeformedCell> cells(cell.size());
+      for (unsigned int k = 0; k < cell.size(); ++k)
+        {
+          for (unsigned int v = 0; v <= dim; ++v)
+            cells[k].corners[v] = corner(geometry, k, v);
+          cells[k].gradients = gradients(geometry, k);
+        }
+      deformed_cell.swap(cells);
+    }
+
+    /** Where the occupied cell @p c stands in the list. */
+    unsigned int
+    position(const unsigned int c) const
+    {
+      return std::lower_bound(cell.begin(),
+                              cell.begin() + n_occupied_cells,
+                              c) -
+             cell.begin();
+    }
+
+    /** Whether points have stencils of their own. */
+    bool
+    has_stencils() const
+    {
+      return !stencil_start.empty();
+    }
+
+    /** The nodes of a point. */
+    struct Stencil
+    {
+      unsigned int          n_nodes;
+      const unsigned int   *vertex;
+      const double         *shape;
+      const Tensor<1, dim> *gradient;
+    };
+
+    /** The nodes of point @p q in cell k of the list. */
+    Stencil
+    stencil(const SimplexGeometry<dim> &geometry,
+            const unsigned int          k,
+            const unsigned int          q) const
+    {
+      if (!has_stencils())
+        return {dim + 1,
+                geometry.vertex_indices(cell[k]).data(),
+                shape[q].data(),
+                gradients(geometry, k).data()};
+      const std::size_t begin = stencil_start[q];
+      return {static_cast<unsigned int>(stencil_start[q + 1] - begin),
+              &stencil_vertex[begin],
+              &stencil_shape[begin],
+              &stencil_gradient[begin]};
+    }
+
+    /** Whether @p c is in the list of cells. */
+    bool
+    contains_cell(const unsigned int c) const
+    {
+      const auto middle = cell.begin() + n_occupied_cells;
+      return std::binary_search(cell.begin(), middle, c) ||
+             std::binary_search(middle, cell.end(), c);
+    }
+
+    unsigned int
+    n_points() const
+    {
+      return volume.size();
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
+        &pressure &F &material &history &velocity &acceleration &domain
+          &stencil_start &stencil_vertex &stencil_shape &stencil_gradient
+            &corner_cells &overlapped_cells &deformed_cell &n_history;
+    }
+  };
+
+  /** Thrown on all ranks if points left the grid. */
+  class ExcPointsLeftGrid : public StandardExceptions::ExcMessage
+  {
+  public:
+    using StandardExceptions::ExcMessage::ExcMessage;
+  };
+
+  /** How many materials there may be: their index is an unsigned char. */
+  constexpr unsigned int max_materials = 256;
+
+  /** The body: owner of the ParticleHandler that stores the points. */
+  template <int dim>
+  class MaterialPoints
+  {
+  public:
+    MaterialPoints(const BackgroundGrid<dim> &grid);
+
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** Fill the body with points. Throws if none lies in the grid. */
+    void
+    seed(const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
+         const bool                                              dynamic,
+         const std::string &initial_velocity,
+         const bool         with_domains = false);
+
+    /**
+     * Let @p change replace the mesh of the grid (it returns what
+     * BackgroundGrid::change() does), and put the points into the new cells.
+     * They must lie in the cells that they are in. Collective.
+     */
+    void
+    change_grid(
+      const PointLocator<dim>                                    &locator,
+      const std::function<std::unique_ptr<Triangulation<dim>>()> &change);
+
+    /** Copy the points into @p arrays, ordered by cell. */
+    void
+    gather(PointArrays<dim> &arrays);
+
+    /** Copy what a step changes (F, pressure, history, velocity, acceleration)
+     * into @p arrays, which gather() has filled since the points were last
+     * located. */
+    void
+    update(PointArrays<dim> &arrays);
+
+    /**
+     * Call @p update(k, q, location, properties) for each point q of each
+     * occupied cell k in the order of the last gather(). It may change the
+     * location and the properties.
+     */
+    template <typename Function>
+    void
+    for_each(const Function &update)
+    {
+      unsigned int q = 0;
+      for (unsigned int k = 0; k < groups.size(); ++k)
+        {
+          auto particle = groups[k].first;
+          for (unsigned int i = 0; i < groups[k].n_points; ++i, ++particle, ++q)
+            {
+              Point<dim> location = particle->get_location();
+              update(k, q, location, particle->get_properties());
+              particle->set_location(location);
+            }
+        }
+    }
+
+    /** Bring every point to the cell and rank where it now lies.
+     * @throws ExcPointsLeftGrid if points left the grid, saying where; they are
+     * then kept in the cells they were in. Collective. */
+    types::particle_index
+    relocate(const PointLocator<dim> &locator);
+
+    Particles::ParticleHandler<dim> &
+    handler();
+    const Particles::ParticleHandler<dim> &
+    handler() const;
+    const PointLayout &
+    layout() const;
+
+    /** Sum over all points and ranks. */
+    double
+    total_reference_volume() const;
+
+  private:
+    /** The consecutive points of a cell in the handler. */
+    struct Group
+    {
+      unsigned int                     cell;
+      Particles::ParticleIterator<dim> first;
+      unsigned int                     n_points;
+    };
+
+    /** Find the groups. */
+    void
+    group_by_cell();
+    /** Call @p copy(q, cell, location, properties) for all points in the order
+     * of the arrays. */
+    template <typename Function>
+    void
+    for_each_in_arrays(const Function &copy) const;
+
+    void
+    insert(const std::vector<Seed<dim>>                           &seeds,
+           const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials);
+    void
+    set_velocity(const std::string &formulas);
+
+    const BackgroundGrid<dim>      &grid;
+    BodySeeding<dim>                seeding;
+    PointLayout                     point_layout;
+    Particles::ParticleHandler<dim> particles;
+    std::vector<Group>              groups;
+  };
+} // namespace isochor
+
+#endif

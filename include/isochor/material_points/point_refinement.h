@@ -1,0 +1,83 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_point_refinement_h
+#define isochor_point_refinement_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <isochor/grid/background_grid.h>
+#include <isochor/material_points/material_points.h>
+#include <isochor/material_points/point_locator.h>
+
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * Splits material points that are too large for the cells: where the body is
+   * stretched, or small cells of a moving or adaptive grid come to where larger
+   * ones were seeded. A cell inside of the body without points has nothing that
+   * would remember the material in it: the body closes such gaps, and loses
+   * volume while det F of every point stays right.
+   *
+   * A point becomes four (2D) or five (3D) equal ones, itself and the corners
+   * of an equilateral triangle or tetrahedron around it, all of which know what
+   * it knew. Volume, mass and momentum are conserved, and so are centre and
+   * second moment of the mass; beside a wall of the grid, where there is no
+   * room for them, the others come closer, and the second moment becomes less.
+   *
+   * A point with a domain becomes four (2D) or eight (3D), one for each part
+   * into which the middles of its edges divide the domain (Bey, Computing 55
+   * (1995) 355-378): they fill the domain as it is now, so that volume, mass,
+   * momentum, centre and second moment are conserved whatever its shape.
+   */
+  template <int dim>
+  class PointRefinement
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** Split what is too large, if asked for. Invalidates what was gathered
+     * from the points. Collective. */
+    void
+    refine(MaterialPoints<dim>       &points,
+           const BackgroundGrid<dim> &grid,
+           const PointLocator<dim>   &locator) const;
+
+  private:
+    struct NewPoint
+    {
+      unsigned int        cell; ///< of the point it comes from
+      Point<dim>          location;
+      std::vector<double> properties;
+    };
+
+    /** Make the points that are too large smaller; what they have lost. */
+    std::vector<NewPoint>
+    split(MaterialPoints<dim> &points, const PointLocator<dim> &locator) const;
+    /** Where the parts are relative to a point with @p F and the current
+     * @p volume; the first is what remains of the point itself. */
+    struct Part
+    {
+      Tensor<1, dim>     shift;
+      CornerVectors<dim> domain; ///< at t = 0, if the point has one
+    };
+    static std::vector<Part>
+    parts_of_domain(const CornerVectors<dim> &domain, const Tensor<2, dim> &F);
+    static std::vector<Part>
+    parts_around(const double volume);
+    void
+    insert(MaterialPoints<dim>         &points,
+           const BackgroundGrid<dim>   &grid,
+           const std::vector<NewPoint> &parts) const;
+
+    double largest_share = 0; ///< of a point in its cell; 0: any
+  };
+} // namespace isochor
+
+#endif

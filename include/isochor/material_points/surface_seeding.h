@@ -1,0 +1,92 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_surface_seeding_h
+#define isochor_surface_seeding_h
+
+#include <isochor/material_points/body_shape.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /** A named part of the body's surface at t = 0. */
+  template <int dim>
+  struct BodySurface
+  {
+    std::string name;
+    /** The parameter that asks for it, for messages. */
+    std::string parameter;
+    /** Either a boundary of the grid, ... */
+    bool               on_grid_boundary = false;
+    types::boundary_id id               = 0;
+    /** ... or where this formula in x, y(, z) is positive at the centre of a
+     * face. */
+    std::string condition;
+  };
+
+  /** The corners of a face of a cell, or of a part of it. */
+  template <int dim>
+  using FaceCorners = std::array<Point<dim>, dim>;
+
+  /** Length (2D) or area (3D). */
+  template <int dim>
+  double
+  measure(const FaceCorners<dim> &face);
+
+  /**
+   * Simplices that make up the part of @p face where @p inside holds. Edges of
+   * the part are followed by 16 (2D) or 8 (3D) samples along a side, and
+   * exactly between these if they are straight.
+   */
+  template <int dim>
+  std::vector<FaceCorners<dim>>
+  covered_part(const FaceCorners<dim>                        &face,
+               const std::function<bool(const Point<dim> &)> &inside);
+
+  /** A boundary point to be. */
+  template <int dim>
+  struct SurfacePoint
+  {
+    Point<dim>     location;
+    Tensor<1, dim> area; ///< outward
+    unsigned int   surface;
+    unsigned int   cell; ///< where to begin the search for it
+  };
+
+  /** What seed_surfaces() has found. */
+  template <int dim>
+  struct SeededSurfaces
+  {
+    std::vector<SurfacePoint<dim>> points;
+    /** By surface: the area that the body covers, and that of all faces that
+     * were in question (m^(dim-1)). */
+    std::vector<double> covered, candidate;
+  };
+
+  /**
+   * Places with areas on the surfaces of the body at t = 0. A surface on a
+   * boundary of the grid consists of the faces there; one with a condition, of
+   * the faces between the @p occupied cells (ascending, of all ranks) and the
+   * rest, or, if @p body_mesh is not empty, of the boundary faces of this gmsh
+   * mesh. Of faces of the grid only what belongs to the body counts. The same
+   * on all ranks.
+   * @param points_per_face A Gauss rule in 2D; in 3D as material_point_rule<2>.
+   * @throws ExcMessage if the body has nothing on a surface.
+   */
+  template <int dim>
+  SeededSurfaces<dim>
+  seed_surfaces(const BackgroundGrid<dim>           &grid,
+                const BodyShape<dim>                &shape,
+                const std::vector<unsigned int>     &occupied,
+                const std::vector<BodySurface<dim>> &surfaces,
+                const unsigned int                   points_per_face,
+                const std::string                   &body_mesh);
+} // namespace isochor
+
+#endif

@@ -1,0 +1,187 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_newton_solver_h
+#define isochor_newton_solver_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <isochor/equations/mixed_kernel.h>
+#include <isochor/linear_solver/linear_solver.h>
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /** The residual of an iterate, over all ranks. */
+  struct ResidualNorms
+  {
+    EvaluationStatus status = EvaluationStatus::success;
+    /** Euclidean norms over the free unknowns: forces (N) and, in the u-p form,
+     * the volume defect of the pressure equation (m^dim). */
+    double displacement = 0, pressure = 0;
+    /** External forces and reactions (N): what forces are measured against. */
+    double force_scale = 0;
+    /** Below these a residual is rounding. */
+    double displacement_floor = 0, pressure_floor = 0;
+    /** Whether prescribed increments are still to be applied. Then the
+     * residual is no measure of forces yet. */
+    bool pending = false;
+  };
+
+  /** A row of the convergence table. */
+  struct NewtonIteration
+  {
+    double       displacement, pressure; ///< relative to their scales
+    double       step_length;            ///< 0 for the start
+    unsigned int n_linear_iterations;
+  };
+
+  /** How a step went. */
+  struct NewtonReport
+  {
+    bool                         converged = false;
+    std::string                  failure; ///< why not
+    std::vector<NewtonIteration> iterations;
+    unsigned int                 n_factorisations = 0;
+    /** What forces were measured against (N). */
+    double force_scale = 0;
+
+    /** Iterations of an iterative linear solver, of all solves. */
+    unsigned int
+    n_linear_iterations() const
+    {
+      unsigned int n = 0;
+      for (const NewtonIteration &iteration : iterations)
+        n += iteration.n_linear_iterations;
+      return n;
+    }
+
+    /** Solves made. */
+    unsigned int
+    n_iterations() const
+    {
+      return iterations.empty() ? 0 : iterations.size() - 1;
+    }
+
+    /** Add the report of a solution that started where this one ended. */
+    void
+    continue_with(const NewtonReport &next)
+    {
+      converged   = next.converged;
+      failure     = next.failure;
+      force_scale = next.force_scale;
+      n_factorisations += next.n_factorisations;
+      if (!next.iterations.empty())
+        iterations.insert(iterations.end(),
+                          next.iterations.begin() + 1,
+                          next.iterations.end());
+    }
+  };
+
+  /**
+   * Newton's method with backtracking, on callables: it knows neither grid nor
+   * material.
+   */
+  class NewtonSolver
+  {
+  public:
+    struct Problem
+    {
+      /** Residual at the present iterate; with the matrix if asked. */
+      std::function<ResidualNorms(const bool with_matrix)> assemble;
+      /** Solve for the correction, with the matrix last assembled or, if not
+       * @p factorise, with the one factorised before, as accurately as said.
+       * Returns the number of linear iterations. Throws
+       * ExcLinearSolverFailed. */
+      std::function<unsigned int(const bool              factorise,
+                                 const SolutionAccuracy &accuracy)>
+        solve;
+      /** Whether solve() makes use of the accuracy. Then a new matrix costs
+       * little, and none is used again. */
+      std::function<bool()> is_iterative = []() { return false; };
+      /** Whether there is a factorisation of a matrix of the present pattern.
+       */
+      std::function<bool()> has_factorisation;
+      /** Set the iterate to (the one at the last solve) + s (correction). */
+      std::function<void(const double s)> advance;
+    };
+
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** The parameters, by path, that a resumed run may set anew. */
+    static std::vector<std::string>
+    changeable_parameters()
+    {
+      return {"Newton/"};
+    }
+
+    /** Solve. If @p log is given, print the convergence table to it. */
+    NewtonReport
+    solve(const Problem &problem, std::ostream *log) const;
+
+    /** Relative tolerance of both residuals. */
+    double tolerance = 1e-8;
+
+    /** Whether a step starts from the motion of the last one. For the owner of
+     * the iterate; the solver starts wherever it is. */
+    bool extrapolate = true;
+
+  private:
+    class Gauge;
+
+    /** What a line search has found. */
+    struct LineSearch
+    {
+      double best      = 0; ///< step length of least merit
+      double last      = 1; ///< step length of the iterate it has left
+      double merit     = 0; ///< at @p best
+      double reduction = 0; ///< merit to the one before
+      bool   failed    = false;
+    };
+
+    /** How accurate the next correction has to be. @p reduction: merit to the
+     * one before, or 0 if there is none. */
+    SolutionAccuracy
+    accuracy(const Gauge         &gauge,
+             const ResidualNorms &norms,
+             const double         reduction) const;
+
+    /** Whether the iteration ends here; @p report then says how. */
+    bool
+    finished(const Gauge         &gauge,
+             const ResidualNorms &norms,
+             NewtonReport        &report) const;
+
+    /** Halve the correction until the residual falls or, if it @p may_grow,
+     * can be evaluated. @p norms becomes that of the last iterate tried; its
+     * matrix is assembled for the full step only, if asked. */
+    LineSearch
+    backtrack(const Problem     &problem,
+              const Gauge       &gauge,
+              const bool         may_grow,
+              const unsigned int n_backtracks,
+              const bool         with_matrix,
+              ResidualNorms     &norms) const;
+
+    unsigned int max_iterations = 15;
+    /** Keep a factorisation as long as it reduces the residual by this factor
+     * per iteration; 0: always factorise. */
+    double       reuse_ratio    = 0.2;
+    unsigned int max_backtracks = 4;
+    /** Whether an iterative solver may solve less accurately far from the
+     * solution. */
+    bool inexact = true;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,188 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_equilibrium_h
+#define isochor_equilibrium_h
+
+#include <isochor/base/terminal.h>
+#include <isochor/equations/body_term.h>
+#include <isochor/nonlinear_solver/newton_solver.h>
+#include <isochor/step/linear_step.h>
+#include <isochor/step/step_setup.h>
+#include <isochor/transfer/last_motion.h>
+
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * The equations of a step and their solution: the terms of the equations,
+   * what the boundary conditions prescribe, the nodal unknowns (displacement
+   * increments of the step and pressures), Newton's method, and around it the
+   * search for the nodes in contact. Changes nothing of the points.
+   */
+  template <int dim>
+  class Equilibrium
+  {
+  public:
+    /** All arguments are kept by reference. */
+    Equilibrium(Scene<dim> &scene, StepSetup<dim> &setup, Terminal &terminal);
+
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** Once, after Scene::create(). */
+    void
+    initialize();
+
+    /** The terms of the equations, in the order of their elements. */
+    const std::vector<EquationTerm<dim> *> &
+    equation_terms() const
+    {
+      return terms;
+    }
+
+    /** The points are set up for the step: map what they know to the nodes, and
+     * lay out the system. Collective. */
+    void
+    start_step();
+
+    /**
+     * In the first step of a dynamic scene: give the points the acceleration
+     * with which the body answers what acts on it at t = 0, so that it
+     * satisfies the pressure equation. Newmark's scheme starts from it, and
+     * would carry an error in it along. See InertiaTerm::start_trial(). In all
+     * other steps a report of success. Collective.
+     */
+    NewtonReport
+    find_initial_acceleration();
+
+    /** Find the equilibrium at the end of the step, from a start that goes on
+     * like the last step if the parameters ask for it, and if that fails, from
+     * rest. Collective. */
+    NewtonReport
+    solve();
+
+    /** Evaluate the equations with their matrix where the step starts, so that
+     * mistakes in the scene show. Collective. */
+    void
+    evaluate();
+
+    /** The step has converged: what the next one may start from. */
+    void
+    remember_motion();
+
+    /** Whether dead loads act in the step, weight included. Collective. */
+    bool
+    has_dead_loads() const
+    {
+      return external_force.l2_norm() > 0;
+    }
+    const NodalField &
+    nodal_unknowns() const
+    {
+      return unknowns;
+    }
+    const MixedSystem<dim> &
+    mixed_system() const
+    {
+      return system;
+    }
+    const NodalConstraints &
+    nodal_constraints() const
+    {
+      return constraints;
+    }
+    const LinearStep<dim> &
+    linear() const
+    {
+      return linear_step;
+    }
+    /** What a run that is resumed needs of the last step. */
+    LastMotion &
+    motion()
+    {
+      return last_motion;
+    }
+
+  private:
+    /** Put where Newton's method starts without a predictor into the unknowns.
+     */
+    void
+    set_initial_pressure();
+    /** Start from the last motion, if asked for. */
+    bool
+    predict();
+    void
+    start_from_rest();
+    /** The first step from its start, with other equations. */
+    void
+    start_again();
+    void
+    compute_residual_floor();
+    void
+    set_external_force();
+
+    /** Begin the search for the nodes in contact, with those of the last step,
+     * and lay out the system for it. */
+    void
+    start_contact(const bool with_other_nodes);
+    NewtonReport
+    solve_with_contact();
+    /** One-sided boundaries: hold and release nodes where Newton's result,
+     * that of @p report, violates a condition. Whether there is something to
+     * solve again; a search that does not settle makes the report a failure. */
+    bool
+    change_contact(NewtonReport &report);
+    /** Constrain the nodes anew; whether that made a difference on any rank. */
+    bool
+    constrain_nodes();
+    void
+    lay_out_system(const bool with_other_nodes);
+
+    NewtonReport
+    find_root();
+    ResidualNorms
+    assemble(const bool with_matrix);
+    /** Find what of the prescribed increments is still to come; whether there
+     * is anything on this rank. */
+    bool
+    update_pending();
+    /** Whether a boundary condition sets this rank's part of the body in
+     * motion; collects the forces of all of them. */
+    bool
+    update_boundary_force(const StepContext<dim> &step);
+    EvaluationStatus
+    assemble_terms(const StepContext<dim> &step, const bool with_matrix);
+    /** Sums over all ranks. */
+    ResidualNorms
+    measure_residual(const EvaluationStatus status,
+                     const bool             anything_pending) const;
+
+    Scene<dim>     &scene;
+    StepSetup<dim> &setup;
+    Terminal       &terminal;
+
+    BodyTerm<dim>                    body;
+    std::vector<EquationTerm<dim> *> terms;
+    MixedSystem<dim>                 system;
+    NodalConstraints                 constraints;
+    LinearStep<dim>                  linear_step;
+    NewtonSolver                     newton_solver;
+    LastMotion                       last_motion;
+
+    NodalField unknowns, pending;
+    NodalField external_force;
+    /** Forces of the boundary conditions that are terms of the equations. */
+    NodalField boundary_force;
+    /** Whether the iterate is where the step starts. */
+    bool   at_start    = true;
+    double force_floor = 0, volume_floor = 0;
+    bool   scene_checked = false;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,109 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_failure_report_h
+#define isochor_failure_report_h
+
+#include <isochor/equations/equation_term.h>
+#include <isochor/linear_solver/linear_solver.h>
+#include <isochor/nonlinear_solver/load_stepping.h>
+#include <isochor/nonlinear_solver/newton_solver.h>
+
+#include <string>
+
+namespace isochor
+{
+  /**
+   * What a run that can't go on leaves behind: the last good state and the
+   * residual field of the step that failed, as files, and a message that tells
+   * a limit load from a bad step and from a scene that was never in
+   * equilibrium. For the evidence it looks at each step that converges.
+   */
+  template <int dim>
+  class FailureReport
+  {
+  public:
+    /** The state of the step that failed. */
+    struct Failure
+    {
+      const StepContext<dim>    &step;
+      const NodalField          &unknowns;
+      const MixedSystem<dim>    &system;
+      const MaterialPoints<dim> &points;
+      const LoadStepping        &time;
+      const NewtonReport        &newton;
+      const LinearSolverReport  &solver;
+      const NodalConstraints    &constraints;
+      /** Whether boundary points drag the body. */
+      bool dragged;
+      /** Whether loads act, not displacements only. */
+      bool               loaded;
+      bool               dynamic;
+      const std::string &directory;
+    };
+
+    /** A step without inertia has converged: remember how fast it moved the
+     * body, and warn if that is much faster than before for several steps.
+     * Collective. */
+    void
+    remember(const StepContext<dim> &step, const NodalField &unknowns);
+
+    /** Write the files and return the message: no smaller step is allowed, and
+     * none of those tried has a solution. Collective. */
+    std::string
+    explain(const Failure &failure) const;
+
+    /** Write where the points are, as the files `failure-points...` in
+     * @p directory, and return a sentence that says so. Collective. */
+    static std::string
+    write_points(const StepContext<dim>    &step,
+                 const MaterialPoints<dim> &points,
+                 const std::string         &directory);
+
+  private:
+    /** What is known of the loss of stiffness. */
+    struct Evidence
+    {
+      /** Largest displacement per time in the last step that converged and in
+       * the last iterate of the one that failed, against the slowest step so
+       * far. The latter is negative where displacements are prescribed: then
+       * an iterate moves as far as it is told. */
+      double growth = 1, growth_of_trial = -1;
+      /** Since when the growth has been large; negative if it isn't. */
+      double soft_since = -1;
+      /** Share of the volume whose plastic strain isn't 0, negative if no
+       * material yields. */
+      double plastic_share = -1;
+      /** Negative pivots beyond those of the pressures, which any saddle point
+       * has; negative if the solver doesn't know. */
+      long n_negative_pivots = -1;
+
+      bool
+      has_lost_stiffness() const;
+      std::string
+      text() const;
+    };
+
+    Evidence
+    collect(const Failure &failure) const;
+
+    /** Returns a sentence on where they are, or why they couldn't be written.
+     */
+    static std::string
+    write_files(const Failure &failure);
+
+    /** The largest displacement per time. Collective. */
+    static double
+    speed(const StepContext<dim> &step, const NodalField &unknowns);
+
+    /** In the step that converged last and in the slowest one (m/s). */
+    double last_speed = 0, slowest = 0;
+    /** The start of the first of the steps up to the last one that were all
+     * much faster than the slowest; negative if that one wasn't. */
+    double       soft_since = -1;
+    unsigned int n_soft     = 0; ///< their number
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,96 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_scene_h
+#define isochor_scene_h
+
+#include <isochor/adaptation/grid_adaptation.h>
+#include <isochor/base/warnings.h>
+#include <isochor/body_quadrature/body_quadrature.h>
+#include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/dynamics/inertia_term.h>
+#include <isochor/equations/mixed_kernel.h>
+#include <isochor/material_points/body_shape.h>
+#include <isochor/nonlinear_solver/load_stepping.h>
+#include <isochor/postprocess/postprocessor.h>
+
+#include <memory>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * What a parameter file describes: the grid, the body and its materials, the
+   * formulation, what acts on the body and what looks at it. How the equations
+   * are set up and solved is not part of it, see StepSetup and Equilibrium.
+   *
+   * From step to step the points, the time and the state of boundary conditions
+   * and post-processors change; all else stays as it was read.
+   */
+  template <int dim>
+  class Scene
+  {
+  public:
+    Scene(const MPI_Comm comm);
+
+    /** Declare the parameters, with @p n_materials materials in the subsections
+     * "Material", "Material 2", ... */
+    static void
+    declare_parameters(ParameterHandler &prm, const unsigned int n_materials);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /**
+     * Make the grid, fill the body with points, and tell boundary conditions
+     * and post-processors of both. @p arrays will hold the points of each step.
+     * Once. Collective.
+     */
+    void
+    create(const PointArrays<dim> &arrays);
+
+    bool
+    mixed() const
+    {
+      return n_components == dim + 1;
+    }
+
+    Warnings            warnings;
+    BackgroundGrid<dim> grid;
+    GridAdaptation<dim> adaptation; ///< what an adaptive grid follows
+    MaterialPoints<dim> points;
+    BodyShape<dim>      shape;
+    LoadStepping        time;
+
+    /** How the body is integrated. */
+    std::unique_ptr<BodyQuadrature<dim>> quadrature;
+
+    /** The materials, and PPP's coefficient. */
+    MixedKernel<dim> kernel;
+    /** Unknowns of a node: dim in the u form, dim + 1 in the u-p form. */
+    unsigned int n_components = dim + 1;
+    /** Whether the matrix is symmetric. */
+    bool symmetric = true;
+
+    bool             dynamic = false;
+    InertiaTerm<dim> inertia; ///< only used if dynamic
+
+    std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
+    std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;
+
+  private:
+    void
+    parse_formulation(ParameterHandler &prm);
+    void
+    parse_materials(ParameterHandler &prm);
+    /** Throw if @p material, the one of number @p m, can't be used here. */
+    void
+    check_material(const MaterialModel<dim> &material,
+                   const std::string        &model,
+                   const unsigned int        m) const;
+    void
+    parse_plugins(ParameterHandler &prm);
+  };
+} // namespace isochor
+
+#endif

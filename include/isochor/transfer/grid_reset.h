@@ -1,0 +1,128 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_grid_reset_h
+#define isochor_grid_reset_h
+
+#include <isochor/equations/equation_term.h>
+
+namespace isochor
+{
+  /**
+   * When the background grid is reset, and what becomes of it until then.
+   *
+   * In the Material Point Method as it is, the grid is undeformed at the start
+   * of each step. Here it may be kept for several: it then moves with the body.
+   * Cells and shape functions of the points stay those of the last reset, and
+   * gradients with respect to the deformed grid follow from the deformation
+   * gradient ΔF of the step on each cell (or domain of a point),
+   *
+   *   ∇_{n+1} N_I = ΔF^{-T} ∇_n N_I,
+   *
+   * which is updated Lagrangian finite elements: ∏ ΔF over the steps is
+   * 1 + ∇_r (u - u_r) of the last reset r. Nothing has to be located, weighted,
+   * numbered or analysed before the next reset, and the nodal pressure goes on
+   * without being mapped to the points and back.
+   *
+   * Velocities and accelerations are projected in each step all the same, which
+   * loses nothing as long as points keep their cells (MassMatrix).
+   *
+   * Only what belongs to the cells that hold the body is moved
+   * (PointArrays::deformed_cell). BackgroundGrid::geometry() is the undeformed
+   * grid all the time, and loads per area of the grid and the size of cells
+   * refer to it.
+   */
+  template <int dim>
+  class GridReset
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm);
+    void
+    parse_parameters(ParameterHandler &prm);
+
+    /** Whether the step to come starts from the undeformed grid. */
+    bool
+    due() const
+    {
+      return is_due;
+    }
+
+    /** Whether the parameters reset the grid before each step. */
+    bool
+    always() const
+    {
+      return interval == 1;
+    }
+
+    /** The grid has been put back at @p time. */
+    void
+    start(const double time);
+
+    /** When the grid was last put back. */
+    double
+    start_time() const
+    {
+      return reset_time;
+    }
+
+    /** Steps since then. */
+    unsigned int
+    n_steps() const
+    {
+      return n_steps_since;
+    }
+
+    /**
+     * A step has converged: decide whether the next one starts with a reset;
+     * if not, let the grid move on, in the @p points, those of @p step.
+     * Collective.
+     */
+    void
+    advance(const StepContext<dim> &step,
+            const NodalField       &unknowns,
+            PointArrays<dim>       &points);
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &is_due &n_steps_since &reset_time;
+    }
+
+  private:
+    /** Massless points are no part of the body's store of points. */
+    static void
+    advance_massless_points(const StepContext<dim> &step,
+                            const NodalField       &unknowns,
+                            PointArrays<dim>       &points);
+    static void
+    advance_stencils(const StepContext<dim> &step,
+                     const NodalField       &unknowns,
+                     PointArrays<dim>       &points);
+    /** Returns the smallest quality of this rank's cells. */
+    static double
+    advance_cells(const StepContext<dim> &step,
+                  const NodalField       &unknowns,
+                  PointArrays<dim>       &points);
+
+    /**
+     * Mean-ratio quality of a cell relative to its undeformed shape (Liu & Joe,
+     * BIT 34 (1994) 268-287): d (det A)^{2/d} / |A|² with A the deformation
+     * gradient of the cell since the reset. One for any similar shape, zero
+     * for a flat cell or one turned inside out.
+     */
+    static double
+    quality(const StepContext<dim> &step, const unsigned int k);
+
+    unsigned int interval         = 1;
+    double       smallest_quality = 0;
+
+    bool         is_due        = true;
+    unsigned int n_steps_since = 0;
+    double       reset_time    = 0;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,313 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/adaptation/cell_size_criterion.h>
+#include <isochor/base/mpi_sums.h>
+#include <isochor/material_model/material_model.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isochor
+{
+  /**
+   * The error of the stresses by recovery (Zienkiewicz & Zhu, Int. J. Numer.
+   * Meth. Eng. 24 (1987) 337-357): stresses are compared with their means at
+   * the nodes, interpolated,
+   *
+   *   σ*(x) = Σ_I N_I(x) σ_I,  σ_I = Σ_p J_p V_p N_I σ_p / Σ_p J_p V_p N_I,
+   *
+   * per material, in the energy norm of the elastic law,
+   *
+   *   η² = Σ_p J_p V_p [ |dev(σ* - σ)|² / (4 G) + (p* - p)² / (2 K) ],
+   *
+   * and relative to the norm of σ. Errors of a leaf decrease with its size h as
+   * h^(1 + dim/2) if the solution is smooth. Sizes are such that all leaves get
+   * the same error, and the sum of the squares the target, or the number of
+   * leaves (Li & Bettess, Commun. Numer. Meth. Eng. 11 (1995) 857-863).
+   */
+  template <int dim>
+  class ErrorIndicator : public CellSizeCriterion<dim>
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm)
+    {
+      prm.declare_entry("Target of relative error",
+                        "0",
+                        Patterns::Double(0, 1),
+                        "Cells become so small that the estimated error of the "
+                        "stresses in the energy norm, relative to the norm of "
+                        "the stresses, is this. 0: no target.");
+      prm.declare_entry("Target number of leaves",
+                        "0",
+                        Patterns::Integer(0),
+                        "So many leaves (squares or cubes of cells) with "
+                        "material are placed where the estimated error is "
+                        "largest. 0: no target.");
+      prm.declare_entry("Estimate error",
+                        "false",
+                        Patterns::Bool(),
+                        "Whether the estimated relative error of the stresses "
+                        "is a column of the statistics without a target, too.");
+    }
+
+    void
+    parse_parameters(ParameterHandler &prm) override
+    {
+      target_error  = prm.get_double("Target of relative error");
+      target_number = prm.get_integer("Target number of leaves");
+      estimates     = prm.get_bool("Estimate error");
+      AssertThrow(target_error == 0 || target_number == 0,
+                  ExcMessage("Set <Adaptive grid/Target of relative error> or "
+                             "<Adaptive grid/Target number of leaves>, not "
+                             "both."));
+    }
+
+    bool
+    needs_state() const override
+    {
+      return target_error > 0 || target_number > 0 || estimates;
+    }
+
+    void
+    limit_sizes(const BodyState<dim> &state,
+                const LevelRule<dim> &rule,
+                std::vector<double>  &sizes,
+                Statistics           &statistics) const override;
+
+  private:
+    /** Of a point: dev σ and p. */
+    static constexpr unsigned int n_entries = n_symmetric_components<dim> + 1;
+    using Entries                           = std::array<double, n_entries>;
+
+    static Entries
+    entries(const SymmetricTensor<2, 3> &stress);
+    /** The square of the energy norm per volume. */
+    static double
+    energy(const BodyState<dim> &state,
+           const unsigned int    q,
+           const Entries        &stress);
+    static std::vector<Entries>
+    recovered(const BodyState<dim> &state);
+    /** How the size of leaf @p i is to change, times the constant that is to
+     * be found. */
+    static double
+    size_ratio(const double squared_error)
+    {
+      return std::pow(squared_error, -1. / (2 + dim));
+    }
+    double
+    find_constant(const BodyState<dim>      &state,
+                  const LevelRule<dim>      &rule,
+                  const std::vector<double> &squares,
+                  const double               norm_square) const;
+    /** The size to ask for in @p leaf, so that it gets the level nearest to
+     * what is needed. */
+    static double
+    size(const AdaptiveGrid<dim> &forest,
+         const Leaf<dim>         &leaf,
+         const double             squared_error,
+         const double             constant);
+
+    double       target_error  = 0;
+    unsigned int target_number = 0;
+    bool         estimates     = false;
+  };
+
+
+
+  template <int dim>
+  typename ErrorIndicator<dim>::Entries
+  ErrorIndicator<dim>::entries(const SymmetricTensor<2, 3> &stress)
+  {
+    const double p = trace(stress) / 3;
+    Entries      values;
+    values[0] = stress[0][0] - p;
+    values[1] = stress[1][1] - p;
+    values[2] = stress[2][2] - p;
+    values[3] = stress[0][1];
+    if constexpr (dim == 3)
+      {
+        values[4] = stress[0][2];
+        values[5] = stress[1][2];
+      }
+    values[n_entries - 1] = p;
+    return values;
+  }
+
+
+
+  template <int dim>
+  double
+  ErrorIndicator<dim>::energy(const BodyState<dim> &state,
+                              const unsigned int    q,
+                              const Entries        &s)
+  {
+    double square = 0;
+    for (unsigned int i = 0; i + 1 < n_entries; ++i)
+      square += (i < 3 ? 1 : 2) * s[i] * s[i];
+    const double p = s[n_entries - 1];
+    return square / (4 * state.shear_modulus[q]) +
+           p * p * state.inverse_bulk_modulus[q] / 2;
+  }
+
+
+
+  template <int dim>
+  std::vector<typename ErrorIndicator<dim>::Entries>
+  ErrorIndicator<dim>::recovered(const BodyState<dim> &state)
+  {
+    const SimplexGeometry<dim> &geometry = state.grid.geometry();
+    const unsigned int          n        = n_entries + 1; // and the weights
+    std::vector<double> sums(geometry.vertices().size() * state.n_materials *
+                             n);
+    const auto          row = [&](const unsigned int q, const unsigned int v) {
+      return n * (geometry.vertex_indices(state.cell[q])[v] *
+                    std::size_t(state.n_materials) +
+                  state.material[q]);
+    };
+    for (unsigned int q = 0; q < state.size(); ++q)
+      {
+        const Entries stress = entries(state.stress[q]);
+        for (unsigned int v = 0; v <= dim; ++v)
+          {
+            const double weight = state.volume[q] * state.shape[q][v];
+            double      *sum    = &sums[row(q, v)];
+            for (unsigned int i = 0; i < n_entries; ++i)
+              sum[i] += weight * stress[i];
+            sum[n_entries] += weight;
+          }
+      }
+    Utilities::MPI::sum(sums, state.grid.communicator(), sums);
+
+    std::vector<Entries> stresses(state.size());
+    for (unsigned int q = 0; q < state.size(); ++q)
+      {
+        stresses[q].fill(0.);
+        for (unsigned int v = 0; v <= dim; ++v)
+          {
+            const double *sum = &sums[row(q, v)];
+            if (!(sum[n_entries] > 0))
+              continue; // N_I is zero or by rounding less
+            for (unsigned int i = 0; i < n_entries; ++i)
+              stresses[q][i] += state.shape[q][v] * sum[i] / sum[n_entries];
+          }
+      }
+    return stresses;
+  }
+
+
+
+  template <int dim>
+  double
+  ErrorIndicator<dim>::size(const AdaptiveGrid<dim> &forest,
+                            const Leaf<dim>         &leaf,
+                            const double             squared_error,
+                            const double             constant)
+  {
+    // at most two levels finer, one coarser than the leaf is
+    const double ratio =
+      squared_error > 0 ?
+        std::min(2., std::max(0.25, constant * size_ratio(squared_error))) :
+        2.;
+    return forest.size(leaf.tree, leaf.level) * ratio * numbers::SQRT2;
+  }
+
+
+
+  template <int dim>
+  double
+  ErrorIndicator<dim>::find_constant(const BodyState<dim>      &state,
+                                     const LevelRule<dim>      &rule,
+                                     const std::vector<double> &squares,
+                                     const double norm_square) const
+  {
+    const AdaptiveGrid<dim>      &forest = state.grid.adaptive_grid();
+    const std::vector<Leaf<dim>> &leaves = forest.leaves();
+    if (target_error > 0)
+      {
+        // Σ η² r² is the square of the error to come
+        double sum = 0;
+        for (const double square : squares)
+          if (square > 0)
+            sum += square * std::pow(size_ratio(square), 2);
+        return std::sqrt(target_error * target_error * norm_square / sum);
+      }
+    // the number of leaves falls with the constant: between two that enclose it
+    const auto number = [&](const double constant) {
+      double sum = 0;
+      for (unsigned int i = 0; i < leaves.size(); ++i)
+        if (squares[i] > 0)
+          sum +=
+            std::pow(2.,
+                     dim * (static_cast<double>(rule.level(
+                              forest,
+                              leaves[i],
+                              size(forest, leaves[i], squares[i], constant))) -
+                            leaves[i].level));
+      return sum;
+    };
+    double lower = 1e-30, upper = 1e30;
+    for (unsigned int i = 0; i < 120; ++i)
+      {
+        const double middle = std::sqrt(lower * upper);
+        (number(middle) > target_number ? lower : upper) = middle;
+      }
+    return upper;
+  }
+
+
+
+  template <int dim>
+  void
+  ErrorIndicator<dim>::limit_sizes(const BodyState<dim> &state,
+                                   const LevelRule<dim> &rule,
+                                   std::vector<double>  &sizes,
+                                   Statistics           &statistics) const
+  {
+    const AdaptiveGrid<dim>      &forest   = state.grid.adaptive_grid();
+    const std::vector<Leaf<dim>> &leaves   = forest.leaves();
+    const auto                    smoothed = recovered(state);
+    std::vector<double>           squares(leaves.size(), 0.);
+    double                        norm_square = 0;
+    for (unsigned int q = 0; q < state.size(); ++q)
+      {
+        Entries difference = entries(state.stress[q]);
+        norm_square += state.volume[q] * energy(state, q, difference);
+        for (unsigned int i = 0; i < n_entries; ++i)
+          difference[i] -= smoothed[q][i];
+        squares[forest.leaf_of_cell(state.cell[q])] +=
+          state.volume[q] * energy(state, q, difference);
+      }
+    const MPI_Comm comm = state.grid.communicator();
+    norm_square         = Utilities::MPI::sum(norm_square, comm);
+    Utilities::MPI::sum(squares, comm, squares);
+    double error_square = 0;
+    for (const double square : squares)
+      error_square += square;
+    statistics.set("Estimated relative error of stresses",
+                   norm_square > 0 ? std::sqrt(error_square / norm_square) :
+                                     0.);
+    if (!(error_square > 0) || (target_error == 0 && target_number == 0))
+      return;
+    // sums depend on the number of ranks by rounding; what decides must not
+    for (double &square : squares)
+      square = static_cast<float>(square);
+    const double constant =
+      find_constant(state, rule, squares, norm_square) * (1 + 1e-7);
+    for (unsigned int q = 0; q < state.size(); ++q)
+      {
+        const unsigned int i = forest.leaf_of_cell(state.cell[q]);
+        sizes[q] =
+          std::min(sizes[q], size(forest, leaves[i], squares[i], constant));
+      }
+  }
+
+  ISOCHOR_REGISTER_FOR_DIMENSION(CellSizeCriterion,
+                                 ErrorIndicator,
+                                 "Error indicator")
+} // namespace isochor

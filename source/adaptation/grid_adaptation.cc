@@ -1,0 +1,494 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/adaptation/grid_adaptation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace isochor
+{
+  namespace
+  {
+    /** What a leaf costs besides its points, in points: its share of the
+     * unknowns. Three ranks with weights like these were balanced to 0.2 %. */
+    template <int dim>
+    constexpr double cost_of_leaf = (dim == 2 ? 20 : 60);
+
+    /** Whether @p leaf is @p other or a part of it. */
+    template <int dim>
+    bool
+    is_within(const Leaf<dim> &leaf, const Leaf<dim> &other)
+    {
+      if (leaf.tree != other.tree || leaf.level < other.level)
+        return false;
+      for (unsigned int d = 0; d < dim; ++d)
+        if (leaf.corner[d] - other.corner[d] >= other.size()) // or wraps
+          return false;
+      return true;
+    }
+
+    /** Tell if more than a few points ask for @p sizes that the maximum level
+     * does not allow. Collective. */
+    template <int dim>
+    void
+    warn_of_maximum_level(const BodyState<dim>      &state,
+                          const unsigned int         maximum,
+                          const std::vector<double> &sizes,
+                          Warnings                  &warnings)
+    {
+      const AdaptiveGrid<dim> &forest = state.grid.adaptive_grid();
+      double n_limited = 0, n = state.size(), smallest = 1e300;
+      for (unsigned int q = 0; q < state.size(); ++q)
+        {
+          const unsigned int tree =
+            forest.leaves()[forest.leaf_of_cell(state.cell[q])].tree;
+          if (sizes[q] < forest.size(tree, maximum) * (1 - 1e-9))
+            ++n_limited;
+          smallest = std::min(smallest, sizes[q]);
+        }
+      const MPI_Comm comm = state.grid.communicator();
+      n_limited           = Utilities::MPI::sum(n_limited, comm);
+      n                   = Utilities::MPI::sum(n, comm);
+      smallest            = Utilities::MPI::min(smallest, comm);
+      if (n_limited <= 0.01 * n)
+        return;
+      std::ostringstream text;
+      text << "At t = " << state.time << ", " << 100 * n_limited / n
+           << " % of the material points ask for smaller cells (down to "
+           << smallest << " m) than <Adaptive grid/Maximum level = " << maximum
+           << "> allows. Raise it, or ask for less.";
+      warnings.add("grid at its maximum level", text.str());
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  GridAdaptation<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Adaptive grid");
+    prm.declare_entry("Minimum level",
+                      "0",
+                      Patterns::Integer(0, Leaf<dim>::max_level),
+                      "How often coarse cells are halved where nothing asks "
+                      "for more.");
+    prm.declare_entry("Maximum level",
+                      "4",
+                      Patterns::Integer(0, Leaf<dim>::max_level),
+                      "How often coarse cells may be halved.");
+    prm.declare_entry("Hysteresis",
+                      "0.25",
+                      Patterns::Double(0, 1),
+                      "Cells are only joined if those that result are smaller "
+                      "than necessary by a factor of 2 to this power, so that "
+                      "they are not split again at once.");
+    prm.declare_entry("Buffer",
+                      "1",
+                      Patterns::Integer(0, 8),
+                      "Layers of cells around those with material that get "
+                      "their size.");
+    prm.declare_entry("Resets between changes",
+                      "1",
+                      Patterns::Integer(0),
+                      "The grid may change at every so many resets of it. 0: "
+                      "it stays as it is at t = 0.");
+    prm.declare_entry("Repetitions of first step",
+                      "0",
+                      Patterns::Integer(0),
+                      "Before the points move for the first time, the grid is "
+                      "adapted to the solution so often, the body seeded anew "
+                      "in it, and the step solved again.");
+    PluginRegistry<CellSizeCriterion<dim>>::declare_parameters(prm);
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  GridAdaptation<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Adaptive grid");
+    rule.minimum    = prm.get_integer("Minimum level");
+    rule.maximum    = prm.get_integer("Maximum level");
+    rule.hysteresis = prm.get_double("Hysteresis");
+    n_buffer        = prm.get_integer("Buffer");
+    resets_between  = prm.get_integer("Resets between changes");
+    n_repetitions   = prm.get_integer("Repetitions of first step");
+    AssertThrow(rule.minimum <= rule.maximum,
+                ExcMessage("<Adaptive grid/Minimum level> = " +
+                           std::to_string(rule.minimum) +
+                           " must not exceed <Adaptive grid/Maximum level> = " +
+                           std::to_string(rule.maximum) + "."));
+    PluginRegistry<CellSizeCriterion<dim>>::create_all(criteria);
+    for (const auto &criterion : criteria)
+      criterion->parse_parameters(prm);
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  bool
+  GridAdaptation<dim>::needs_state() const
+  {
+    return std::any_of(criteria.begin(), criteria.end(), [](const auto &c) {
+      return c->needs_state();
+    });
+  }
+
+
+
+  template <int dim>
+  double
+  GridAdaptation<dim>::size_at(const Point<dim> &x, const double time) const
+  {
+    double size = CellSizeCriterion<dim>::any_size;
+    for (const auto &criterion : criteria)
+      size = std::min(size, criterion->size_at(x, time));
+    return size;
+  }
+
+
+
+  template <int dim>
+  void
+  GridAdaptation<dim>::make_initial_grid(BackgroundGrid<dim> &grid)
+  {
+    if (!grid.is_adaptive())
+      return;
+    for (const auto &criterion : criteria)
+      criterion->initialize(grid);
+    const AdaptiveGrid<dim> &forest = grid.adaptive_grid();
+    // a leaf is asked at this many places a side
+    constexpr unsigned int n_places = (dim == 2 ? 9 : 5);
+    const auto             leaves   = forest.refine([&](const Leaf<dim> &leaf) {
+      if (leaf.level < rule.minimum)
+        return true;
+      const double size = forest.size(leaf.tree, leaf.level) * (1 - 1e-9);
+      if (leaf.level >= rule.maximum)
+        return false;
+      const unsigned int n = std::pow(n_places, dim) + 0.5;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          auto         place = leaf.corner;
+          unsigned int rest  = i;
+          for (unsigned int d = 0; d < dim; ++d, rest /= n_places)
+            place[d] +=
+              std::uint64_t(rest % n_places) * leaf.size() / (n_places - 1);
+          if (size > size_at(forest.position(leaf.tree, place), 0.))
+            return true;
+        }
+      return false;
+    });
+    if (leaves == forest.leaves())
+      return;
+    grid.change(leaves,
+                partition_leaves(std::vector<double>(leaves.size(), 1.),
+                                 Utilities::MPI::n_mpi_processes(
+                                   grid.communicator())),
+                0.);
+  }
+
+
+
+  template <int dim>
+  BodyState<dim>
+  GridAdaptation<dim>::body_state(const StepContext<dim> &step,
+                                  const NodalField       &unknowns) const
+  {
+    const PointArrays<dim> &points = step.points;
+    BodyState<dim>          state{step.grid,
+                         static_cast<unsigned int>(
+                           step.kernel.materials.size()),
+                         step.time,
+                         {},
+                         {},
+                         {},
+                         {},
+                         {},
+                         {},
+                         {},
+                         {}};
+    // the variable whose increment is asked for, by material
+    std::vector<unsigned int> plastic_strain;
+    for (const auto &material : step.kernel.materials)
+      {
+        const auto names = material->history_names();
+        const auto found =
+          std::find(names.begin(), names.end(), "equivalent_plastic_strain");
+        plastic_strain.push_back(found == names.end() ?
+                                   numbers::invalid_unsigned_int :
+                                   found - names.begin());
+      }
+    std::array<double, max_history> history;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto     stencil  = points.stencil(step.grid.geometry(), k, q);
+          Tensor<2, dim> F        = unit_symmetric_tensor<dim>();
+          double         pressure = 0;
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            {
+              const unsigned int entry =
+                step.nodes.node(stencil.vertex[I]) * step.n_components;
+              for (unsigned int a = 0; a < dim; ++a)
+                F[a] += unknowns.local_element(entry + a) * stencil.gradient[I];
+              if (step.mixed())
+                pressure +=
+                  stencil.shape[I] * unknowns.local_element(entry + dim);
+            }
+          const auto end = step.kernel.final_state(
+            points, q, F, step.mixed(), pressure, history.data());
+          const unsigned int m = points.material[q];
+          state.cell.push_back(points.cell[k]);
+          state.shape.push_back(points.shape[q]);
+          state.volume.push_back(determinant(end.F) * points.volume[q]);
+          state.stress.push_back(end.cauchy_stress);
+          state.material.push_back(m);
+          state.shear_modulus.push_back(
+            step.kernel.materials[m]->shear_modulus());
+          state.inverse_bulk_modulus.push_back(
+            step.kernel.materials[m]->inverse_bulk_modulus());
+          const unsigned int i = plastic_strain[m];
+          state.plastic_increment.push_back(
+            i == numbers::invalid_unsigned_int ?
+              0. :
+              history[i] -
+                points
+                  .history[q * static_cast<std::size_t>(points.n_history) + i]);
+        }
+    return state;
+  }
+
+
+
+  template <int dim>
+  void
+  GridAdaptation<dim>::set_sizes(const StepContext<dim> &step,
+                                 const NodalField       &unknowns,
+                                 MaterialPoints<dim>    &points,
+                                 Statistics             &statistics)
+  {
+    if (!step.grid.is_adaptive() || !needs_state())
+      return;
+    const BodyState<dim> state = body_state(step, unknowns);
+    std::vector<double>  sizes(state.size(), CellSizeCriterion<dim>::any_size);
+    for (const auto &criterion : criteria)
+      if (criterion->needs_state())
+        criterion->limit_sizes(state, rule, sizes, statistics);
+    warn_of_maximum_level(state, rule.maximum, sizes, step.warnings);
+    points.for_each([&](const unsigned int /*k*/,
+                        const unsigned int q,
+                        Point<dim> & /*location*/,
+                        ArrayView<double> properties) {
+      properties[points.layout().cell_size] = sizes[q];
+    });
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  GridAdaptation<dim>::wanted_levels(const BackgroundGrid<dim> &grid,
+                                     const MaterialPoints<dim> &points,
+                                     const double               time,
+                                     std::vector<double>       &n_points) const
+  {
+    const AdaptiveGrid<dim>      &forest = grid.adaptive_grid();
+    const std::vector<Leaf<dim>> &leaves = forest.leaves();
+    const bool                    asked  = needs_state();
+    const unsigned int            entry  = points.layout().cell_size;
+    std::vector<double> sizes(leaves.size(), CellSizeCriterion<dim>::any_size);
+    n_points.assign(leaves.size(), 0.);
+    for (const auto &particle : points.handler())
+      {
+        const unsigned int leaf = forest.leaf_of_cell(
+          particle.get_surrounding_cell()->active_cell_index());
+        double size = size_at(particle.get_location(), time);
+        if (asked)
+          {
+            const double own = particle.get_properties()[entry];
+            size             = std::min(size,
+                            own > 0 ? own :
+                                                  forest.size(leaves[leaf].tree,
+                                                  leaves[leaf].level));
+          }
+        sizes[leaf] = std::min(sizes[leaf], size);
+        n_points[leaf] += 1;
+      }
+    Utilities::MPI::min(sizes, grid.communicator(), sizes);
+    Utilities::MPI::sum(n_points, grid.communicator(), n_points);
+
+    std::vector<unsigned int> levels(leaves.size(), rule.minimum);
+    for (unsigned int i = 0; i < leaves.size(); ++i)
+      if (n_points[i] > 0)
+        levels[i] = rule.level(forest, leaves[i], sizes[i]);
+    return levels;
+  }
+
+
+
+  template <int dim>
+  void
+  GridAdaptation<dim>::add_buffer(const BackgroundGrid<dim> &grid,
+                                  const std::vector<double> &n_points,
+                                  std::vector<unsigned int> &levels) const
+  {
+    const AdaptiveGrid<dim>    &forest   = grid.adaptive_grid();
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    std::vector<unsigned int>   around   = levels, at_vertex;
+    for (unsigned int i = 0; i < levels.size(); ++i)
+      if (n_points[i] == 0)
+        around[i] = 0;
+    for (unsigned int layer = 0; layer < n_buffer; ++layer)
+      {
+        at_vertex.assign(geometry.vertices().size(), 0);
+        for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+          for (const unsigned int v : geometry.vertex_indices(cell))
+            at_vertex[v] =
+              std::max(at_vertex[v], around[forest.leaf_of_cell(cell)]);
+        for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+          for (const unsigned int v : geometry.vertex_indices(cell))
+            {
+              unsigned int &level = around[forest.leaf_of_cell(cell)];
+              level               = std::max(level, at_vertex[v]);
+            }
+      }
+    for (unsigned int i = 0; i < levels.size(); ++i)
+      if (n_points[i] == 0)
+        levels[i] = std::max(levels[i], around[i]);
+  }
+
+
+
+  template <int dim>
+  bool
+  GridAdaptation<dim>::is_due()
+  {
+    return resets_between > 0 && n_resets++ % resets_between == 0;
+  }
+
+
+
+  template <int dim>
+  bool
+  GridAdaptation<dim>::adapt(BackgroundGrid<dim>     &grid,
+                             MaterialPoints<dim>     &points,
+                             const PointLocator<dim> &locator,
+                             const double             time,
+                             LastMotion              &last_motion)
+  {
+    if (!grid.is_adaptive())
+      return false;
+    const AdaptiveGrid<dim> &forest = grid.adaptive_grid();
+    const auto               old    = forest.leaves();
+    std::vector<double>      n_points;
+    auto levels = wanted_levels(grid, points, time, n_points);
+    add_buffer(grid, n_points, levels);
+
+    const auto leaves = forest.refine([&](const Leaf<dim> &leaf) {
+      if (leaf.level < rule.minimum)
+        return true;
+      unsigned int i = find_leaf<dim>(old, leaf.tree, leaf.corner);
+      if (old[i].level <= leaf.level)
+        return levels[i] > leaf.level;
+      for (; i < old.size() && is_within(old[i], leaf); ++i)
+        if (levels[i] > leaf.level)
+          return true;
+      return false;
+    });
+    if (leaves == old)
+      return false;
+    const Motion motion = motion_in_old_grid(grid, last_motion);
+
+    std::vector<double> weights;
+    for (const Leaf<dim> &leaf : leaves)
+      {
+        unsigned int i      = find_leaf<dim>(old, leaf.tree, leaf.corner);
+        double       weight = 0;
+        if (old[i].level <= leaf.level)
+          weight =
+            n_points[i] / std::pow(2., dim * (leaf.level - old[i].level));
+        else
+          for (; i < old.size() && is_within(old[i], leaf); ++i)
+            weight += n_points[i];
+        weights.push_back(weight > 0 ? weight + cost_of_leaf<dim> : 0.1);
+      }
+    const auto owners =
+      partition_leaves(weights,
+                       Utilities::MPI::n_mpi_processes(grid.communicator()));
+    points.change_grid(locator,
+                       [&]() { return grid.change(leaves, owners, time); });
+    set_motion_in_new_grid(motion, grid, last_motion);
+    ++n_changes;
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  GridAdaptation<dim>::evaluate(const BackgroundGrid<dim> &grid,
+                                const MaterialPoints<dim> &points,
+                                Statistics                &statistics)
+  {
+    if (!grid.is_adaptive())
+      return;
+    unsigned int finest = 0;
+    for (const Leaf<dim> &leaf : grid.adaptive_grid().leaves())
+      finest = std::max(finest, leaf.level);
+    statistics.set("Cells of grid", grid.geometry().n_cells());
+    statistics.set("Finest level of grid", finest);
+    statistics.set("Changes of grid", n_changes);
+    const double n_own = points.handler().n_locally_owned_particles();
+    const auto counts = Utilities::MPI::min_max_avg(n_own, grid.communicator());
+    statistics.set("Largest share of points on a rank",
+                   counts.max / counts.sum);
+  }
+
+
+
+  template <int dim>
+  std::string
+  GridAdaptation<dim>::save_state(const BackgroundGrid<dim> &grid) const
+  {
+    return std::to_string(n_resets) + ' ' + std::to_string(n_changes) + '\n' +
+           (grid.is_adaptive() ? grid.adaptive_grid().save_state() : "");
+  }
+
+
+
+  template <int dim>
+  bool
+  GridAdaptation<dim>::load_state(const std::string       &state,
+                                  BackgroundGrid<dim>     &grid,
+                                  MaterialPoints<dim>     &points,
+                                  const PointLocator<dim> &locator)
+  {
+    std::istringstream(state) >> n_resets >> n_changes;
+    if (!grid.is_adaptive())
+      return false;
+    std::vector<Leaf<dim>>    leaves;
+    std::vector<unsigned int> owners;
+    AdaptiveGrid<dim>::load_state(state.substr(state.find('\n') + 1),
+                                  leaves,
+                                  owners);
+    points.change_grid(locator,
+                       [&]() { return grid.change(leaves, owners, 0.); });
+    return true;
+  }
+
+
+
+  template class GridAdaptation<2>;
+  template class GridAdaptation<3>;
+} // namespace isochor

@@ -1,0 +1,260 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
+
+#include <isochor/base/expression.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <sstream>
+
+namespace isochor
+{
+  namespace
+  {
+    /** muParser takes letters for parts of an operator, and deal.II defines &
+     * and | beside its && and ||: without blanks it reads `&&y` as & and `&y`.
+     */
+    std::string
+    with_blanks_at_operators(const std::string &formula)
+    {
+      std::string result;
+      for (std::size_t i = 0; i < formula.size(); ++i)
+        {
+          const char c = formula[i];
+          if (c != '&' && c != '|')
+            {
+              result += c;
+              continue;
+            }
+          const bool twice = i + 1 < formula.size() && formula[i + 1] == c;
+          result += " " + std::string(twice ? 2 : 1, c) + " ";
+          i += twice;
+        }
+      return result;
+    }
+
+
+
+    /** Throw for what muParser takes without a word, but not as it is meant:
+     * `=` assigns, and `a < b < c` compares the truth of `a < b` with c. */
+    void
+    check_comparisons(const std::string &formula, const std::string &parameter)
+    {
+      const auto is_one_of = [](const char c, const std::string &characters) {
+        return characters.find(c) != std::string::npos;
+      };
+      const auto check = [&](const bool ok, const std::string &remedy) {
+        AssertThrow(ok,
+                    ExcMessage("The formula <" + formula +
+                               "> of the parameter <" + parameter +
+                               ">: " + remedy));
+      };
+      // whether something is compared already, for each open parenthesis
+      std::vector<bool> compared(1, false);
+      for (std::size_t i = 0; i < formula.size(); ++i)
+        {
+          const char c    = formula[i];
+          const char next = i + 1 < formula.size() ? formula[i + 1] : ' ';
+          if (c == '(')
+            compared.push_back(false);
+          else if (c == ')' && compared.size() > 1)
+            compared.pop_back();
+          else if (is_one_of(c, "&|,?:"))
+            compared.back() = false;
+          else if (is_one_of(c, "=!<>") && next == '=')
+            ++i;
+          else
+            check(c != '=',
+                  "'=' assigns; two values are compared by '==', or, as "
+                  "coordinates are rounded, by abs(a - b) < 1e-6.");
+          if (is_one_of(c, "<>"))
+            {
+              check(!compared.back(),
+                    "'a < b < c' means '(a < b) < c'; write 'a < b && b < c'.");
+              compared.back() = true;
+            }
+        }
+    }
+
+
+
+    /** Throw if the formula depends on what it must not. */
+    template <int dim>
+    void
+    check_variables(const std::string     &formula,
+                    const std::string     &parameter,
+                    const FormulaVariables variables)
+    {
+      if (variables == FormulaVariables::space_and_time)
+        return;
+      const bool        in_time = variables == FormulaVariables::time;
+      const std::string space   = FunctionParser<dim>::default_variable_names();
+      const std::vector<std::string> coordinates =
+        Utilities::split_string_list(space);
+      for (const std::string &name : names_in_formula(formula))
+        {
+          const bool is_coordinate =
+            std::find(coordinates.begin(), coordinates.end(), name) !=
+            coordinates.end();
+          AssertThrow(!(in_time ? is_coordinate : name == "t"),
+                      ExcMessage(
+                        "The formula <" + formula + "> of the parameter <" +
+                        parameter + "> depends on " + name +
+                        ", but it is evaluated " +
+                        (in_time ? "for all places at once" : "at t = 0 only") +
+                        ": it may depend on " + (in_time ? "t" : space) + "."));
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Expression<dim>::Expression(const std::string     &formula,
+                              const std::string     &parameter,
+                              const FormulaVariables variables)
+    : formula(formula)
+    , parameter(parameter)
+    , compares(formula.find_first_of("<>") != std::string::npos &&
+               formula.find_first_of("&|?") == std::string::npos &&
+               formula.find("if") == std::string::npos)
+    , function(std::make_shared<FunctionParser<dim>>(1))
+  {
+    check_comparisons(formula, parameter);
+    try
+      {
+        function->initialize(FunctionParser<dim>::default_variable_names() +
+                               ",t",
+                             with_blanks_at_operators(formula),
+                             {{"pi", numbers::PI}},
+                             true);
+        function->set_time(0.);
+        function->value(Point<dim>());
+      }
+    catch (const std::exception &)
+      {
+        AssertThrow(false,
+                    ExcMessage("The formula <" + formula +
+                               "> of the parameter <" + parameter +
+                               "> can't be read. Allowed are the variables " +
+                               FunctionParser<dim>::default_variable_names() +
+                               ",t, the constant pi and the usual "
+                               "mathematical functions."));
+      }
+    check_variables<dim>(formula, parameter, variables);
+  }
+
+
+
+  template <int dim>
+  void
+  Expression<dim>::throw_not_finite(const Point<dim> &x, const double t) const
+  {
+    std::ostringstream place;
+    place << '(' << x << "), t = " << t;
+    AssertThrow(false,
+                ExcMessage("The formula <" + formula + "> of the parameter <" +
+                           parameter + "> has no finite value at " +
+                           place.str() + "."));
+    std::abort();
+  }
+
+
+
+  std::vector<std::string>
+  names_in_formula(const std::string &formula)
+  {
+    const auto is_letter = [](const char c) {
+      return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
+    };
+    const auto is_digit = [](const char c) {
+      return std::isdigit(static_cast<unsigned char>(c)) || c == '.';
+    };
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < formula.size();)
+      if (is_letter(formula[i]))
+        {
+          names.emplace_back();
+          for (; i < formula.size() &&
+                 (is_letter(formula[i]) || is_digit(formula[i]));
+               ++i)
+            names.back() += formula[i];
+        }
+      else if (is_digit(formula[i]))
+        {
+          // a number, whose exponent is no name
+          while (i < formula.size() && is_digit(formula[i]))
+            ++i;
+          if (i + 1 < formula.size() && std::tolower(formula[i]) == 'e' &&
+              (is_digit(formula[i + 1]) || formula[i + 1] == '-' ||
+               formula[i + 1] == '+'))
+            i += 2;
+        }
+      else
+        ++i;
+    return names;
+  }
+
+
+
+  std::vector<std::string>
+  split_formulas(const std::string &list,
+                 const std::string &parameter,
+                 const char         separator)
+  {
+    std::vector<std::string> items(1);
+    int                      depth = 0;
+    for (const char c : list)
+      {
+        depth += (c == '(') - (c == ')');
+        if (depth < 0)
+          break;
+        if (c == separator && depth == 0)
+          items.emplace_back();
+        else
+          items.back() += c;
+      }
+    AssertThrow(depth == 0,
+                ExcMessage("The parentheses in <" + list +
+                           "> of the parameter <" + parameter +
+                           "> don't match."));
+    for (std::string &item : items)
+      item = Utilities::trim(item);
+    // a separator at the end ends nothing more
+    if (items.back().empty())
+      items.pop_back();
+    return items;
+  }
+
+
+
+  std::vector<std::pair<std::string, std::string>>
+  split_named_list(const std::string &list, const std::string &parameter)
+  {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const std::string &item : split_formulas(list, parameter, ';'))
+      {
+        if (item.empty())
+          continue;
+        const auto colon = item.find(':');
+        AssertThrow(colon != std::string::npos,
+                    ExcMessage("The entry <" + item + "> of the parameter <" +
+                               parameter +
+                               "> must have the form <name: value>."));
+        pairs.emplace_back(Utilities::trim(item.substr(0, colon)),
+                           Utilities::trim(item.substr(colon + 1)));
+      }
+    return pairs;
+  }
+
+
+
+  template class Expression<1>;
+  template class Expression<2>;
+  template class Expression<3>;
+} // namespace isochor

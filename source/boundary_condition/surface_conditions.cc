@@ -1,0 +1,247 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/boundary_condition/surface_conditions.h>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  SurfaceConditions<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.declare_entry(
+      "Traction",
+      "",
+      Patterns::Anything(),
+      "Dead loads (Pa) on the surface that the body has on boundaries of the "
+      "grid at t = 0: 'boundary: t_x, t_y(, t_z); boundary: ...'. Short for "
+      "'Surfaces of body' and 'Traction on body': the load follows the "
+      "material it was put on, its formulas are in the reference position x, "
+      "y(, z) and t, and it is per reference area. Of faces that the body "
+      "covers in part only this part is loaded.");
+    prm.declare_entry(
+      "Surfaces of body",
+      "",
+      Patterns::Anything(),
+      "Parts of the body's surface at t = 0: 'name: place; name: place'. The "
+      "place is the name of a boundary of the grid that the body touches, or "
+      "a condition in x, y(, z) at the centres of the free faces of the cells "
+      "that the body fills. Boundary points mark the surface and follow the "
+      "body. Of faces that the body covers in part only this part belongs to "
+      "its surface.");
+    prm.declare_entry("Boundary points per face",
+                      "3",
+                      Patterns::Integer(1),
+                      "Gauss points in 2D, any number; in 3D 1, 3, 4, 6, 7, 9, "
+                      "12, 15, 16, ... From 2 (2D) or 3 (3D) on, a traction "
+                      "linear on a face is integrated exactly.");
+    prm.declare_entry("Mesh of body surfaces",
+                      "",
+                      Patterns::Anything(),
+                      "A gmsh .msh file of the body whose boundary faces are "
+                      "its surface where 'Surfaces of body' has a condition. "
+                      "Empty: the cells of the grid that the body fills.");
+    prm.declare_entry("Traction on body",
+                      "",
+                      Patterns::Anything(),
+                      "Dead loads (Pa) per reference area on surfaces of the "
+                      "body, formulas in the reference position x, y(, z) and "
+                      "t: 'surface: t_x, t_y(, t_z); surface: ...'.");
+    prm.declare_entry("Pressure on body",
+                      "",
+                      Patterns::Anything(),
+                      "Follower loads (Pa): a pressure against surfaces of the "
+                      "body as they are deformed, positive if it pushes: "
+                      "'surface: formula; ...'.");
+    prm.declare_entry("Displacement of body",
+                      "",
+                      Patterns::Anything(),
+                      "Prescribed displacements (m) since t = 0 of surfaces of "
+                      "the body, formulas in the reference position x, y(, z) "
+                      "and t: 'surface: x = formula, y = formula; surface: "
+                      "...'. Components not named are free.");
+    prm.declare_entry("Penalty of body displacement",
+                      "1e3",
+                      Patterns::Double(0),
+                      "Stiffness by which prescribed displacements of the body "
+                      "are imposed, in units of shear modulus over cell size. "
+                      "Where materials meet, the shear modulus is the mean by "
+                      "volume around the point's nodes.");
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceConditions<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    const std::string name = "Boundary conditions/Surfaces of body";
+    for (const auto &entry :
+         split_named_list(prm.get("Surfaces of body"), name))
+      {
+        SurfaceCondition<dim> surface;
+        surface.place.name      = entry.first;
+        surface.place.parameter = name;
+        surface.place.condition = entry.second;
+        surfaces.push_back(surface);
+      }
+    points_per_face = prm.get_integer("Boundary points per face");
+    body_mesh       = prm.get("Mesh of body surfaces");
+    penalty         = prm.get_double("Penalty of body displacement");
+    parse_loads(prm);
+    parse_displacements(prm);
+    parse_tractions(prm);
+    AssertThrow(penalty > 0,
+                ExcMessage("The parameter <Boundary conditions/Penalty of body "
+                           "displacement> must be positive."));
+  }
+
+
+
+  template <int dim>
+  SurfaceCondition<dim> &
+  SurfaceConditions<dim>::find_surface(const std::string &name,
+                                       const std::string &parameter)
+  {
+    std::string known;
+    for (SurfaceCondition<dim> &surface : surfaces)
+      {
+        if (surface.place.name == name)
+          return surface;
+        known += (known.empty() ? "" : ", ") + surface.place.name;
+      }
+    AssertThrow(false,
+                ExcMessage("The parameter <Boundary conditions/" + parameter +
+                           "> names the surface <" + name +
+                           ">. <Boundary conditions/Surfaces of body> lists: " +
+                           (known.empty() ? "none" : known) + "."));
+    return surfaces.front();
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceConditions<dim>::parse_tractions(ParameterHandler &prm)
+  {
+    const std::string name = "Boundary conditions/Traction";
+    for (const auto &entry : split_named_list(prm.get("Traction"), name))
+      {
+        SurfaceCondition<dim> surface;
+        surface.place.name             = entry.first;
+        surface.place.parameter        = name;
+        surface.place.on_grid_boundary = true;
+        for (const auto &item : split_formulas(entry.second, name))
+          surface.traction.emplace_back(item, name);
+        AssertThrow(surface.traction.size() == dim,
+                    ExcMessage("The parameter <" + name + "> needs " +
+                               std::to_string(dim) + " components on <" +
+                               entry.first + ">."));
+        for (const auto &other : surfaces)
+          AssertThrow(other.place.parameter != name ||
+                        other.place.name != entry.first,
+                      ExcMessage("The parameter <" + name +
+                                 "> names the boundary <" + entry.first +
+                                 "> twice."));
+        surfaces.push_back(surface);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceConditions<dim>::parse_loads(ParameterHandler &prm)
+  {
+    for (const std::string parameter : {"Traction on body", "Pressure on body"})
+      {
+        const std::string name    = "Boundary conditions/" + parameter;
+        const bool        is_dead = parameter == "Traction on body";
+        for (const auto &entry : split_named_list(prm.get(parameter), name))
+          {
+            auto      &surface  = find_surface(entry.first, parameter);
+            auto      &load     = is_dead ? surface.traction : surface.pressure;
+            const auto formulas = is_dead ?
+                                    split_formulas(entry.second, name) :
+                                    std::vector<std::string>{entry.second};
+            AssertThrow(!is_dead || formulas.size() == dim,
+                        ExcMessage("The parameter <" + name + "> needs " +
+                                   std::to_string(dim) + " components on <" +
+                                   entry.first + ">."));
+            AssertThrow(load.empty(),
+                        ExcMessage("The parameter <" + name +
+                                   "> names the surface <" + entry.first +
+                                   "> twice."));
+            for (const auto &formula : formulas)
+              load.emplace_back(formula, name);
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceConditions<dim>::parse_displacements(ParameterHandler &prm)
+  {
+    const std::string parameter = "Displacement of body";
+    const std::string name      = "Boundary conditions/" + parameter;
+    const std::string axes      = std::string("xyz").substr(0, dim);
+    for (const auto &entry : split_named_list(prm.get(parameter), name))
+      for (const auto &item : split_formulas(entry.second, name))
+        {
+          auto             &surface = find_surface(entry.first, parameter);
+          const auto        equals  = item.find('=');
+          const std::string axis =
+            Utilities::trim(item.substr(0, std::min(equals, item.size())));
+          AssertThrow(equals != std::string::npos && axis.size() == 1 &&
+                        axes.find(axis) != std::string::npos,
+                      ExcMessage("The entry <" + item + "> of the parameter <" +
+                                 name +
+                                 "> must have the form <x = formula>, with a "
+                                 "component out of " +
+                                 axes + "."));
+          auto &displacement = surface.displacement[axes.find(axis)];
+          AssertThrow(displacement.empty(),
+                      ExcMessage("The parameter <" + name +
+                                 "> prescribes the component " + axis +
+                                 " of the surface <" + entry.first +
+                                 "> twice."));
+          displacement.emplace_back(item.substr(equals + 1), name);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceConditions<dim>::find_boundaries(const BackgroundGrid<dim> &grid)
+  {
+    for (SurfaceCondition<dim> &surface : surfaces)
+      {
+        BodySurface<dim> &place = surface.place;
+        if (place.on_grid_boundary)
+          {
+            place.id = grid.boundary_id(place.name, place.parameter);
+            continue;
+          }
+        const auto boundary = grid.boundary_names().find(place.condition);
+        if (boundary == grid.boundary_names().end())
+          continue;
+        AssertThrow(body_mesh.empty(),
+                    ExcMessage("With <Boundary conditions/Mesh of body "
+                               "surfaces> the surface <" +
+                               place.name +
+                               "> needs a condition in the coordinates, not "
+                               "the name of a boundary of the grid."));
+        place.on_grid_boundary = true;
+        place.id               = boundary->second;
+      }
+  }
+
+
+
+  template struct SurfaceConditions<2>;
+  template struct SurfaceConditions<3>;
+} // namespace isochor

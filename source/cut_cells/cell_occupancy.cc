@@ -1,0 +1,431 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/cut_cells/cell_occupancy.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace isochor
+{
+  template <int dim>
+  CellOccupancy<dim>::CellOccupancy(const BackgroundGrid<dim> &grid)
+    : grid(grid)
+  {}
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::find_cells_at_vertices()
+  {
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    n_cells_at.assign(grid.triangulation().n_vertices(), 0);
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      for (const unsigned int v : geometry.vertex_indices(cell))
+        ++n_cells_at[v];
+    cells_at_start.assign(n_cells_at.size() + 1, 0);
+    std::partial_sum(n_cells_at.begin(),
+                     n_cells_at.end(),
+                     cells_at_start.begin() + 1);
+    cells_at_vertices.resize(cells_at_start.back());
+    std::vector<unsigned int> next(cells_at_start.begin(),
+                                   cells_at_start.end() - 1);
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      for (const unsigned int v : geometry.vertex_indices(cell))
+        cells_at_vertices[next[v]++] = cell;
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::find_near_ranks()
+  {
+    near_ranks.clear();
+    const MPI_Comm comm = grid.communicator();
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return;
+    const SimplexGeometry<dim>         &geometry = grid.geometry();
+    std::vector<std::set<unsigned int>> ranks(n_cells_at.size());
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      for (const unsigned int v : geometry.vertex_indices(cell))
+        ranks[v].insert(geometry.owner(cell));
+    for (unsigned int layer = 0; layer < n_near_layers; ++layer)
+      {
+        auto wider = ranks;
+        for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+          for (const unsigned int v : geometry.vertex_indices(cell))
+            for (const unsigned int w : geometry.vertex_indices(cell))
+              wider[v].insert(ranks[w].begin(), ranks[w].end());
+        ranks.swap(wider);
+      }
+    const unsigned int me = Utilities::MPI::this_mpi_process(comm);
+    for (unsigned int v = 0; v < ranks.size(); ++v)
+      {
+        ranks[v].erase(me);
+        if (!ranks[v].empty())
+          near_ranks[v].assign(ranks[v].begin(), ranks[v].end());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::mark_open(const BoundaryFace &face)
+  {
+    for (unsigned int v = 0; v <= dim; ++v)
+      if (v != face.opposite_vertex)
+        open_vertex[grid.geometry().vertex_indices(face.cell)[v]] = 1;
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::clear()
+  {
+    for (const Content &content : contents)
+      {
+        entry_of_cell[content.cell] = numbers::invalid_unsigned_int;
+        for (const unsigned int v :
+             grid.geometry().vertex_indices(content.cell))
+          n_occupied_at[v] = 0;
+      }
+    for (const unsigned int v : active_list)
+      vertex_active[v] = 0;
+    contents.clear();
+    active_list.clear();
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::activate(const unsigned int vertex)
+  {
+    if (vertex_active[vertex])
+      return;
+    vertex_active[vertex] = 1;
+    active_list.push_back(vertex);
+  }
+
+
+
+  template <int dim>
+  typename CellOccupancy<dim>::Content &
+  CellOccupancy<dim>::entry(const unsigned int cell)
+  {
+    unsigned int &index = entry_of_cell[cell];
+    if (index == numbers::invalid_unsigned_int)
+      {
+        index = contents.size();
+        contents.emplace_back();
+        contents.back().cell = cell;
+      }
+    return contents[index];
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::update(const PointArrays<dim> &points,
+                             const MixedKernel<dim> &kernel,
+                             const bool              find_holes)
+  {
+    clear();
+    add_own(points, kernel);
+    exchange();
+
+    // a cell takes part with its corners only if all of its nodes do
+    for (const Content &content : contents)
+      if (is_closed(content.cell))
+        for (const unsigned int v :
+             grid.geometry().vertex_indices(content.cell))
+          ++n_occupied_at[v];
+    if (find_holes)
+      find_hole_cells();
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::add_own(const PointArrays<dim> &points,
+                              const MixedKernel<dim> &kernel)
+  {
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      {
+        Content &content = entry(points.cell[k]);
+        for (unsigned int q = points.cell_start[k];
+             q < points.cell_start[k + 1];
+             ++q)
+          {
+            const double V0 = points.volume[q];
+            content.volume += determinant(points.F[q]) * V0;
+            content.reference_volume += V0;
+            content.volume_times_G +=
+              V0 * kernel.materials[points.material[q]]->shear_modulus();
+            const auto stencil = points.stencil(grid.geometry(), k, q);
+            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+              activate(stencil.vertex[I]);
+          }
+      }
+    for (const auto &corner : points.corner_cells)
+      entry(corner.second);
+  }
+
+
+
+  template <int dim>
+  std::set<unsigned int>
+  CellOccupancy<dim>::ranks_near_cell(const unsigned int cell) const
+  {
+    std::set<unsigned int> ranks;
+    for (const unsigned int v : grid.geometry().vertex_indices(cell))
+      {
+        const auto near = near_ranks.find(v);
+        if (near != near_ranks.end())
+          ranks.insert(near->second.begin(), near->second.end());
+      }
+    return ranks;
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::add_cells(const std::map<unsigned int, double> &cells)
+  {
+    for (const auto &cell : cells)
+      entry(cell.first);
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::share(std::map<unsigned int, double> &values) const
+  {
+    const MPI_Comm comm = grid.communicator();
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return;
+    const unsigned int me = Utilities::MPI::this_mpi_process(comm);
+    std::map<unsigned int, std::vector<std::pair<unsigned int, double>>> sent;
+    for (auto value = values.begin(); value != values.end();)
+      if (grid.geometry().owner(value->first) == me)
+        {
+          for (const unsigned int rank : ranks_near_cell(value->first))
+            sent[rank].push_back(*value);
+          ++value;
+        }
+      else
+        value = values.erase(value);
+    for (const auto &received : Utilities::MPI::some_to_some(comm, sent))
+      values.insert(received.second.begin(), received.second.end());
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::exchange()
+  {
+    if (near_ranks.empty() &&
+        Utilities::MPI::n_mpi_processes(grid.communicator()) == 1)
+      return;
+
+    // per rank: the number of active vertices, these, and the cells
+    std::map<unsigned int, std::vector<double>> messages, cells;
+    for (const unsigned int v : active_list)
+      {
+        const auto near = near_ranks.find(v);
+        if (near != near_ranks.end())
+          for (const unsigned int rank : near->second)
+            messages[rank].push_back(v);
+      }
+    for (const Content &content : contents)
+      {
+        for (const unsigned int rank : ranks_near_cell(content.cell))
+          {
+            std::vector<double> &out = cells[rank];
+            out.insert(out.end(),
+                       {double(content.cell),
+                        content.volume,
+                        content.reference_volume,
+                        content.volume_times_G});
+          }
+      }
+    for (auto &cell : cells)
+      messages[cell.first];
+    for (auto &message : messages)
+      {
+        message.second.insert(message.second.begin(), message.second.size());
+        const auto &of_cells = cells[message.first];
+        message.second.insert(message.second.end(),
+                              of_cells.begin(),
+                              of_cells.end());
+      }
+    for (const auto &received :
+         Utilities::MPI::some_to_some(grid.communicator(), messages))
+      add_received(received.second);
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::add_received(const std::vector<double> &message)
+  {
+    const std::size_t n_vertices = message[0];
+    for (std::size_t i = 1; i <= n_vertices; ++i)
+      activate(static_cast<unsigned int>(message[i]));
+    for (std::size_t i = 1 + n_vertices; i < message.size(); i += 4)
+      {
+        const double *in = &message[i];
+        Content      &to = entry(static_cast<unsigned int>(in[0]));
+        to.volume += in[1];
+        to.reference_volume += in[2];
+        to.volume_times_G += in[3];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::find_hole_cells()
+  {
+    constexpr unsigned int none = SimplexGeometry<dim>::no_cell;
+    std::set<unsigned int> candidates;
+    for (const Content &content : contents)
+      for (const unsigned int cell : grid.geometry().neighbours(content.cell))
+        if (cell != none && this->content(cell) == nullptr)
+          candidates.insert(cell);
+
+    std::vector<Content> holes;
+    while (!candidates.empty())
+      {
+        const std::set<unsigned int> gap =
+          empty_cells_around(*candidates.begin());
+        const Content hole = fill_of_gap(gap);
+        for (const unsigned int cell : gap)
+          {
+            candidates.erase(cell);
+            if (hole.is_hole)
+              {
+                const double measure = grid.geometry().measure(cell);
+                holes.push_back(hole);
+                holes.back().cell   = cell;
+                holes.back().volume = measure;
+                holes.back().reference_volume *= measure;
+                holes.back().volume_times_G *= measure;
+              }
+          }
+      }
+    for (const Content &hole : holes)
+      {
+        entry_of_cell[hole.cell] = contents.size();
+        contents.push_back(hole);
+        for (const unsigned int v : grid.geometry().vertex_indices(hole.cell))
+          ++n_occupied_at[v];
+      }
+  }
+
+
+
+  template <int dim>
+  std::set<unsigned int>
+  CellOccupancy<dim>::empty_cells_around(const unsigned int cell) const
+  {
+    std::set<unsigned int>    gap       = {cell};
+    std::vector<unsigned int> to_follow = {cell};
+    while (!to_follow.empty() && gap.size() <= largest_hole)
+      {
+        const unsigned int next = to_follow.back();
+        to_follow.pop_back();
+        for (const unsigned int other : grid.geometry().neighbours(next))
+          if (other != SimplexGeometry<dim>::no_cell &&
+              content(other) == nullptr && gap.insert(other).second)
+            to_follow.push_back(other);
+      }
+    return gap;
+  }
+
+
+
+  template <int dim>
+  typename CellOccupancy<dim>::Content
+  CellOccupancy<dim>::fill_of_gap(const std::set<unsigned int> &gap) const
+  {
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    Content                     hole;
+    if (gap.size() > largest_hole)
+      return hole;
+    unsigned int n_neighbours = 0;
+    double       J = 0, G = 0;
+    for (const unsigned int cell : gap)
+      for (unsigned int i = 0; i <= dim; ++i)
+        {
+          const unsigned int other = geometry.neighbours(cell)[i];
+          if (other == SimplexGeometry<dim>::no_cell)
+            {
+              for (unsigned int v = 0; v <= dim; ++v)
+                if (v != i &&
+                    is_at_open_boundary(geometry.vertex_indices(cell)[v]))
+                  return hole;
+              continue;
+            }
+          if (gap.count(other) != 0)
+            continue;
+          const Content &neighbour = *content(other);
+          if (!(neighbour.reference_volume > 0))
+            return hole;
+          ++n_neighbours;
+          J += neighbour.volume / neighbour.reference_volume;
+          G += neighbour.volume_times_G / neighbour.reference_volume;
+        }
+    hole.is_hole = n_neighbours >= dim;
+    if (hole.is_hole)
+      {
+        hole.reference_volume = n_neighbours / J;
+        hole.volume_times_G   = G / J;
+      }
+    return hole;
+  }
+
+
+
+  template <int dim>
+  bool
+  CellOccupancy<dim>::is_closed(const unsigned int cell) const
+  {
+    for (const unsigned int v : grid.geometry().vertex_indices(cell))
+      if (!is_active(v))
+        return false;
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  CellOccupancy<dim>::is_interior(const unsigned int cell) const
+  {
+    for (const unsigned int v : grid.geometry().vertex_indices(cell))
+      if (is_at_empty_cell(v) || is_at_open_boundary(v))
+        return false;
+    return true;
+  }
+
+
+
+  template class CellOccupancy<2>;
+  template class CellOccupancy<3>;
+} // namespace isochor

@@ -1,0 +1,399 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+
+#include <isochor/dynamics/mass_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  MassMatrix<dim>::reinit(const StepContext<dim> &step, const bool with_domains)
+  {
+    const PointArrays<dim> &points = step.points;
+    step.nodes.initialize(lumped, 1);
+    step.nodes.initialize(diagonal, 1);
+    cell_mass.clear();
+    if (!points.has_stencils())
+      cell_mass.resize(points.n_occupied_cells);
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto   stencil = points.stencil(step.grid.geometry(), k, q);
+          const double m       = points.mass[q];
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            {
+              const unsigned int node = step.nodes.node(stencil.vertex[I]);
+              const double       N    = stencil.shape[I];
+              lumped.local_element(node) += m * N;
+              diagonal.local_element(node) += m * N * N;
+            }
+          if (!points.has_stencils())
+            for (unsigned int I = 0, entry = 0; I <= dim; ++I)
+              for (unsigned int J = 0; J <= I; ++J, ++entry)
+                cell_mass[k][entry] += m * stencil.shape[I] * stencil.shape[J];
+        }
+    lumped.compress(VectorOperation::add);
+    diagonal.compress(VectorOperation::add);
+    domain_inertia.clear();
+    if (!with_domains)
+      return;
+    step.nodes.initialize(diagonal_of_domains, 1);
+    for (unsigned int q = 0; q < points.n_points(); ++q)
+      {
+        // of a simplex: the second moment of its corners over (d + 1) (d + 2)
+        SymmetricTensor<2, dim> C;
+        for (const Tensor<1, dim> &corner : points.domain[q])
+          {
+            const Tensor<1, dim> r = points.F[q] * corner;
+            C += symmetrize(outer_product(r, r));
+          }
+        C *= points.mass[q] / ((dim + 1) * (dim + 2));
+        domain_inertia.push_back(C);
+        const auto stencil = points.stencil(step.grid.geometry(), 0, q);
+        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+          diagonal_of_domains.local_element(
+            step.nodes.node(stencil.vertex[I])) +=
+            stencil.gradient[I] * (C * stencil.gradient[I]);
+      }
+    diagonal_of_domains.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::element_nodes(const StepContext<dim>    &step,
+                                 const unsigned int         element,
+                                 std::vector<unsigned int> &nodes) const
+  {
+    const PointArrays<dim> &points = step.points;
+    nodes.clear();
+    if (points.has_stencils())
+      for (std::size_t i = points.stencil_start[element];
+           i < points.stencil_start[element + 1];
+           ++i)
+        nodes.push_back(step.nodes.node(points.stencil_vertex[i]));
+    else
+      for (const unsigned int vertex :
+           step.grid.geometry().vertex_indices(points.cell[element]))
+        nodes.push_back(step.nodes.node(vertex));
+  }
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::element_matrix(const StepContext<dim> &step,
+                                  const unsigned int      element,
+                                  std::vector<double>    &matrix) const
+  {
+    const PointArrays<dim> &points = step.points;
+    if (points.has_stencils())
+      {
+        const auto stencil   = points.stencil(step.grid.geometry(), 0, element);
+        const unsigned int n = stencil.n_nodes;
+        matrix.resize(n * n);
+        for (unsigned int I = 0; I < n; ++I)
+          for (unsigned int J = 0; J < n; ++J)
+            matrix[I * n + J] =
+              points.mass[element] * stencil.shape[I] * stencil.shape[J];
+        return;
+      }
+    constexpr unsigned int n = dim + 1;
+    matrix.resize(n * n);
+    for (unsigned int I = 0, entry = 0; I < n; ++I)
+      for (unsigned int J = 0; J <= I; ++J, ++entry)
+        matrix[I * n + J] = matrix[J * n + I] = cell_mass[element][entry];
+  }
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::collect(const StepContext<dim>            &step,
+                           const std::vector<Tensor<1, dim>> &field,
+                           NodalField                        &result) const
+  {
+    const PointArrays<dim> &points = step.points;
+    step.nodes.initialize(result, dim);
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            {
+              const unsigned int node = step.nodes.node(stencil.vertex[I]);
+              for (unsigned int a = 0; a < dim; ++a)
+                result.local_element(node * dim + a) +=
+                  points.mass[q] * stencil.shape[I] * field[q][a];
+            }
+        }
+    result.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::add_product(const StepContext<dim> &step,
+                               const NodalField       &field,
+                               NodalField             &result) const
+  {
+    const PointArrays<dim> &points = step.points;
+    const double *const     x      = field.begin();
+    double *const           y      = result.begin();
+    if (points.has_stencils())
+      {
+        for (unsigned int q = 0; q < points.n_points(); ++q)
+          {
+            const auto     stencil = points.stencil(step.grid.geometry(), 0, q);
+            Tensor<1, dim> value;
+            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+              {
+                const double *const nodal =
+                  x + step.nodes.node(stencil.vertex[I]) * dim;
+                for (unsigned int a = 0; a < dim; ++a)
+                  value[a] += stencil.shape[I] * nodal[a];
+              }
+            value *= points.mass[q];
+            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+              {
+                double *const nodal =
+                  y + step.nodes.node(stencil.vertex[I]) * dim;
+                for (unsigned int a = 0; a < dim; ++a)
+                  nodal[a] += stencil.shape[I] * value[a];
+              }
+          }
+        return;
+      }
+    for (unsigned int k = 0; k < cell_mass.size(); ++k)
+      {
+        const auto &vertices =
+          step.grid.geometry().vertex_indices(points.cell[k]);
+        std::array<unsigned int, dim + 1> first;
+        for (unsigned int I = 0; I <= dim; ++I)
+          first[I] = step.nodes.node(vertices[I]) * dim;
+        for (unsigned int I = 0, entry = 0; I <= dim; ++I)
+          for (unsigned int J = 0; J <= I; ++J, ++entry)
+            for (unsigned int a = 0; a < dim; ++a)
+              {
+                const double m = cell_mass[k][entry];
+                y[first[I] + a] += m * x[first[J] + a];
+                if (J < I)
+                  y[first[J] + a] += m * x[first[I] + a];
+              }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::add_product_of_domains(const StepContext<dim> &step,
+                                          const NodalField       &field,
+                                          NodalField             &result) const
+  {
+    const double *const x = field.begin();
+    double *const       y = result.begin();
+    for (unsigned int q = 0; q < domain_inertia.size(); ++q)
+      {
+        const auto stencil = step.points.stencil(step.grid.geometry(), 0, q);
+        Tensor<2, dim> gradient;
+        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+          {
+            const double *const nodal =
+              x + step.nodes.node(stencil.vertex[I]) * dim;
+            for (unsigned int a = 0; a < dim; ++a)
+              gradient[a] += nodal[a] * stencil.gradient[I];
+          }
+        const SymmetricTensor<2, dim> force =
+          symmetrize(Tensor<2, dim>(symmetrize(gradient)) *
+                     Tensor<2, dim>(domain_inertia[q]));
+        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+          {
+            double *const nodal = y + step.nodes.node(stencil.vertex[I]) * dim;
+            for (unsigned int a = 0; a < dim; ++a)
+              nodal[a] += (force * stencil.gradient[I])[a];
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::vmult(const StepContext<dim> &step,
+                         const NodalField       &field,
+                         NodalField             &result) const
+  {
+    step.nodes.initialize(result, dim);
+    add_product(step, field, result);
+    result.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::hand_on(const StepContext<dim>           &step,
+                           const std::vector<unsigned char> &held,
+                           const NodalTies                  &ties,
+                           NodalField                       &load) const
+  {
+    for (unsigned int k = 0; k < ties.size(); ++k)
+      if (ties.node[k] < step.nodes.n_owned())
+        for (unsigned int a = 0; a < dim; ++a)
+          {
+            const unsigned int entry = ties.node[k] * dim + a;
+            if (held[entry])
+              continue;
+            const double value        = load.local_element(entry);
+            load.local_element(entry) = 0.;
+            for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
+              load.local_element(ties.master[i] * dim + a) +=
+                ties.weight[i] * value;
+          }
+    load.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::interpolate(const std::vector<unsigned char> &held,
+                               const NodalTies                  &ties,
+                               NodalField                       &field) const
+  {
+    field.update_ghost_values();
+    for (unsigned int k = 0; k < ties.size(); ++k)
+      for (unsigned int a = 0; a < dim; ++a)
+        {
+          if (held[ties.node[k] * dim + a])
+            continue;
+          double value = 0;
+          for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
+            value +=
+              ties.weight[i] * field.local_element(ties.master[i] * dim + a);
+          field.local_element(ties.node[k] * dim + a) = value;
+        }
+  }
+
+
+
+  template <int dim>
+  double
+  MassMatrix<dim>::solve(const StepContext<dim>           &step,
+                         const NodalField                 &load,
+                         const std::vector<unsigned char> &held,
+                         const NodalTies                  &ties,
+                         NodalField                       &solution,
+                         const bool                        with_domains) const
+  {
+    // The matrix scaled to a unit diagonal, so that residuals of nodes with
+    // little mass count for what they do to their points.
+    const unsigned int n = step.nodes.n_owned() * dim;
+    NodalField         scale, residual, correction;
+    step.nodes.initialize(scale, dim);
+    for (unsigned int i = 0; i < n; ++i)
+      scale.local_element(i) =
+        diagonal.local_element(i / dim) +
+        (with_domains ? diagonal_of_domains.local_element(i / dim) : 0.);
+    for (unsigned int k = 0; k < ties.size(); ++k)
+      if (ties.node[k] < step.nodes.n_owned())
+        for (unsigned int a = 0; a < dim; ++a)
+          if (const unsigned int entry = ties.node[k] * dim + a; !held[entry])
+            {
+              for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
+                scale.local_element(ties.master[i] * dim + a) +=
+                  ties.weight[i] * ties.weight[i] * scale.local_element(entry);
+              scale.local_element(entry) = 0.;
+            }
+    scale.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double m         = scale.local_element(i);
+        scale.local_element(i) = (!held[i] && m > 0) ? 1 / std::sqrt(m) : 0.;
+        if (!held[i] && m == 0)
+          solution.local_element(i) = 0;
+      }
+
+    struct ScaledMatrix
+    {
+      const MassMatrix<dim>            &mass;
+      const StepContext<dim>           &step;
+      const std::vector<unsigned char> &held;
+      const NodalTies                  &ties;
+      const NodalField                 &scale;
+      const bool                        with_domains;
+      mutable NodalField                scaled;
+
+      void
+      vmult(NodalField &result, const NodalField &x) const
+      {
+        scaled.zero_out_ghost_values();
+        scaled = x;
+        scaled.scale(scale);
+        mass.interpolate(held, ties, scaled);
+        result = 0.;
+        mass.add_product(step, scaled, result);
+        if (with_domains)
+          mass.add_product_of_domains(step, scaled, result);
+        result.compress(VectorOperation::add);
+        mass.hand_on(step, held, ties, result);
+        result.scale(scale);
+      }
+    };
+
+    interpolate(held, ties, solution);
+    step.nodes.initialize(residual, dim);
+    add_product(step, solution, residual);
+    if (with_domains)
+      add_product_of_domains(step, solution, residual);
+    residual.compress(VectorOperation::add);
+    residual.sadd(-1., 1., load);
+    hand_on(step, held, ties, residual);
+    residual.scale(scale);
+    correction = load;
+    hand_on(step, held, ties, correction);
+    correction.scale(scale);
+    const double size = correction.l2_norm();
+    correction        = 0.;
+    if (size == 0. && residual.l2_norm() == 0.)
+      return 0.;
+
+    const double goal = std::max(size, residual.l2_norm());
+    ScaledMatrix matrix{*this, step, held, ties, scale, with_domains, scale};
+    IterationNumberControl control(200, 1e-14 * goal, false, false);
+    SolverCG<NodalField>   cg(control);
+    try
+      {
+        cg.solve(matrix, correction, residual, PreconditionIdentity());
+      }
+    catch (const SolverControl::NoConvergence &)
+      {
+        // not a number: the matrix is singular, the load not in its range
+        return std::numeric_limits<double>::infinity();
+      }
+    correction.scale(scale);
+    solution.zero_out_ghost_values();
+    solution += correction;
+    interpolate(held, ties, solution);
+    return control.last_value() / goal;
+  }
+
+
+
+  template class MassMatrix<2>;
+  template class MassMatrix<3>;
+} // namespace isochor

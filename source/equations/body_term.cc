@@ -1,0 +1,262 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/equations/body_term.h>
+#include <isochor/equations/nodal_unknowns.h>
+
+namespace isochor
+{
+  template <int dim>
+  BodyTerm<dim>::BodyTerm(const BackgroundGrid<dim> &grid,
+                          const PointArrays<dim>    &points)
+    : grid(grid)
+    , points(points)
+  {}
+
+
+
+  template <int dim>
+  void
+  BodyTerm<dim>::touch_vertices(std::vector<unsigned int> &vertices)
+  {
+    const auto touch = [&](const unsigned int cell) {
+      for (const unsigned int vertex : grid.geometry().vertex_indices(cell))
+        vertices.push_back(vertex);
+    };
+    if (points.has_stencils())
+      {
+        vertices.insert(vertices.end(),
+                        points.stencil_vertex.begin(),
+                        points.stencil_vertex.end());
+        for (const auto &cell : points.overlapped_cells)
+          touch(cell.first);
+      }
+    else
+      for (const unsigned int cell : points.cell)
+        touch(cell);
+  }
+
+
+
+  template <int dim>
+  void
+  BodyTerm<dim>::collect_elements(const StepContext<dim> &step,
+                                  ElementNodes           &elements)
+  {
+    std::vector<unsigned int> nodes;
+    const auto                add = [&](const unsigned int *const vertices,
+                         const unsigned int        n_nodes) {
+      nodes.clear();
+      for (unsigned int I = 0; I < n_nodes; ++I)
+        nodes.push_back(step.nodes.node(vertices[I]));
+      elements.add(nodes.begin(), nodes.end());
+    };
+    if (points.has_stencils())
+      {
+        for (unsigned int q = 0; q < points.n_points(); ++q)
+          add(&points.stencil_vertex[points.stencil_start[q]],
+              points.stencil_start[q + 1] - points.stencil_start[q]);
+        for (const auto &cell : points.overlapped_cells)
+          add(grid.geometry().vertex_indices(cell.first).data(), dim + 1);
+      }
+    else
+      for (const unsigned int cell : points.cell)
+        add(grid.geometry().vertex_indices(cell).data(), dim + 1);
+  }
+
+
+
+  template <int dim>
+  EvaluationStatus
+  BodyTerm<dim>::assemble(const StepContext<dim> &step,
+                          const NodalField       &unknowns,
+                          const NodalField       &pending,
+                          const unsigned int      first_element,
+                          const bool              with_matrix,
+                          MixedSystem<dim>       &system)
+  {
+    if (!points.has_stencils())
+      return step.mixed() ?
+               assemble_cells<dim + 1>(
+                 step, unknowns, pending, first_element, with_matrix, system) :
+               assemble_cells<dim>(
+                 step, unknowns, pending, first_element, with_matrix, system);
+
+    if (step.mixed() && step.kernel.ppp_coefficient > 0)
+      assemble_overlapped_cells(step,
+                                unknowns,
+                                pending,
+                                first_element + points.n_points(),
+                                with_matrix,
+                                system);
+    return step.mixed() ?
+             assemble_domains<dim + 1>(
+               step, unknowns, pending, first_element, with_matrix, system) :
+             assemble_domains<dim>(
+               step, unknowns, pending, first_element, with_matrix, system);
+  }
+
+
+
+  template <int dim>
+  template <int n_components>
+  EvaluationStatus
+  BodyTerm<dim>::assemble_domains(const StepContext<dim> &step,
+                                  const NodalField       &unknowns,
+                                  const NodalField       &pending,
+                                  const unsigned int      first_element,
+                                  const bool              with_matrix,
+                                  MixedSystem<dim>       &system) const
+  {
+    constexpr std::size_t                 max_nodes = (dim + 1) * (dim + 1);
+    const NodalUnknowns<dim>              nodal(step, unknowns);
+    Element<dim, n_components, max_nodes> element;
+    for (unsigned int q = 0; q < points.n_points(); ++q)
+      {
+        const auto stencil = points.stencil(grid.geometry(), 0, q);
+        element.n_nodes    = stencil.n_nodes;
+        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+          element.gradient[I] = stencil.gradient[I];
+        nodal.gather(stencil.n_nodes, stencil.vertex, element);
+        const EvaluationStatus status = step.kernel.evaluate(
+          element,
+          points,
+          q,
+          q + 1,
+          [&](const unsigned int, const unsigned int I) {
+            return stencil.shape[I];
+          },
+          with_matrix);
+        if (status != EvaluationStatus::success)
+          return status;
+        system.add_element(first_element + q,
+                           element.residual.data(),
+                           with_matrix ? element.matrix.data() : nullptr,
+                           pending);
+      }
+    return EvaluationStatus::success;
+  }
+
+
+
+  template <int dim>
+  void
+  BodyTerm<dim>::assemble_overlapped_cells(const StepContext<dim> &step,
+                                           const NodalField       &unknowns,
+                                           const NodalField       &pending,
+                                           const unsigned int first_element,
+                                           const bool         with_matrix,
+                                           MixedSystem<dim>  &system) const
+  {
+    const NodalUnknowns<dim>       nodal(step, unknowns);
+    Element<dim, dim + 1, dim + 1> element;
+    element.matrix.fill(0.);
+    for (unsigned int k = 0; k < points.overlapped_cells.size(); ++k)
+      {
+        const auto &vertices =
+          grid.geometry().vertex_indices(points.overlapped_cells[k].first);
+        for (unsigned int I = 0; I <= dim; ++I)
+          element.pressure[I] = nodal.pressure(vertices[I]);
+        element.residual.fill(0.);
+        if (with_matrix)
+          element.matrix.fill(0.);
+        step.kernel.add_pressure_projection(element,
+                                            points.overlapped_cells[k].second,
+                                            with_matrix);
+        system.add_element(first_element + k,
+                           element.residual.data(),
+                           with_matrix ? element.matrix.data() : nullptr,
+                           pending);
+      }
+  }
+
+
+
+  template <int dim>
+  template <int n_components>
+  EvaluationStatus
+  BodyTerm<dim>::assemble_cells(const StepContext<dim> &step,
+                                const NodalField       &unknowns,
+                                const NodalField       &pending,
+                                const unsigned int      first_element,
+                                const bool              with_matrix,
+                                MixedSystem<dim>       &system) const
+  {
+    const MixedKernel<dim>     &kernel   = step.kernel;
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    const NodalUnknowns<dim>    nodal(step, unknowns);
+    const auto shape = [this](const unsigned int q, const unsigned int I) {
+      return points.shape[q][I];
+    };
+
+    Element<dim, n_components, dim + 1> element;
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
+      {
+        const unsigned int cell = points.cell[k];
+        element.gradient        = points.gradients(geometry, k);
+        nodal.gather(dim + 1, geometry.vertex_indices(cell).data(), element);
+
+        const unsigned int begin = points.cell_start[k],
+                           end   = points.cell_start[k + 1];
+        const EvaluationStatus status =
+          kernel.evaluate(element, points, begin, end, shape, with_matrix);
+        if (status != EvaluationStatus::success)
+          return status;
+        if constexpr (n_components == dim + 1)
+          if (kernel.ppp_coefficient > 0)
+            {
+              double volume_over_G = 0;
+              for (unsigned int q = begin; q < end; ++q)
+                volume_over_G +=
+                  points.weight[q] /
+                  kernel.materials[points.material[q]]->shear_modulus();
+              kernel.add_pressure_projection(element,
+                                             volume_over_G,
+                                             with_matrix);
+            }
+        system.add_element(first_element + k,
+                           element.residual.data(),
+                           with_matrix ? element.matrix.data() : nullptr,
+                           pending);
+      }
+    return EvaluationStatus::success;
+  }
+
+
+
+  template <int dim>
+  void
+  BodyTerm<dim>::add_unit_residual(const StepContext<dim> &step,
+                                   NodalField             &scale) const
+  {
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto   stencil = points.stencil(grid.geometry(), k, q);
+          const double V       = points.weight[q];
+          const MaterialModel<dim> &material =
+            *step.kernel.materials[points.material[q]];
+          // in the u form the rounding of J is multiplied by K
+          double modulus = material.shear_modulus();
+          if (!step.mixed())
+            modulus += 0.1 / material.inverse_bulk_modulus();
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            {
+              const unsigned int entry =
+                step.nodes.node(stencil.vertex[I]) * step.n_components;
+              for (unsigned int a = 0; a < dim; ++a)
+                scale.local_element(entry + a) +=
+                  V * modulus * stencil.gradient[I].norm();
+              if (step.mixed())
+                scale.local_element(entry + dim) += V * stencil.shape[I];
+            }
+        }
+  }
+
+
+
+  template class BodyTerm<2>;
+  template class BodyTerm<3>;
+} // namespace isochor

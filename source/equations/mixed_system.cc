@@ -1,0 +1,448 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/mpi_sums.h>
+#include <isochor/equations/mixed_system.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace isochor
+{
+  namespace
+  {
+    constexpr unsigned int invalid = numbers::invalid_unsigned_int;
+  }
+
+
+
+  template <int dim>
+  MixedSystem<dim>::MixedSystem(const ActiveNodes<dim> &nodes)
+    : nodes(nodes)
+  {}
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::reinit(const bool              nodes_changed,
+                           const unsigned int      n_components_,
+                           const ElementNodes     &elements_,
+                           const NodalConstraints &constraints,
+                           const bool              symmetric)
+  {
+    const MPI_Comm comm    = nodes.grid.communicator();
+    const bool     changed = nodes_changed || n_components != n_components_ ||
+                         system.symmetric != symmetric ||
+                         !(elements == elements_) ||
+                         constrained != constraints.constrained ||
+                         !(tied.nodal_ties() == constraints.ties);
+    if (Utilities::MPI::max(static_cast<unsigned int>(changed), comm) == 0)
+      return;
+
+    n_components     = n_components_;
+    elements         = elements_;
+    constrained      = constraints.constrained;
+    system.comm      = comm;
+    system.dim       = dim;
+    system.symmetric = symmetric;
+    ++system.pattern_id;
+    nodes.initialize(residual, n_components);
+    nodes.initialize(lifting, n_components);
+
+    tied.reinit(elements, constraints, n_components, nodes.n_local());
+    any_ties = Utilities::MPI::max(tied.empty() ? 0 : 1, comm) != 0;
+    number_equations();
+    collect_neighbours();
+    build_rows();
+    find_blocks();
+    for (auto *list : {&neighbour, &neighbour_offset})
+      std::vector<unsigned int>().swap(*list); // needed no more
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::number_equations()
+  {
+    const unsigned int n_owned = nodes.n_owned() * n_components;
+    const unsigned int n_local = nodes.n_local() * n_components;
+
+    // free unknowns of the owned nodes, one after the other over the ranks
+    const auto is_free = [this](const unsigned int entry) {
+      return !constrained[entry] &&
+             !tied.is_tied(entry / n_components, entry % n_components);
+    };
+    types::global_dof_index n_owned_free = 0;
+    for (unsigned int i = 0; i < n_owned; ++i)
+      n_owned_free += is_free(i);
+    const auto offset_and_sum =
+      exclusive_and_total_sum(n_owned_free, system.comm);
+    system.n_equations   = offset_and_sum.second;
+    system.locally_owned = IndexSet(system.n_equations);
+    system.locally_owned.add_range(offset_and_sum.first,
+                                   offset_and_sum.first + n_owned_free);
+
+    // a field of doubles carries the numbers to the ghosts, exactly
+    NodalField global;
+    nodes.initialize(global, n_components);
+    types::global_dof_index next = offset_and_sum.first;
+    for (unsigned int i = 0; i < n_owned; ++i)
+      global.local_element(i) = is_free(i) ? next++ : -1.;
+    global.update_ghost_values();
+
+    std::vector<std::pair<types::global_dof_index, unsigned int>> sorted;
+    for (unsigned int i = 0; i < n_local; ++i)
+      if (global.local_element(i) >= 0)
+        sorted.emplace_back(global.local_element(i), i);
+    std::sort(sorted.begin(), sorted.end());
+
+    equations.assign(n_local, invalid);
+    const unsigned int n = sorted.size();
+    system.global_equation.resize(n);
+    system.field.resize(n);
+    system.node.resize(n);
+    system.component.resize(n);
+    system.position.resize(n * dim);
+    const auto &vertices = nodes.grid.triangulation().get_vertices();
+    for (unsigned int eq = 0; eq < n; ++eq)
+      {
+        const unsigned int entry     = sorted[eq].second;
+        const unsigned int component = entry % n_components;
+        equations[entry]             = eq;
+        system.global_equation[eq]   = sorted[eq].first;
+        system.component[eq]         = component;
+        system.field[eq] = component < dim ? SparseSystem::Field::displacement :
+                                             SparseSystem::Field::pressure;
+        const Point<dim> &x = vertices[nodes.vertex(entry / n_components)];
+        for (unsigned int d = 0; d < dim; ++d)
+          system.position[eq * dim + d] = x[d];
+      }
+
+    node_first_free.assign(nodes.n_local() + 1, 0);
+    nodes_in_order.clear();
+    node_order.assign(nodes.n_local(), invalid);
+    for (unsigned int eq = 0; eq < n; ++eq)
+      {
+        const unsigned int node = sorted[eq].second / n_components;
+        ++node_first_free[node + 1];
+        if (node_order[node] == invalid)
+          {
+            node_order[node] = nodes_in_order.size();
+            nodes_in_order.push_back(node);
+          }
+        system.node[eq] = node_order[node];
+      }
+    std::partial_sum(node_first_free.begin(),
+                     node_first_free.end(),
+                     node_first_free.begin());
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::collect_neighbours()
+  {
+    const ElementNodes &elements = all_elements();
+    // elements of each node
+    std::vector<std::size_t> element_start(nodes.n_local() + 1, 0);
+    for (const unsigned int node : elements.node)
+      ++element_start[node + 1];
+    std::partial_sum(element_start.begin(),
+                     element_start.end(),
+                     element_start.begin());
+    std::vector<unsigned int> element_of(elements.node.size());
+    {
+      std::vector<std::size_t> next(element_start.begin(),
+                                    element_start.end() - 1);
+      for (unsigned int e = 0; e < elements.size(); ++e)
+        for (std::size_t i = elements.start[e]; i < elements.start[e + 1]; ++i)
+          element_of[next[elements.node[i]]++] = e;
+    }
+
+    neighbour_start.assign(1, 0);
+    neighbour.clear();
+    neighbour_offset.clear();
+    std::vector<unsigned int> seen_by(nodes.n_local(), invalid);
+    for (unsigned int order = 0; order < nodes_in_order.size(); ++order)
+      {
+        const unsigned int node = nodes_in_order[order];
+        for (std::size_t k = element_start[node]; k < element_start[node + 1];
+             ++k)
+          for (std::size_t i = elements.start[element_of[k]];
+               i < elements.start[element_of[k] + 1];
+               ++i)
+            {
+              const unsigned int other = node_order[elements.node[i]];
+              if (other == invalid || seen_by[other] == order ||
+                  (system.symmetric && other < order))
+                continue;
+              seen_by[other] = order;
+              neighbour.push_back(other);
+            }
+        if (seen_by[order] != order) // a node that no local element touches
+          neighbour.push_back(order);
+        std::sort(neighbour.begin() + neighbour_start.back(), neighbour.end());
+        unsigned int offset = 0;
+        for (std::size_t i = neighbour_start.back(); i < neighbour.size(); ++i)
+          {
+            neighbour_offset.push_back(offset);
+            offset += n_free(nodes_in_order[neighbour[i]]);
+          }
+        neighbour_start.push_back(neighbour.size());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::build_rows()
+  {
+    system.row_start.assign(1, 0);
+    system.column.clear();
+    for (unsigned int order = 0; order < nodes_in_order.size(); ++order)
+      {
+        const unsigned int node = nodes_in_order[order];
+        for (unsigned int a = 0; a < n_components; ++a)
+          {
+            const unsigned int row = equations[node * n_components + a];
+            if (row == invalid)
+              continue;
+            for (std::size_t k = neighbour_start[order];
+                 k < neighbour_start[order + 1];
+                 ++k)
+              for (unsigned int b = 0; b < n_components; ++b)
+                {
+                  const unsigned int column =
+                    equations[nodes_in_order[neighbour[k]] * n_components + b];
+                  if (column != invalid && (!system.symmetric || column >= row))
+                    system.column.push_back(column);
+                }
+            system.row_start.push_back(system.column.size());
+          }
+      }
+    AssertThrow(system.column.size() <
+                  static_cast<std::size_t>(std::numeric_limits<int>::max()),
+                ExcMessage("The matrix of one rank exceeds 2^31 entries: use "
+                           "more ranks."));
+    system.values.resize(system.column.size());
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::find_blocks()
+  {
+    const ElementNodes &elements = all_elements();
+    block_start.assign(1, 0);
+    block_offset.clear();
+    element_is_constrained.assign(elements.size(), 0);
+    for (unsigned int e = 0; e < elements.size(); ++e)
+      {
+        const unsigned int *const node = &elements.node[elements.start[e]];
+        const unsigned int        n = elements.start[e + 1] - elements.start[e];
+        for (unsigned int I = 0; I < n; ++I)
+          {
+            if (n_free(node[I]) < n_components)
+              element_is_constrained[e] = 1;
+            for (unsigned int J = (system.symmetric ? I : 0); J < n; ++J)
+              {
+                unsigned int row    = node_order[node[I]],
+                             column = node_order[node[J]];
+                if (system.symmetric && column < row)
+                  std::swap(row, column);
+                if (row == invalid || column == invalid)
+                  {
+                    block_offset.push_back(0); // no entries
+                    continue;
+                  }
+                const auto begin = neighbour.begin() + neighbour_start[row];
+                const auto end   = neighbour.begin() + neighbour_start[row + 1];
+                const std::size_t k =
+                  std::lower_bound(begin, end, column) - neighbour.begin();
+                block_offset.push_back(neighbour_offset[k]);
+              }
+          }
+        block_start.push_back(block_offset.size());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::start_assembly(const bool with_matrix)
+  {
+    residual = 0.;
+    residual.zero_out_ghost_values();
+    lifting = 0.;
+    lifting.zero_out_ghost_values();
+    if (with_matrix)
+      std::fill(system.values.begin(), system.values.end(), 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::add_block(const unsigned int row_node,
+                              const unsigned int column_node,
+                              const unsigned int offset,
+                              const double      *block,
+                              const unsigned int row_stride,
+                              const unsigned int column_stride)
+  {
+    const unsigned int *const row_of = &equations[row_node * n_components];
+    const unsigned int *const column_of =
+      &equations[column_node * n_components];
+    // of the columns of a symmetric matrix left of the diagonal none is stored
+    const bool   triangle  = system.symmetric && row_node == column_node;
+    unsigned int n_skipped = 0;
+    for (unsigned int a = 0; a < n_components; ++a)
+      {
+        if (row_of[a] == invalid)
+          continue;
+        double *value = system.values.data() + system.row_start[row_of[a]] +
+                        offset - n_skipped;
+        for (unsigned int b = 0; b < n_components; ++b)
+          if (column_of[b] != invalid)
+            {
+              if (!triangle || b >= a)
+                *value += block[a * row_stride + b * column_stride];
+              ++value;
+            }
+        n_skipped += system.symmetric;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::add_element(const unsigned int e,
+                                const double      *element_residual,
+                                const double      *element_matrix,
+                                const NodalField  &pending)
+  {
+    const unsigned int *node    = &elements.node[elements.start[e]];
+    unsigned int        n_nodes = elements.start[e + 1] - elements.start[e];
+
+    double *const nodal_residual = residual.begin();
+    for (unsigned int I = 0; I < n_nodes; ++I)
+      for (unsigned int a = 0; a < n_components; ++a)
+        nodal_residual[node[I] * n_components + a] +=
+          element_residual[I * n_components + a];
+    if (element_matrix == nullptr)
+      return;
+
+    if (tied.touches(e))
+      {
+        element_matrix =
+          tied.eliminate(e, n_nodes, element_matrix, system.symmetric);
+        const ElementNodes &extended = tied.extended();
+        node                         = &extended.node[extended.start[e]];
+        n_nodes = extended.start[e + 1] - extended.start[e];
+      }
+    const unsigned int n_dofs = n_nodes * n_components;
+
+    const unsigned int *offset = &block_offset[block_start[e]];
+    for (unsigned int I = 0; I < n_nodes; ++I)
+      for (unsigned int J = (system.symmetric ? I : 0); J < n_nodes; ++J)
+        {
+          const double *const block =
+            element_matrix + (I * n_dofs + J) * n_components;
+          if (system.symmetric && node_order[node[J]] < node_order[node[I]])
+            add_block(node[J], node[I], *offset++, block, 1, n_dofs);
+          else
+            add_block(node[I], node[J], *offset++, block, n_dofs, 1);
+        }
+
+    if (element_is_constrained[e])
+      for (unsigned int s = 0; s < n_dofs; ++s)
+        {
+          const unsigned int entry =
+            node[s / n_components] * n_components + s % n_components;
+          const double value = pending.local_element(entry);
+          if (equations[entry] != invalid || value == 0.)
+            continue;
+          for (unsigned int r = 0; r < n_dofs; ++r)
+            lifting.local_element(node[r / n_components] * n_components +
+                                  r % n_components) +=
+              value * (system.symmetric && s < r ?
+                         element_matrix[s * n_dofs + r] :
+                         element_matrix[r * n_dofs + s]);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::finish_assembly(const NodalField &external_force)
+  {
+    residual.compress(VectorOperation::add);
+    lifting.compress(VectorOperation::add);
+    residual.add(-1., external_force);
+    if (!any_ties)
+      return;
+    tied.hand_on_forces(nodes.n_owned(), residual);
+    residual.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::shape(TrilinosWrappers::MPI::Vector &vector) const
+  {
+    // all ranks or none: the equations of one may have changed alone
+    const bool fits = vector.size() == system.n_equations &&
+                      vector.locally_owned_elements() == system.locally_owned;
+    if (Utilities::MPI::min(fits ? 1 : 0, system.comm) == 0)
+      vector.reinit(system.locally_owned, system.comm);
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::right_hand_side(TrilinosWrappers::MPI::Vector &rhs) const
+  {
+    shape(rhs);
+    double *const values = rhs.begin();
+    unsigned int  next   = 0;
+    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+      if (equations[i] != invalid)
+        values[next++] = -residual.local_element(i) - lifting.local_element(i);
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::to_nodes(const TrilinosWrappers::MPI::Vector &solution,
+                             NodalField                          &field) const
+  {
+    field.zero_out_ghost_values();
+    const double *const values = solution.begin();
+    unsigned int        next   = 0;
+    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+      if (equations[i] != invalid)
+        field.local_element(i) = values[next++];
+    field.update_ghost_values();
+    interpolate_ties(field);
+  }
+
+
+
+  template class MixedSystem<2>;
+  template class MixedSystem<3>;
+} // namespace isochor

@@ -1,0 +1,380 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/base/expression.h>
+#include <isochor/grid/mesh_reader.h>
+#include <isochor/material_points/body_seeding.h>
+#include <isochor/material_points/point_locator.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  BodySeeding<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Material points");
+    prm.declare_entry(
+      "Points per cell",
+      "0",
+      Patterns::Integer(0),
+      "Material points seeded per cell: 1, 3, 4, 6, 7, 9, 12, "
+      "15, 16, ... in 2D, 1, 4, 8, 14, 27, 35, ... in 3D. Where "
+      "points own parts of the body (<Quadrature/Type> CPDI, "
+      "the default, or cell-filled + boundary), the cells must "
+      "be divisible: 1, 3, 4, 6, 9, 12, 16, 24, ...; 3D: 1, 4, "
+      "8, 24, 27, .... 0 stands for 4 (3D: 8) there and 3 (3D: "
+      "4) else.");
+    prm.declare_entry("Points per cell in zones",
+                      "",
+                      Patterns::Anything(),
+                      "Other counts where a condition in x, y(, z) holds at "
+                      "the cell's centre: 'count: condition; count: "
+                      "condition'. The last that holds counts.");
+    prm.declare_entry("Region",
+                      "1",
+                      Patterns::Anything(),
+                      "The body: a condition in x, y(, z). Points are seeded "
+                      "where it holds.");
+    prm.declare_entry("Physical groups",
+                      "",
+                      Patterns::List(Patterns::Anything()),
+                      "The names of the physical groups of cells that the body "
+                      "fills: of 'Body mesh' if there is one, else of the "
+                      "gmsh grid. Empty: all.");
+    prm.declare_entry("Body mesh",
+                      "",
+                      Patterns::Anything(),
+                      "A second gmsh .msh file, of the body: points are seeded "
+                      "in its cells instead of the grid's.");
+    prm.declare_entry("Lattice spacing",
+                      "0",
+                      Patterns::Double(0),
+                      "If positive, points are seeded on a square lattice of "
+                      "this spacing (m) instead of per cell: one per box, or "
+                      "one per simplex of each box (2 in 2D, 6 in 3D) if "
+                      "'Quadrature/Type' gives the points simplex domains.");
+    prm.declare_entry("Materials in zones",
+                      "",
+                      Patterns::Anything(),
+                      "Bodies of several materials: 'number: condition; ...'. "
+                      "Material 1 is the subsection 'Material', k > 1 the "
+                      "subsection 'Material k'. The last condition that holds "
+                      "counts; 1 elsewhere.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  BodySeeding<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Material points");
+    parameters.points_per_cell = prm.get_integer("Points per cell");
+    parameters.zones           = prm.get("Points per cell in zones");
+    parameters.region          = prm.get("Region");
+    parameters.groups =
+      Utilities::split_string_list(prm.get("Physical groups"));
+    parameters.body_mesh       = prm.get("Body mesh");
+    parameters.lattice_spacing = prm.get_double("Lattice spacing");
+    parameters.material_zones  = prm.get("Materials in zones");
+    prm.leave_subsection();
+    check_combinations();
+    // fail now and not after an hour of meshing
+    if (parameters.points_per_cell > 0 &&
+        !can_be_tiled<dim>(parameters.points_per_cell))
+      material_point_rule<dim>(parameters.points_per_cell);
+    Expression<dim>(parameters.region,
+                    "Material points/Region",
+                    FormulaVariables::space);
+  }
+
+
+
+  template <int dim>
+  void
+  BodySeeding<dim>::check_combinations() const
+  {
+    const bool lattice = parameters.lattice_spacing > 0;
+    AssertThrow(!lattice || parameters.body_mesh.empty(),
+                ExcMessage("The parameters <Material points/Lattice spacing> "
+                           "and <Material points/Body mesh> are two ways to "
+                           "place the points. Leave one out."));
+    AssertThrow(!lattice || parameters.zones.empty(),
+                ExcMessage("The parameter <Material points/Points per cell in "
+                           "zones> can't be used with <Material points/Lattice "
+                           "spacing>, which places the points without regard "
+                           "to cells. Leave one out."));
+  }
+
+
+
+  template <int dim>
+  std::vector<Seed<dim>>
+  BodySeeding<dim>::seeds(const BackgroundGrid<dim> &grid,
+                          const bool                 with_domains,
+                          const unsigned int         n_materials) const
+  {
+    std::vector<Seed<dim>> seeds =
+      !parameters.body_mesh.empty() ?
+        seeds_in_body_mesh(grid, with_domains) :
+      parameters.lattice_spacing > 0 ?
+        seeds_on_lattice(grid, with_domains) :
+        seeds_in_cells(grid.geometry(), grid.group_ids(), with_domains);
+    const Expression<dim> in_body(parameters.region, "Material points/Region");
+    seeds.erase(std::remove_if(seeds.begin(),
+                               seeds.end(),
+                               [&](const Seed<dim> &seed) {
+                                 return !(in_body(seed.location, 0.) > 0);
+                               }),
+                seeds.end());
+    AssertThrow(!seeds.empty(),
+                ExcMessage("No material point lies in the grid. Check the "
+                           "parameters of <Material points>, which describe "
+                           "the body, against those of <Grid>."));
+    choose_materials(n_materials, seeds);
+    return seeds;
+  }
+
+
+
+  template <int dim>
+  void
+  BodySeeding<dim>::choose_materials(const unsigned int      n_materials,
+                                     std::vector<Seed<dim>> &seeds) const
+  {
+    std::vector<std::pair<unsigned int, Expression<dim>>> zones;
+    for (const auto &zone :
+         split_named_list(parameters.material_zones,
+                          "Material points/Materials in zones"))
+      {
+        const unsigned int number = Utilities::string_to_int(zone.first);
+        AssertThrow(number >= 1 && number <= n_materials,
+                    ExcMessage("The parameter <Material points/Materials in "
+                               "zones> names material " +
+                               zone.first + ", but there are " +
+                               std::to_string(n_materials) + "."));
+        zones.emplace_back(number - 1,
+                           Expression<dim>(zone.second,
+                                           "Material points/Materials in "
+                                           "zones",
+                                           FormulaVariables::space));
+      }
+
+    for (Seed<dim> &seed : seeds)
+      for (const auto &zone : zones)
+        if (zone.second(seed.location, 0.) > 0)
+          seed.material = zone.first;
+  }
+
+
+
+  template <int dim>
+  std::vector<Seed<dim>>
+  BodySeeding<dim>::seeds_in_cells(
+    const SimplexGeometry<dim>                      &geometry,
+    const std::map<std::string, types::material_id> &group_ids,
+    const bool                                       with_domains) const
+  {
+    struct Zone
+    {
+      Quadrature<dim>                 rule;
+      std::vector<CornerVectors<dim>> domains;
+      Expression<dim>                 condition;
+    };
+    std::vector<Zone> zones;
+    const auto        add_zone = [&](const unsigned int     n_points,
+                              const Expression<dim> &condition) {
+      if (with_domains)
+        {
+          const auto points = material_points_with_domains<dim>(n_points);
+          zones.push_back({points.rule, points.domains, condition});
+        }
+      else
+        zones.push_back({material_point_rule<dim>(n_points), {}, condition});
+    };
+    // parts with edges half as long as those of the cell, which may be
+    // stretched before they are longer than a cell
+    const unsigned int by_default = with_domains ? (1 << dim) : dim + 1;
+    add_zone(parameters.points_per_cell > 0 ? parameters.points_per_cell :
+                                              by_default,
+             Expression<dim>("1", ""));
+    for (const auto &zone :
+         split_named_list(parameters.zones,
+                          "Material points/Points per cell in zones"))
+      add_zone(Utilities::string_to_int(zone.first),
+               Expression<dim>(zone.second,
+                               "Material points/Points per cell in zones",
+                               FormulaVariables::space));
+
+    std::vector<Seed<dim>> seeds;
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      {
+        if (!in_groups(geometry.cell_iterator(cell)->material_id(),
+                       parameters.groups,
+                       group_ids))
+          continue;
+        std::array<Point<dim>, dim + 1> corners;
+        Point<dim>                      centre;
+        for (unsigned int v = 0; v <= dim; ++v)
+          {
+            corners[v] = geometry.vertices()[geometry.vertex_indices(cell)[v]];
+            centre += corners[v] / (dim + 1.);
+          }
+        unsigned int zone = zones.size() - 1;
+        while (zone > 0 && !(zones[zone].condition(centre, 0.) > 0))
+          --zone;
+        const Quadrature<dim> &rule = zones[zone].rule;
+        for (unsigned int q = 0; q < rule.size(); ++q)
+          {
+            Seed<dim> seed{
+              corners[0], cell, rule.weight(q) * geometry.measure(cell), {}, 0};
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                const Tensor<1, dim> edge = corners[d + 1] - corners[0];
+                seed.location += rule.point(q)[d] * edge;
+                for (unsigned int c = 0; c <= dim && with_domains; ++c)
+                  seed.domain[c] += zones[zone].domains[q][c][d] * edge;
+              }
+            seeds.push_back(seed);
+          }
+      }
+    return seeds;
+  }
+
+
+
+  template <int dim>
+  std::vector<Seed<dim>>
+  BodySeeding<dim>::seeds_in_body_mesh(const BackgroundGrid<dim> &grid,
+                                       const bool with_domains) const
+  {
+    Triangulation<dim> body;
+    const MeshGroups   names =
+      read_mesh<dim>(parameters.body_mesh, "Material points/Body mesh", body);
+    const SimplexGeometry<dim> geometry(body);
+    std::vector<Seed<dim>>     seeds =
+      seeds_in_cells(geometry, names.cells, with_domains);
+    locate(grid, seeds);
+    return seeds;
+  }
+
+
+
+  template <int dim>
+  std::vector<Seed<dim>>
+  BodySeeding<dim>::seeds_on_lattice(const BackgroundGrid<dim> &grid,
+                                     const bool with_domains) const
+  {
+    const double h = parameters.lattice_spacing;
+    Point<dim>   lower, upper;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        lower[d] = std::numeric_limits<double>::max();
+        upper[d] = std::numeric_limits<double>::lowest();
+      }
+    for (const Point<dim> &vertex : grid.geometry().vertices())
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          lower[d] = std::min(lower[d], vertex[d]);
+          upper[d] = std::max(upper[d], vertex[d]);
+        }
+    std::array<unsigned int, dim> n;
+    double                        n_boxes = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      n_boxes *= std::ceil((upper[d] - lower[d]) / h - 1e-10);
+    std::ostringstream number;
+    number << n_boxes;
+    AssertThrow(n_boxes < std::numeric_limits<int>::max(),
+                ExcMessage("The lattice of the parameter <Material "
+                           "points/Lattice spacing> has " +
+                           number.str() +
+                           " boxes in the extent of the grid: are <Grid> and "
+                           "the spacing in the same unit?"));
+    for (unsigned int d = 0; d < dim; ++d)
+      n[d] = std::ceil((upper[d] - lower[d]) / h - 1e-10);
+    const unsigned int n_points = n_boxes;
+    // one point in the middle of each box; where points carry simplex domains,
+    // one in each simplex of the box, so that the domains tile the body
+    std::vector<CornerVectors<dim>> domains(1);
+    std::vector<Point<dim>>         places(1);
+    for (unsigned int d = 0; d < dim; ++d)
+      places[0][d] = 0.5;
+    if (with_domains)
+      {
+        domains.clear();
+        places.clear();
+        for (const auto &corners : box_simplices<dim>())
+          {
+            Point<dim> centroid;
+            for (const Point<dim> &corner : corners)
+              centroid += corner / (dim + 1.);
+            places.push_back(centroid);
+            domains.emplace_back();
+            for (unsigned int c = 0; c <= dim; ++c)
+              domains.back()[c] = h * (corners[c] - centroid);
+          }
+      }
+    const Expression<dim>  in_body(parameters.region, "Material points/Region");
+    std::vector<Seed<dim>> seeds;
+    for (unsigned int i = 0; i < n_points; ++i)
+      for (unsigned int s = 0; s < places.size(); ++s)
+        {
+          Seed<dim> seed{
+            lower, 0, std::pow(h, dim) / places.size(), domains[s], 0};
+          unsigned int rest = i;
+          for (unsigned int d = 0; d < dim; ++d, rest /= n[d - 1])
+            seed.location[d] += (rest % n[d] + places[s][d]) * h;
+          if (in_body(seed.location, 0.) > 0)
+            seeds.push_back(seed);
+        }
+    locate(grid, seeds);
+    seeds.erase(std::remove_if(seeds.begin(),
+                               seeds.end(),
+                               [&](const Seed<dim> &seed) {
+                                 return !in_groups(grid.geometry()
+                                                     .cell_iterator(seed.cell)
+                                                     ->material_id(),
+                                                   parameters.groups,
+                                                   grid.group_ids());
+                               }),
+                seeds.end());
+    return seeds;
+  }
+
+
+
+  template <int dim>
+  void
+  BodySeeding<dim>::locate(const BackgroundGrid<dim> &grid,
+                           std::vector<Seed<dim>>    &seeds) const
+  {
+    const PointLocator<dim> locator(grid.geometry());
+    std::vector<Seed<dim>>  located;
+    unsigned int            hint = 0;
+    for (Seed<dim> seed : seeds)
+      {
+        const auto place = locator.locate(seed.location, hint);
+        if (!place.found)
+          continue;
+        hint = seed.cell = place.cell;
+        located.push_back(seed);
+      }
+    AssertThrow(located.size() == seeds.size() || parameters.body_mesh.empty(),
+                ExcMessage(std::to_string(seeds.size() - located.size()) +
+                           " points of the body <" + parameters.body_mesh +
+                           "> lie outside of the grid. The grid must cover "
+                           "the body."));
+    seeds.swap(located);
+  }
+
+
+
+  template class BodySeeding<2>;
+  template class BodySeeding<3>;
+} // namespace isochor

@@ -1,0 +1,421 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/expression.h>
+#include <isochor/material_points/material_points.h>
+#include <isochor/material_points/relocation.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace isochor
+{
+  PointLayout::PointLayout(const unsigned int dim,
+                           const unsigned int n_history,
+                           const bool         dynamic,
+                           const bool         with_domains,
+                           const bool         with_cell_size)
+    : n_history(n_history)
+    , dynamic(dynamic)
+    , with_domains(with_domains)
+    , with_cell_size(with_cell_size)
+  {
+    const auto place = [this](unsigned int &field, const unsigned int size) {
+      field = n_properties;
+      n_properties += size;
+    };
+    place(volume, 1);
+    place(mass, 1);
+    place(material, 1);
+    place(displacement, dim);
+    place(F, dim * dim);
+    place(pressure, 1);
+    place(stress, dim == 2 ? 4 : 6);
+    if (dynamic)
+      {
+        place(velocity, dim);
+        place(acceleration, dim);
+      }
+    place(history, n_history);
+    if (with_domains)
+      place(domain, dim * dim);
+    if (with_cell_size)
+      place(cell_size, 1);
+  }
+
+
+
+  template <int dim>
+  MaterialPoints<dim>::MaterialPoints(const BackgroundGrid<dim> &grid)
+    : grid(grid)
+  {}
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    BodySeeding<dim>::declare_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    seeding.parse_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::seed(
+    const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
+    const bool                                              dynamic,
+    const std::string                                      &initial_velocity,
+    const bool                                              with_domains)
+  {
+    unsigned int n_history = 0;
+    for (const auto &material : materials)
+      n_history =
+        std::max<unsigned int>(n_history, material->history_names().size());
+    point_layout =
+      PointLayout(dim, n_history, dynamic, with_domains, grid.is_adaptive());
+    groups.clear();
+    particles.initialize(grid.triangulation(),
+                         grid.mapping(),
+                         point_layout.n_properties);
+
+    insert(seeding.seeds(grid, with_domains, materials.size()), materials);
+    if (!initial_velocity.empty())
+      set_velocity(initial_velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::insert(
+    const std::vector<Seed<dim>>                           &seeds,
+    const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials)
+  {
+    const unsigned int rank =
+      Utilities::MPI::this_mpi_process(grid.communicator());
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    std::vector<double>         properties(point_layout.n_properties);
+    for (unsigned int i = 0; i < seeds.size(); ++i)
+      {
+        const Seed<dim> &seed = seeds[i];
+        if (geometry.owner(seed.cell) != rank)
+          continue;
+        const unsigned int material = seed.material;
+        std::fill(properties.begin(), properties.end(), 0.);
+        properties[point_layout.volume] = seed.volume;
+        properties[point_layout.mass] =
+          seed.volume * materials[material]->density();
+        properties[point_layout.material] = material;
+        for (unsigned int d = 0; d < dim; ++d)
+          properties[point_layout.F + d * dim + d] = 1.;
+        if (point_layout.n_history > 0)
+          materials[material]->initialize_history(properties.data() +
+                                                  point_layout.history);
+        if (point_layout.with_domains)
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int d = 0; d < dim; ++d)
+              properties[point_layout.domain + c * dim + d] =
+                seed.domain[c + 1][d];
+
+        const Point<dim> reference = SimplexGeometry<dim>::reference_location(
+          geometry.barycentric(seed.cell, seed.location));
+        particles.insert_particle(seed.location,
+                                  reference,
+                                  i,
+                                  geometry.cell_iterator(seed.cell),
+                                  make_array_view(properties));
+      }
+    particles.update_cached_numbers();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::set_velocity(const std::string &formulas)
+  {
+    const std::string            name = "Dynamics/Initial velocity";
+    std::vector<Expression<dim>> velocity;
+    for (const auto &item : split_formulas(formulas, name))
+      velocity.emplace_back(item, name, FormulaVariables::space);
+    AssertThrow(velocity.size() == dim,
+                ExcMessage("The parameter <" + name + "> needs " +
+                           std::to_string(dim) + " components."));
+    for (auto &particle : particles)
+      for (unsigned int d = 0; d < dim; ++d)
+        particle.get_properties()[point_layout.velocity + d] =
+          velocity[d](particle.get_location(), 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::group_by_cell()
+  {
+    // the handler keeps the points of a cell together, cells in any order
+    groups.clear();
+    for (auto particle = particles.begin(); particle != particles.end();
+         ++particle)
+      {
+        const unsigned int cell =
+          particle->get_surrounding_cell()->active_cell_index();
+        if (groups.empty() || groups.back().cell != cell)
+          groups.push_back({cell, particle, 0});
+        ++groups.back().n_points;
+      }
+    std::sort(groups.begin(), groups.end(), [](const auto &a, const auto &b) {
+      return a.cell < b.cell;
+    });
+  }
+
+
+
+  template <int dim>
+  template <typename Function>
+  void
+  MaterialPoints<dim>::for_each_in_arrays(const Function &copy) const
+  {
+    unsigned int q = 0;
+    for (const Group &group : groups)
+      {
+        auto particle = group.first;
+        for (unsigned int i = 0; i < group.n_points; ++i, ++particle, ++q)
+          copy(q,
+               group.cell,
+               particle->get_location(),
+               particle->get_properties().data());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::gather(PointArrays<dim> &arrays)
+  {
+    group_by_cell();
+    const unsigned int n = particles.n_locally_owned_particles();
+    arrays.n_history     = point_layout.n_history;
+    arrays.cell.clear();
+    arrays.cell_start.assign(1, 0);
+    for (const Group &group : groups)
+      {
+        arrays.cell.push_back(group.cell);
+        arrays.cell_start.push_back(arrays.cell_start.back() + group.n_points);
+      }
+    arrays.n_occupied_cells = arrays.cell.size();
+    arrays.deformed_cell.clear();
+    arrays.stencil_start.clear();
+    arrays.corner_cells.clear();
+    arrays.shape.resize(n);
+    arrays.volume.resize(n);
+    arrays.mass.resize(n);
+    arrays.weight.resize(n);
+    arrays.pressure.resize(n);
+    arrays.F.resize(n);
+    arrays.material.resize(n);
+    arrays.history.resize(n * std::size_t(point_layout.n_history));
+    arrays.velocity.resize(point_layout.dynamic ? n : 0);
+    arrays.acceleration.resize(point_layout.dynamic ? n : 0);
+    arrays.domain.resize(point_layout.with_domains ? n : 0);
+
+    const PointLayout &l = point_layout;
+    for_each_in_arrays([&](const unsigned int q,
+                           const unsigned int cell,
+                           const Point<dim>  &location,
+                           const double      *properties) {
+      arrays.shape[q]    = grid.geometry().barycentric(cell, location);
+      arrays.volume[q]   = properties[l.volume];
+      arrays.mass[q]     = properties[l.mass];
+      arrays.weight[q]   = properties[l.volume];
+      arrays.material[q] = static_cast<unsigned char>(properties[l.material]);
+      if (!l.with_domains)
+        return;
+      arrays.domain[q][0] = Tensor<1, dim>();
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          for (unsigned int d = 0; d < dim; ++d)
+            arrays.domain[q][c + 1][d] = properties[l.domain + c * dim + d];
+          arrays.domain[q][0] -= arrays.domain[q][c + 1];
+        }
+    });
+    update(arrays);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::update(PointArrays<dim> &arrays)
+  {
+    if (groups.empty()) // a resumed run
+      group_by_cell();
+    const PointLayout &l = point_layout;
+    for_each_in_arrays([&](const unsigned int q,
+                           const unsigned int /*cell*/,
+                           const Point<dim> & /*location*/,
+                           const double *properties) {
+      arrays.pressure[q] = properties[l.pressure];
+      arrays.F[q]        = deformation_gradient<dim>(properties, l);
+      std::copy_n(properties + l.history,
+                  l.n_history,
+                  arrays.history.data() + q * std::size_t(l.n_history));
+      if (l.dynamic)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            arrays.velocity[q][d]     = properties[l.velocity + d];
+            arrays.acceleration[q][d] = properties[l.acceleration + d];
+          }
+    });
+  }
+
+
+
+  template <int dim>
+  types::particle_index
+  MaterialPoints<dim>::relocate(const PointLocator<dim> &locator)
+  {
+    groups.clear();
+    const RelocationReport<dim> report = isochor::relocate(particles, locator);
+    if (report.n_lost == 0)
+      return report.n_moved;
+
+    constexpr std::size_t               most = 3; // places to list
+    std::string                         places;
+    std::map<std::string, unsigned int> n_through;
+    for (std::size_t i = 0; i < report.lost.size(); ++i)
+      {
+        const Point<dim> &x = report.lost.locations[i];
+        ++n_through[grid.boundary_crossed(report.lost.cells[i], x)];
+        std::ostringstream place;
+        place << " Point " << report.lost.ids[i] << " is at (" << x << ").";
+        if (i < most)
+          places += place.str();
+        // kept, so that the state can be looked at
+        particles.insert_particle(
+          x,
+          SimplexGeometry<dim>::reference_location(
+            grid.geometry().barycentric(report.lost.cells[i], x)),
+          report.lost.ids[i],
+          grid.geometry().cell_iterator(report.lost.cells[i]),
+          report.lost.payload(i));
+      }
+    particles.update_cached_numbers();
+
+    std::map<std::string, unsigned int> n_through_all;
+    std::string                         all_places, boundaries;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(grid.communicator(), n_through))
+      for (const auto &entry : of_rank)
+        n_through_all[entry.first] += entry.second;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(grid.communicator(), places))
+      all_places += of_rank;
+    for (const auto &entry : n_through_all)
+      boundaries += (boundaries.empty() ? "" : ", ") +
+                    std::to_string(entry.second) + " through <" + entry.first +
+                    ">";
+    AssertThrow(false,
+                ExcPointsLeftGrid(std::to_string(report.n_lost) +
+                                  " material points left the background "
+                                  "grid, " +
+                                  boundaries + "." + all_places +
+                                  " Enlarge the grid, or hold the body by "
+                                  "boundary conditions."));
+    return report.n_moved;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::change_grid(
+    const PointLocator<dim>                                    &locator,
+    const std::function<std::unique_ptr<Triangulation<dim>>()> &change)
+  {
+    groups.clear();
+    const unsigned int n_properties = particles.n_properties_per_particle();
+    PointRecords<dim>  records(n_properties);
+    for (const auto &particle : particles)
+      records.push_back(particle.get_surrounding_cell()->active_cell_index(),
+                        particle.get_id(),
+                        particle.get_location(),
+                        particle.get_properties());
+    particles.clear_particles();
+    const std::unique_ptr<Triangulation<dim>> old = change();
+    // lets go of the old one
+    particles.initialize(grid.triangulation(), grid.mapping(), n_properties);
+    for (std::size_t i = 0; i < records.size(); ++i)
+      {
+        const auto place =
+          locator.locate(records.locations[i],
+                         grid.cells_after_change()[records.cells[i]]);
+        AssertThrow(place.found, ExcInternalError());
+        records.cells[i] = place.cell;
+      }
+    std::size_t n_shipped;
+    insert_particles(particles,
+                     locator,
+                     exchange_points(records, grid.geometry(), n_shipped));
+  }
+
+
+
+  template <int dim>
+  double
+  MaterialPoints<dim>::total_reference_volume() const
+  {
+    double volume = 0;
+    for (const auto &particle : particles)
+      volume += particle.get_properties()[point_layout.volume];
+    return Utilities::MPI::sum(volume, grid.communicator());
+  }
+
+
+
+  template <int dim>
+  Particles::ParticleHandler<dim> &
+  MaterialPoints<dim>::handler()
+  {
+    return particles;
+  }
+
+
+
+  template <int dim>
+  const Particles::ParticleHandler<dim> &
+  MaterialPoints<dim>::handler() const
+  {
+    return particles;
+  }
+
+
+
+  template <int dim>
+  const PointLayout &
+  MaterialPoints<dim>::layout() const
+  {
+    return point_layout;
+  }
+
+
+
+  template class MaterialPoints<2>;
+  template class MaterialPoints<3>;
+} // namespace isochor

@@ -1,0 +1,350 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/mpi_sums.h>
+#include <isochor/material_points/point_spacing.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Points up to this share of their cell leave no cell empty that matters.
+     */
+    constexpr double harmless_share = 0.5;
+    /** The part of the body in cells without points that is worth a warning. */
+    constexpr double tolerated_part = 0.02;
+    /** The relative difference of volumes that is worth a warning, if it is
+     * there at so many resets one after the other. */
+    constexpr double       tolerated_difference = 0.03;
+    constexpr unsigned int n_resets_tolerated   = 5;
+
+    /** The part of the points that may change cells with the plain quadrature
+     * without a word. */
+    constexpr double tolerated_changes = 0.1;
+
+    template <int dim>
+    Point<dim>
+    centroid(const SimplexGeometry<dim> &geometry, const unsigned int cell)
+    {
+      Point<dim> sum;
+      for (const unsigned int v : geometry.vertex_indices(cell))
+        sum += geometry.vertices()[v] / (dim + 1.);
+      return sum;
+    }
+
+    /** The entries of all ranks. */
+    std::vector<unsigned int>
+    gather_from_all(const std::set<unsigned int> &cells, const MPI_Comm comm)
+    {
+      std::vector<unsigned int> all;
+      for (const auto &of_rank : Utilities::MPI::all_gather(
+             comm, std::vector<unsigned int>(cells.begin(), cells.end())))
+        all.insert(all.end(), of_rank.begin(), of_rank.end());
+      return all;
+    }
+
+    /** @p cells, each brought to the rank that owns it. */
+    template <int dim>
+    std::set<unsigned int>
+    send_to_owners(const std::set<unsigned int> &cells,
+                   const SimplexGeometry<dim>   &geometry)
+    {
+      const MPI_Comm comm = geometry.communicator();
+      if (Utilities::MPI::n_mpi_processes(comm) == 1)
+        return cells;
+      std::map<unsigned int, std::vector<unsigned int>> messages;
+      for (const unsigned int cell : cells)
+        messages[geometry.owner(cell)].push_back(cell);
+      std::set<unsigned int> own;
+      for (const auto &received : Utilities::MPI::some_to_some(comm, messages))
+        own.insert(received.second.begin(), received.second.end());
+      return own;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  PointSpacing<dim>::PointSpacing(const BackgroundGrid<dim> &grid)
+    : grid(grid)
+  {}
+
+
+
+  template <int dim>
+  void
+  PointSpacing<dim>::check(const PointArrays<dim> &points,
+                           const double            time,
+                           const bool              at_start,
+                           Warnings               &warnings) const
+  {
+    if (at_start)
+      warn_of_hinges(points, warnings);
+    const MPI_Comm comm  = grid.communicator();
+    const double   share = Utilities::MPI::max(largest_share(points), comm);
+    if (share <= harmless_share)
+      return;
+    const std::set<unsigned int> bare = find_bare_cells(points);
+
+    std::array<double, 3> sums{}; // bare cells, their volume, the body's
+    for (const unsigned int cell : bare)
+      {
+        sums[0] += 1;
+        sums[1] += grid.geometry().measure(cell);
+      }
+    for (unsigned int q = 0; q < points.n_points(); ++q)
+      sums[2] += determinant(points.F[q]) * points.volume[q];
+    sum_over_ranks(sums, comm);
+    if (sums[1] <= tolerated_part * sums[2])
+      return;
+
+    std::ostringstream text;
+    text.precision(3);
+    text << "At t = " << time
+         << " the material points are too far apart for the grid: " << sums[0]
+         << " cells inside of the body, " << 100 * sums[1] / sums[2]
+         << " % of its volume, hold none. They resist nothing or, "
+            "as holes, with a guess of the state there. The largest point has "
+         << share
+         << " times the volume of its cell. Seed more points (<Material "
+            "points/Points per cell>, <Material points/Lattice spacing>, or a "
+            "finer <Material points/Body mesh>), or make the cells larger "
+            "(<Grid>)."
+         << (points.domain.empty() ?
+               " Large points can also be split (<Material points/Split at "
+               "share of cell> = 0.5)." :
+               "");
+    std::set<unsigned int> held(points.cell.begin(), points.cell.end());
+    for (const auto &corner : points.corner_cells)
+      held.insert(corner.second);
+    std::set<unsigned int> body = held;
+    body.insert(bare.begin(), bare.end());
+    const unsigned int n_held = n_pieces(held), n_body = n_pieces(body);
+    if (n_held > n_body)
+      text << " The body falls apart into " << n_held << " pieces instead of "
+           << n_body << ".";
+    AssertThrow(!at_start || n_held <= n_body, ExcMessage(text.str()));
+    warnings.add("material points too far apart for the grid", text.str());
+  }
+
+
+
+  template <int dim>
+  void
+  PointSpacing<dim>::warn_of_hinges(const PointArrays<dim> &points,
+                                    Warnings               &warnings) const
+  {
+    // domains connect what the cells of the points don't
+    if (points.has_stencils())
+      return;
+    const std::set<unsigned int> cells(points.cell.begin(), points.cell.end());
+    const unsigned int           by_faces = n_pieces(cells),
+                       by_vertices        = n_pieces(cells, false);
+    if (by_faces == by_vertices)
+      return;
+    warnings.add("a part of the body hangs on a vertex",
+                 "The cells that hold material points form " +
+                   std::to_string(by_faces) + " pieces that share faces, but " +
+                   std::to_string(by_vertices) +
+                   " that share vertices: a part of the body hangs on others "
+                   "by " +
+                   (dim == 2 ? "a vertex" : "vertices or edges") +
+                   " and turns freely. In statics there may be no equilibrium. "
+                   "Move the body against the grid, seed more points "
+                   "(<Material points/Points per cell>), or use "
+                   "<Quadrature/Type = CPDI>.");
+  }
+
+
+
+  template <int dim>
+  void
+  PointSpacing<dim>::compare_volumes(const PointArrays<dim> &points,
+                                     const double            time,
+                                     Warnings               &warnings)
+  {
+    std::array<double, 2> volumes{}; // in the grid, of the points
+    for (unsigned int q = 0; q < points.n_points(); ++q)
+      {
+        const double J = determinant(points.F[q]);
+        volumes[0] += J * points.weight[q];
+        volumes[1] += J * points.volume[q];
+      }
+    sum_over_ranks(volumes, grid.communicator());
+    const double difference = volumes[0] / volumes[1] - 1;
+    n_resets_apart =
+      std::abs(difference) > tolerated_difference ? n_resets_apart + 1 : 0;
+    if (n_resets_apart < n_resets_tolerated)
+      return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "At t = " << time << " the body fills " << volumes[0] << " m^"
+         << dim << " of the grid, but its material points stand for "
+         << volumes[1] << ", and it has been so for " << n_resets_tolerated
+         << " resets of the grid: the volumes differ by " << 100 * difference
+         << " %. The points have been drawn apart or together. Seed more "
+            "points (<Material points/Points per cell>), let them be split "
+            "(<Material points/Split at share of cell>), control their volume "
+            "(<Formulation/Project volume change>), or use <Quadrature/Type = "
+            "CPDI>.";
+    warnings.add("volume in the grid differs from the material's", text.str());
+  }
+
+
+
+  template <int dim>
+  void
+  PointSpacing<dim>::watch_changes_of_cells(const double n_changed,
+                                            const double n_points,
+                                            const double time,
+                                            Warnings    &warnings)
+  {
+    const double before = changes_per_point;
+    changes_per_point += n_changed / n_points;
+    // once: it can only become more
+    if (before > tolerated_changes || changes_per_point <= tolerated_changes)
+      return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "Up to t = " << time << " " << 100 * changes_per_point
+         << " % of the material points have changed their cell. With "
+            "<Quadrature/Type = points> forces jump then: stresses are wrong "
+            "by as much as they vary in a cell, however small the cells are, "
+            "and the body is too soft. Use <Quadrature/Type = CPDI>, or keep "
+            "the grid (<Grid reset/Steps between resets>).";
+    warnings.add("points that change cells", text.str());
+  }
+
+
+
+  template <int dim>
+  double
+  PointSpacing<dim>::largest_share(const PointArrays<dim> &points) const
+  {
+    double share = 0;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      {
+        double largest = 0;
+        for (unsigned int q = points.cell_start[k];
+             q < points.cell_start[k + 1];
+             ++q)
+          largest =
+            std::max(largest, determinant(points.F[q]) * points.volume[q]);
+        share =
+          std::max(share, largest / grid.geometry().measure(points.cell[k]));
+      }
+    return share;
+  }
+
+
+
+  template <int dim>
+  std::set<unsigned int>
+  PointSpacing<dim>::find_bare_cells(const PointArrays<dim> &points) const
+  {
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    std::set<unsigned int>      covered;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        add_covered_cells(points, k, q, covered);
+    std::set<unsigned int> bare = send_to_owners(covered, geometry);
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      bare.erase(points.cell[k]);
+
+    std::set<unsigned int> with_corners;
+    for (const auto &corner : points.corner_cells)
+      with_corners.insert(corner.second);
+    for (const unsigned int cell : send_to_owners(with_corners, geometry))
+      bare.erase(cell);
+    return bare;
+  }
+
+
+
+  template <int dim>
+  void
+  PointSpacing<dim>::add_covered_cells(const PointArrays<dim> &points,
+                                       const unsigned int      k,
+                                       const unsigned int      q,
+                                       std::set<unsigned int> &covered) const
+  {
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    const Tensor<2, dim>        inverse  = invert(points.F[q]);
+    const double                radius =
+      std::pow(points.volume[q] * (dim == 2 ? 1. : 0.75) / numbers::PI,
+               1. / dim);
+    Point<dim> x;
+    for (unsigned int v = 0; v <= dim; ++v)
+      x += points.shape[q][v] * points.corner(geometry, k, v);
+
+    // face by face from the point's own cell
+    std::vector<unsigned int> to_follow = {points.cell[k]};
+    std::set<unsigned int>    seen      = {points.cell[k]};
+    while (!to_follow.empty())
+      {
+        const unsigned int cell = to_follow.back();
+        to_follow.pop_back();
+        for (const unsigned int next : geometry.neighbours(cell))
+          if (next != SimplexGeometry<dim>::no_cell &&
+              seen.insert(next).second &&
+              (inverse * (centroid(geometry, next) - x)).norm() < radius)
+            {
+              covered.insert(next);
+              to_follow.push_back(next);
+            }
+      }
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  PointSpacing<dim>::n_pieces(const std::set<unsigned int> &cells,
+                              const bool                    by_faces) const
+  {
+    // trees over the cells, of which the lowest is the root
+    std::map<unsigned int, unsigned int> parent;
+    const auto                           root = [&](unsigned int cell) {
+      while (parent.at(cell) != cell)
+        cell = parent[cell] = parent.at(parent.at(cell));
+      return cell;
+    };
+    for (const unsigned int cell : gather_from_all(cells, grid.communicator()))
+      parent.emplace(cell, cell);
+    std::map<unsigned int, unsigned int> cell_at_vertex;
+    const auto                           connect = [&](const unsigned int cell,
+                             const unsigned int other) {
+      const unsigned int a = root(cell), b = root(other);
+      parent[std::max(a, b)] = std::min(a, b);
+    };
+    for (const auto &entry : parent)
+      if (by_faces)
+        {
+          for (const unsigned int other :
+               grid.geometry().neighbours(entry.first))
+            if (parent.count(other) != 0)
+              connect(entry.first, other);
+        }
+      else
+        for (const unsigned int v : grid.geometry().vertex_indices(entry.first))
+          connect(entry.first,
+                  cell_at_vertex.emplace(v, entry.first).first->second);
+    return std::count_if(parent.begin(), parent.end(), [](const auto &entry) {
+      return entry.first == entry.second;
+    });
+  }
+
+
+
+  template class PointSpacing<2>;
+  template class PointSpacing<3>;
+} // namespace isochor

@@ -1,0 +1,199 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/nonlinear_solver/load_stepping.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isochor
+{
+  void
+  LoadStepping::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Time");
+    prm.declare_entry("End time",
+                      "1",
+                      Patterns::Double(0),
+                      "Time (s), in statics the load parameter t, at which the "
+                      "run ends.");
+    prm.declare_entry("Step size",
+                      "1",
+                      Patterns::Double(0),
+                      "Of the first step (s), or, if it is changed, of the "
+                      "first after a restart.");
+    prm.declare_entry(
+      "Minimum step size",
+      "0",
+      Patterns::Double(0),
+      "A step that fails is halved down to this (s); then the "
+      "run ends with an error. 0: a thousandth of 'Step size'.");
+    prm.declare_entry(
+      "Maximum step size",
+      "0",
+      Patterns::Double(0),
+      "Steps that go well grow up to this (s). 0: 'Step size'.");
+    prm.declare_entry("Growth factor",
+                      "1.5",
+                      Patterns::Double(1),
+                      "By which a step grows after one that went well.");
+    prm.declare_entry("Iterations of an easy step",
+                      "5",
+                      Patterns::Integer(1),
+                      "A step with at most so many factorisations went "
+                      "well.");
+    prm.declare_entry("Output interval",
+                      "0",
+                      Patterns::Double(0),
+                      "Fields are written at multiples of this time (s), which "
+                      "the steps hit exactly, and at the end. 0: after every "
+                      "step.");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  LoadStepping::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Time");
+    end       = prm.get_double("End time");
+    step_size = prm.get_double("Step size");
+    AssertThrow(end > 0,
+                ExcMessage("The parameter <Time/End time> must be positive: "
+                           "a run begins at t = 0."));
+    AssertThrow(step_size > 0,
+                ExcMessage("The parameter <Time/Step size> must be positive."));
+    first_step_size = step_size;
+    smallest        = prm.get_double("Minimum step size");
+    if (smallest == 0)
+      smallest = step_size / 1000;
+    largest = prm.get_double("Maximum step size");
+    if (largest == 0)
+      largest = step_size;
+    AssertThrow(smallest <= step_size && step_size <= largest,
+                ExcMessage(
+                  "The parameters of <Time> must satisfy <Minimum step "
+                  "size> <= <Step size> <= <Maximum step size>."));
+    growth          = prm.get_double("Growth factor");
+    easy_iterations = prm.get_integer("Iterations of an easy step");
+    output_interval = prm.get_double("Output interval");
+    prm.leave_subsection();
+  }
+
+
+
+  double
+  LoadStepping::next_target() const
+  {
+    return output_interval > 0 ?
+             std::min(end, (reached_output + 1) * output_interval) :
+             end;
+  }
+
+
+
+  bool
+  LoadStepping::finished() const
+  {
+    return time >= end;
+  }
+
+
+
+  double
+  LoadStepping::next_time() const
+  {
+    // no crumbs: a target within a step and a bit is hit, the rest of the way
+    // to one within two steps is halved
+    const double rest = next_target() - time;
+    if (rest <= step_size * (1 + 1e-8))
+      return next_target();
+    return time + (rest < 2 * step_size * (1 - 1e-8) ? rest / 2 : step_size);
+  }
+
+
+
+  void
+  LoadStepping::accept(const unsigned int n_iterations)
+  {
+    const double reached = next_time();
+    if (output_interval > 0 && reached == next_target())
+      reached_output = std::floor(reached / output_interval * (1 + 1e-12));
+    time = reached;
+    ++step;
+    if (n_iterations <= easy_iterations)
+      step_size = std::min(largest, step_size * growth);
+  }
+
+
+
+  std::vector<std::string>
+  LoadStepping::changeable_parameters()
+  {
+    return {"Time/"};
+  }
+
+
+
+  bool
+  LoadStepping::can_be_cut() const
+  {
+    return (next_time() - time) / 2 >= smallest;
+  }
+
+
+
+  void
+  LoadStepping::reject(const std::string &reason)
+  {
+    const double failed = next_time() - time;
+    AssertThrow(
+      can_be_cut(),
+      ExcMessage("The step from t = " + std::to_string(time) + " of size " +
+                 std::to_string(failed) +
+                 " failed and can't be cut back further: " + reason +
+                 ". What was computed up to there is written. Lower <Time/"
+                 "Minimum step size>, or look at the last output for what goes "
+                 "wrong."));
+    step_size = failed / 2;
+    ++n_cuts;
+  }
+
+
+
+  bool
+  LoadStepping::output_due() const
+  {
+    return output_interval == 0 || time >= end ||
+           std::abs(time - reached_output * output_interval) <=
+             1e-10 * output_interval;
+  }
+
+
+
+  bool
+  LoadStepping::next_output_due() const
+  {
+    return output_interval == 0 || next_time() == next_target();
+  }
+
+
+
+  void
+  LoadStepping::resume(const LoadStepping &saved)
+  {
+    time           = saved.time;
+    step           = saved.step;
+    n_cuts         = saved.n_cuts;
+    step_size      = saved.first_step_size == first_step_size ?
+                       std::min(saved.step_size, largest) :
+                       first_step_size;
+    reached_output = saved.reached_output;
+    if (saved.output_interval != output_interval)
+      reached_output = output_interval > 0 ?
+                         std::floor(time / output_interval * (1 + 1e-12)) :
+                         0;
+  }
+} // namespace isochor

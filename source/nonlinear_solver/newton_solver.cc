@@ -1,0 +1,360 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/base/plain_message.h>
+#include <isochor/nonlinear_solver/newton_solver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <ostream>
+
+namespace isochor
+{
+  void
+  NewtonSolver::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Newton");
+    prm.declare_entry("Tolerance",
+                      "1e-8",
+                      Patterns::Double(0, 1),
+                      "A step is converged if the residual forces fall below "
+                      "this fraction of the external forces and reactions, and "
+                      "the residual of the pressure equation below this "
+                      "fraction of its largest value in the step.");
+    prm.declare_entry("Predictor",
+                      "extrapolation",
+                      Patterns::Selection("none|extrapolation"),
+                      "Where a step starts: from rest, or with the nodal "
+                      "velocities of the last step. If Newton's method fails "
+                      "from there, it starts again from rest.");
+    prm.declare_entry("Maximum iterations",
+                      "15",
+                      Patterns::Integer(1),
+                      "More (with a new factorisation each) are a failure; the "
+                      "step is then cut back.");
+    prm.declare_entry("Reuse factorisation",
+                      "0.1",
+                      Patterns::Double(0, 1),
+                      "A factorisation is kept over iterations and steps as "
+                      "long as each iteration reduces the residual to this "
+                      "fraction or less. It changes the way to the solution, "
+                      "not the solution. 0: Newton's method proper, a new "
+                      "factorisation for each iteration. Iterative linear "
+                      "solvers get each matrix.");
+    prm.declare_entry("Maximum backtracks",
+                      "4",
+                      Patterns::Integer(0),
+                      "Times the line search may halve a correction that "
+                      "enlarges the residual or inverts a point.");
+    prm.declare_entry("Inexact",
+                      "true",
+                      Patterns::Bool(),
+                      "Let iterative linear solvers solve each iteration only "
+                      "as accurately as Newton's method can make use of. "
+                      "Direct solvers are not concerned, nor is the tolerance "
+                      "of the step.");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  NewtonSolver::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Newton");
+    tolerance      = prm.get_double("Tolerance");
+    extrapolate    = prm.get("Predictor") == "extrapolation";
+    max_iterations = prm.get_integer("Maximum iterations");
+    reuse_ratio    = prm.get_double("Reuse factorisation");
+    max_backtracks = prm.get_integer("Maximum backtracks");
+    inexact        = prm.get_bool("Inexact");
+    prm.leave_subsection();
+  }
+
+
+
+  /** Keeps the scales, which may only grow in a step, and measures residuals
+   * by them. */
+  class NewtonSolver::Gauge
+  {
+  public:
+    void
+    take(const ResidualNorms &norms)
+    {
+      force    = std::max({force, norms.force_scale, first(norms)});
+      pressure = std::max(pressure, norms.pressure);
+      started  = started || !norms.pending;
+    }
+
+    double
+    force_scale() const
+    {
+      return force;
+    }
+
+    /** The residual of displacements below which a step has converged. */
+    double
+    displacement_bound(const ResidualNorms &norms, const double tolerance) const
+    {
+      return std::max(tolerance * force, norms.displacement_floor);
+    }
+
+    /** The same of the pressure equation. */
+    double
+    pressure_bound(const ResidualNorms &norms, const double tolerance) const
+    {
+      return std::max(tolerance * pressure, norms.pressure_floor);
+    }
+
+    double
+    displacement_ratio(const ResidualNorms &norms) const
+    {
+      return force > 0 ? norms.displacement / force : 0.;
+    }
+
+    double
+    pressure_ratio(const ResidualNorms &norms) const
+    {
+      return pressure > 0 ? norms.pressure / pressure : 0.;
+    }
+
+    bool
+    converged(const ResidualNorms &norms, const double tolerance) const
+    {
+      return !norms.pending &&
+             norms.displacement <= displacement_bound(norms, tolerance) &&
+             norms.pressure <= pressure_bound(norms, tolerance);
+    }
+
+    /** What the line search wants to fall. */
+    double
+    merit(const ResidualNorms &norms) const
+    {
+      if (norms.status != EvaluationStatus::success ||
+          !std::isfinite(norms.displacement) || !std::isfinite(norms.pressure))
+        return std::numeric_limits<double>::infinity();
+      return std::max(displacement_ratio(norms), pressure_ratio(norms));
+    }
+
+  private:
+    double
+    first(const ResidualNorms &norms) const
+    {
+      return started || norms.pending ? 0. : norms.displacement;
+    }
+
+    bool   started = false;
+    double force = 0, pressure = 0;
+  };
+
+
+
+  namespace
+  {
+    std::string
+    describe(const EvaluationStatus status)
+    {
+      switch (status)
+        {
+          case EvaluationStatus::inverted_point:
+            return "a material point was turned inside out (det F <= 0)";
+          case EvaluationStatus::return_map_failed:
+            return "the stress of a material point could not be found";
+          default:
+            return "the residual is not a number";
+        }
+    }
+
+    void
+    print_row(std::ostream          *log,
+              const unsigned int     k,
+              const NewtonIteration &row)
+    {
+      if (log == nullptr)
+        return;
+      char line[100];
+      std::snprintf(line,
+                    sizeof(line),
+                    "    %3u   %10.3e   %10.3e   %6.3f\n",
+                    k,
+                    row.displacement,
+                    row.pressure,
+                    row.step_length);
+      *log << line << std::flush;
+    }
+  } // namespace
+
+
+
+  SolutionAccuracy
+  NewtonSolver::accuracy(const Gauge         &gauge,
+                         const ResidualNorms &norms,
+                         const double         reduction) const
+  {
+    if (!inexact)
+      return SolutionAccuracy();
+    // Eisenstat & Walker, SIAM J. Sci. Comput. 17 (1996) 16-32, choice 2 with
+    // exponent 2. The cap is also the first forcing term; their safeguard
+    // against terms that fall too fast acts on terms above 1/3 only.
+    const double     gamma = 0.9, cap = 1e-2, part_of_tolerance = 0.1;
+    SolutionAccuracy a;
+    a.relative =
+      reduction > 0 ? std::min(cap, gamma * reduction * reduction) : cap;
+    // what is left over may be part of the end result's residual
+    if (!norms.pending)
+      {
+        a.displacement =
+          part_of_tolerance * gauge.displacement_bound(norms, tolerance);
+        a.pressure = part_of_tolerance * gauge.pressure_bound(norms, tolerance);
+      }
+    return a;
+  }
+
+
+
+  bool
+  NewtonSolver::finished(const Gauge         &gauge,
+                         const ResidualNorms &norms,
+                         NewtonReport        &report) const
+  {
+    if (!std::isfinite(gauge.merit(norms)))
+      report.failure = describe(norms.status);
+    else if (gauge.converged(norms, tolerance))
+      {
+        report.converged   = true;
+        report.force_scale = gauge.force_scale();
+      }
+    else if (report.n_factorisations >= max_iterations ||
+             report.n_iterations() >= 4 * max_iterations)
+      report.failure = "Newton's method did not converge in " +
+                       std::to_string(max_iterations) + " iterations";
+    return report.converged || !report.failure.empty();
+  }
+
+
+
+  NewtonSolver::LineSearch
+  NewtonSolver::backtrack(const Problem     &problem,
+                          const Gauge       &gauge,
+                          const bool         may_grow,
+                          const unsigned int n_backtracks,
+                          const bool         with_matrix,
+                          ResidualNorms     &norms) const
+  {
+    const double old = gauge.merit(norms);
+    LineSearch   search;
+    for (unsigned int k = 0;; ++k, search.last /= 2)
+      {
+        problem.advance(search.last);
+        norms              = problem.assemble(k == 0 && with_matrix);
+        const double merit = gauge.merit(norms);
+        if (k == 0 || merit < search.merit)
+          {
+            search.merit = merit;
+            search.best  = search.last;
+          }
+        const bool accepted = may_grow ? std::isfinite(merit) : merit < old;
+        if (accepted || k == n_backtracks || gauge.converged(norms, tolerance))
+          break;
+      }
+    search.reduction = search.merit / old;
+    search.failed =
+      may_grow ? !std::isfinite(search.merit) : !(search.merit < old);
+    return search;
+  }
+
+
+
+  NewtonReport
+  NewtonSolver::solve(const Problem &problem, std::ostream *log) const
+  {
+    if (log != nullptr)
+      *log << "     it     forces       volume     length\n";
+
+    NewtonReport  report;
+    Gauge         gauge;
+    ResidualNorms norms = problem.assemble(true);
+    gauge.take(norms);
+    const auto add_row = [&](const double length, const unsigned int n_linear) {
+      report.iterations.push_back({gauge.displacement_ratio(norms),
+                                   gauge.pressure_ratio(norms),
+                                   length,
+                                   n_linear});
+      print_row(log, report.iterations.size() - 1, report.iterations.back());
+    };
+    add_row(0, 0);
+
+    double last_ratio = 0.; // try the factorisation of the last step
+    double reduction  = 0.; // none yet
+    // Assembling the matrix costs as much again as the residual: it is left
+    // away where the next iterate will need none.
+    bool matrix_is_current = true, expect_need = true;
+    while (!finished(gauge, norms, report))
+      {
+        // an old matrix is worth a try where it, or the quadratic convergence
+        // of the last iteration, promises to do
+        const bool reuse = reuse_ratio > 0 && last_ratio <= reuse_ratio &&
+                           !problem.is_iterative() &&
+                           problem.has_factorisation();
+        if (!matrix_is_current && (!reuse || norms.pending))
+          norms = problem.assemble(true);
+        unsigned int n_linear = 0;
+        try
+          {
+            n_linear = problem.solve(!reuse, accuracy(gauge, norms, reduction));
+            report.n_factorisations += reuse ? 0 : 1;
+          }
+        catch (const ExcLinearSolverFailed &exc)
+          {
+            report.failure = plain_message(exc);
+            return report;
+          }
+
+        // While prescribed increments come in, the residual has to grow; only
+        // points that turn over shorten such a correction.
+        const bool       may_grow = norms.pending || report.n_iterations() == 0;
+        const LineSearch search   = backtrack(problem,
+                                            gauge,
+                                            may_grow,
+                                            reuse ? 0 : max_backtracks,
+                                            expect_need,
+                                            norms);
+        matrix_is_current         = expect_need && search.last == 1.;
+        if (reuse && search.failed)
+          {
+            // the old matrix led astray: back, and take the right one
+            problem.advance(0.);
+            norms             = problem.assemble(true);
+            matrix_is_current = expect_need = true;
+            last_ratio                      = 1.;
+            continue;
+          }
+        if (search.best != search.last)
+          problem.advance(search.best);
+        if (search.last != 1.) // the last trial was without a matrix
+          {
+            norms             = problem.assemble(true);
+            matrix_is_current = true;
+          }
+        last_ratio = may_grow ? 0. : search.reduction;
+        reduction  = last_ratio;
+        // none is needed for a correction by an old matrix, nor at the end,
+        // which quadratic convergence lets foresee
+        const bool   iterative = problem.is_iterative();
+        const double foreseen =
+          search.merit *
+          std::max(last_ratio * last_ratio,
+                   iterative ? accuracy(gauge, norms, reduction).relative : 0.);
+        expect_need =
+          may_grow ||
+          (!(reuse_ratio > 0 && last_ratio <= reuse_ratio && !iterative) &&
+           foreseen > tolerance);
+        gauge.take(norms);
+        add_row(search.best, n_linear);
+      }
+    return report;
+  }
+} // namespace isochor

@@ -1,0 +1,79 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/postprocess/grid_fields.h>
+
+#include <algorithm>
+#include <array>
+
+namespace isochor
+{
+  template <int dim>
+  FieldPatches<dim, dim>
+  grid_fields(const StepContext<dim> &step,
+              const NodalField       &unknowns,
+              const NodalField       *residual)
+  {
+    /** A nodal field and the rows of its components. */
+    struct Rows
+    {
+      const NodalField *field;
+      unsigned int      vector, scalar;
+    };
+    FieldPatches<dim, dim> patches;
+    std::vector<Rows>      all_rows;
+    all_rows.push_back({&unknowns,
+                        patches.add_vector("displacement_increment"),
+                        step.mixed() ? patches.add_scalar("pressure") : 0});
+    if (residual != nullptr)
+      all_rows.push_back(
+        {residual,
+         patches.add_vector("residual_force"),
+         step.mixed() ? patches.add_scalar("residual_of_pressure_equation") :
+                        0});
+
+    const SimplexGeometry<dim> &geometry = step.grid.geometry();
+    patches.reserve(step.points.cell.size());
+    std::array<Point<dim>, dim + 1> corners;
+    for (unsigned int k = 0; k < step.points.cell.size(); ++k)
+      {
+        const auto &vertices = geometry.vertex_indices(step.points.cell[k]);
+        if (std::any_of(
+              vertices.begin(), vertices.end(), [&step](const unsigned int v) {
+                return step.nodes.node(v) == numbers::invalid_unsigned_int;
+              }))
+          continue; // the points' domains miss a node of the cell
+        for (unsigned int v = 0; v <= dim; ++v)
+          corners[v] = step.points.corner(geometry, k, v);
+        auto &patch = patches.add_patch(
+          ArrayView<const Point<dim>>(corners.data(), dim + 1));
+        for (unsigned int v = 0; v <= dim; ++v)
+          {
+            const unsigned int first =
+              step.nodes.node(vertices[v]) * step.n_components;
+            for (const Rows &rows : all_rows)
+              {
+                for (unsigned int a = 0; a < dim; ++a)
+                  patch.data(rows.vector + a, v) =
+                    rows.field->local_element(first + a);
+                if (step.mixed())
+                  patch.data(rows.scalar, v) =
+                    rows.field->local_element(first + dim);
+              }
+          }
+      }
+    return patches;
+  }
+
+
+
+  template FieldPatches<2, 2>
+  grid_fields<2>(const StepContext<2> &,
+                 const NodalField &,
+                 const NodalField *);
+  template FieldPatches<3, 3>
+  grid_fields<3>(const StepContext<3> &,
+                 const NodalField &,
+                 const NodalField *);
+} // namespace isochor

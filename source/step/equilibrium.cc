@@ -1,0 +1,506 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/mpi_sums.h>
+#include <isochor/step/equilibrium.h>
+#include <isochor/step/scene_checks.h>
+#include <isochor/transfer/pressure_mapping.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isochor
+{
+  template <int dim>
+  Equilibrium<dim>::Equilibrium(Scene<dim>     &scene,
+                                StepSetup<dim> &setup,
+                                Terminal       &terminal)
+    : scene(scene)
+    , setup(setup)
+    , terminal(terminal)
+    , body(scene.grid, setup.point_arrays())
+    , system(setup.active_nodes())
+    , linear_step(system, terminal.timer(), scene.warnings)
+  {}
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    NewtonSolver::declare_parameters(prm);
+    LinearStep<dim>::declare_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    newton_solver.parse_parameters(prm);
+    linear_step.parse_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::initialize()
+  {
+    terms = {&body};
+    if (scene.dynamic)
+      terms.push_back(&scene.inertia);
+    for (auto &condition : scene.boundary_conditions)
+      terms.push_back(condition.get());
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::start_step()
+  {
+    const ActiveNodes<dim> &nodes        = setup.active_nodes();
+    const unsigned int      n_components = scene.n_components;
+    for (NodalField *field :
+         {&unknowns, &pending, &external_force, &boundary_force})
+      nodes.initialize(*field, n_components);
+    linear_step.start_step(nodes, n_components);
+    at_start = true;
+    set_initial_pressure();
+    if (scene.dynamic)
+      scene.inertia.start_step(setup.context(),
+                               scene.boundary_conditions,
+                               scene.points,
+                               scene.time.step == 0);
+    setup.collect_elements(terms);
+    set_external_force();
+    start_contact(setup.nodes_have_changed());
+    compute_residual_floor();
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::set_initial_pressure()
+  {
+    if (!scene.mixed())
+      return;
+    if (setup.reset().due())
+      map_pressure_to_nodes(setup.context(), unknowns);
+    else // the nodes are those of the last step
+      last_motion.restore_pressure(setup.active_nodes(),
+                                   scene.n_components,
+                                   unknowns);
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::predict()
+  {
+    if (!newton_solver.extrapolate || last_motion.step_size == 0)
+      return false;
+    last_motion.extrapolate(setup.active_nodes(),
+                            scene.n_components,
+                            setup.context().step_size() / last_motion.step_size,
+                            unknowns);
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::remember_motion()
+  {
+    last_motion.remember(setup.active_nodes(),
+                         scene.n_components,
+                         setup.context().step_size(),
+                         unknowns);
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::start_from_rest()
+  {
+    unknowns.zero_out_ghost_values();
+    unknowns = 0.;
+    set_initial_pressure();
+    start_contact(false);
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::start_again()
+  {
+    for (unsigned int i = 0;
+         i < setup.active_nodes().n_local() * scene.n_components;
+         ++i)
+      if (i % scene.n_components < dim)
+        unknowns.local_element(i) = 0.;
+    set_external_force();
+    start_contact(false);
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::set_external_force()
+  {
+    external_force = 0.;
+    external_force.zero_out_ghost_values();
+    for (const auto &condition : scene.boundary_conditions)
+      condition->add_external_force(setup.context(), external_force);
+    external_force.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::compute_residual_floor()
+  {
+    // strains carry rounding errors of some 1e-15: residuals of ten times that
+    // are zero
+    constexpr double        rounding     = 1e-14;
+    const ActiveNodes<dim> &nodes        = setup.active_nodes();
+    const unsigned int      n_components = scene.n_components;
+    const MPI_Comm          comm         = scene.grid.communicator();
+    NodalField              unit;
+    nodes.initialize(unit, n_components);
+    body.add_unit_residual(setup.context(), unit);
+    unit.compress(VectorOperation::add);
+    double force = 0, volume = 0;
+    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+      (i % n_components == dim ? volume : force) +=
+        unit.local_element(i) * unit.local_element(i);
+    force_floor  = rounding * std::sqrt(Utilities::MPI::sum(force, comm));
+    volume_floor = rounding * std::sqrt(Utilities::MPI::sum(volume, comm));
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  Equilibrium<dim>::find_initial_acceleration()
+  {
+    NewtonReport report;
+    report.converged = true;
+    if (!scene.dynamic || scene.time.step > 0)
+      return report;
+    InertiaTerm<dim> &inertia = scene.inertia;
+    // a trial errs by O(h); two, one of them back in time, by O(h²)
+    const StepContext<dim> step       = setup.context();
+    const auto            &conditions = scene.boundary_conditions;
+    for (const double trial : {step.step_size(), -step.step_size()})
+      {
+        inertia.start_trial(step, trial, conditions);
+        start_again();
+        at_start = true;
+        report   = trial > 0 ? solve_with_contact() : find_root();
+        if (report.converged)
+          inertia.finish_trial(setup.context(),
+                               unknowns,
+                               conditions,
+                               setup.point_arrays());
+        inertia.end_trial(step, conditions);
+        if (!report.converged)
+          return report;
+      }
+    inertia.start_step(setup.context(),
+                       scene.boundary_conditions,
+                       scene.points,
+                       scene.time.step == 0);
+    start_again();
+    return report;
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  Equilibrium<dim>::solve()
+  {
+    const bool   predicted = predict();
+    NewtonReport report    = solve_with_contact();
+    if (!report.converged && predicted)
+      {
+        start_from_rest();
+        report = solve_with_contact();
+      }
+    return report;
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  Equilibrium<dim>::solve_with_contact()
+  {
+    const LoadStepping &time = scene.time;
+    if (terminal.log())
+      terminal.out() << "Step " << time.step + 1
+                     << " to t = " << time.next_time()
+                     << " (dt = " << time.next_time() - time.time << ")"
+                     << std::endl;
+    at_start            = true;
+    NewtonReport report = find_root();
+    while (report.converged && change_contact(report))
+      {
+        lay_out_system(false);
+        if (terminal.log())
+          terminal.out() << "    contact changed" << std::endl;
+        report.continue_with(find_root());
+      }
+    return report;
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::start_contact(const bool with_other_nodes)
+  {
+    for (const auto &condition : scene.boundary_conditions)
+      condition->start_contact();
+    constrain_nodes();
+    lay_out_system(with_other_nodes);
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::lay_out_system(const bool with_other_nodes)
+  {
+    system.reinit(with_other_nodes,
+                  scene.n_components,
+                  setup.all_elements(),
+                  constraints,
+                  scene.symmetric);
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::change_contact(NewtonReport &report)
+  {
+    const typename BoundaryCondition<dim>::ContactTolerance tolerance{
+      newton_solver.tolerance * report.force_scale, newton_solver.tolerance};
+    for (const auto &condition : scene.boundary_conditions)
+      {
+        const std::string failure = condition->check_contact(setup.context(),
+                                                             unknowns,
+                                                             system.residual,
+                                                             constraints.ties,
+                                                             tolerance);
+        if (!failure.empty())
+          {
+            report.converged = false;
+            report.failure   = failure;
+            return false;
+          }
+      }
+    return constrain_nodes();
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::constrain_nodes()
+  {
+    const StepContext<dim> step     = setup.context();
+    const auto             previous = constraints.constrained;
+    constraints.reinit(setup.active_nodes().n_local() * scene.n_components);
+    for (const auto &condition : scene.boundary_conditions)
+      condition->constrain(step, constraints);
+    setup.constrain(step, constraints);
+    const bool changed =
+      Utilities::MPI::max(static_cast<int>(constraints.constrained != previous),
+                          scene.grid.communicator()) != 0;
+    if (scene.dynamic)
+      {
+        InertiaTerm<dim> &inertia    = scene.inertia;
+        StepContext<dim>  whole_step = step;
+        whole_step.time = scene.time.next_time(); // also in a trial
+        if (changed || !inertia.is_prescribed())
+          inertia.prescribe(whole_step, scene.boundary_conditions, constraints);
+        if (inertia.in_trial())
+          inertia.set_trial_increments(step, constraints);
+      }
+    return changed;
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  Equilibrium<dim>::find_root()
+  {
+    NewtonSolver::Problem problem;
+    problem.assemble = [this](const bool with_matrix) {
+      return assemble(with_matrix);
+    };
+    problem.solve = [this](const bool              factorise,
+                           const SolutionAccuracy &accuracy) {
+      return linear_step.solve(
+        unknowns, constraints, pending, factorise, accuracy);
+    };
+    problem.is_iterative      = [this]() { return linear_step.is_iterative(); };
+    problem.has_factorisation = [this]() {
+      return linear_step.has_factorisation();
+    };
+    problem.advance = [this](const double s) {
+      at_start = false;
+      linear_step.advance(s, unknowns);
+    };
+    system.interpolate_ties(unknowns); // wherever it starts from
+    return newton_solver.solve(problem, terminal.log());
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::evaluate()
+  {
+    at_start = true;
+    assemble(true);
+  }
+
+
+
+  template <int dim>
+  ResidualNorms
+  Equilibrium<dim>::assemble(const bool with_matrix)
+  {
+    TimerOutput::Scope     scope(terminal.timer(), "assembly");
+    const StepContext<dim> step       = setup.context();
+    const bool             is_pending = update_pending();
+    const bool             is_dragged = update_boundary_force(step);
+    const EvaluationStatus status     = assemble_terms(step, with_matrix);
+    const ResidualNorms    norms =
+      measure_residual(status, is_pending || is_dragged);
+    if (with_matrix && !scene_checked)
+      {
+        scene_checked = true;
+        if (scene.time.step == 0) // resumed: said when it started
+          check_first_step(scene, step, system.matrix());
+      }
+    return norms;
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::update_pending()
+  {
+    bool any = false;
+    for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
+      if (constraints.constrained[i])
+        {
+          double &rest = pending.local_element(i);
+          rest         = constraints.increment[i] - unknowns.local_element(i);
+          any =
+            any || std::abs(rest) > 1e-12 * std::abs(constraints.increment[i]);
+        }
+    return any;
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::update_boundary_force(const StepContext<dim> &step)
+  {
+    bool is_dragged = false;
+    boundary_force  = 0.;
+    boundary_force.zero_out_ghost_values();
+    for (const auto &condition : scene.boundary_conditions)
+      {
+        if (at_start && condition->moves_body(step))
+          is_dragged = true;
+        condition->add_boundary_force(step, unknowns, boundary_force);
+      }
+    boundary_force.compress(VectorOperation::add);
+    return is_dragged;
+  }
+
+
+
+  template <int dim>
+  EvaluationStatus
+  Equilibrium<dim>::assemble_terms(const StepContext<dim> &step,
+                                   const bool              with_matrix)
+  {
+    system.start_assembly(with_matrix);
+    EvaluationStatus status = EvaluationStatus::success;
+    for (unsigned int t = 0; t < terms.size(); ++t)
+      status = std::max(status,
+                        terms[t]->assemble(step,
+                                           unknowns,
+                                           pending,
+                                           setup.first_of_term()[t],
+                                           with_matrix,
+                                           system));
+    system.finish_assembly(external_force);
+    return status;
+  }
+
+
+
+  template <int dim>
+  ResidualNorms
+  Equilibrium<dim>::measure_residual(const EvaluationStatus status,
+                                     const bool anything_pending) const
+  {
+    const MPI_Comm        comm         = scene.grid.communicator();
+    const unsigned int    n_components = scene.n_components;
+    std::array<double, 4> squares{}; // displacement, pressure, reaction, load
+    for (unsigned int i = 0; i < setup.active_nodes().n_owned() * n_components;
+         ++i)
+      {
+        const double r = system.residual.local_element(i);
+        const double f =
+          external_force.local_element(i) + boundary_force.local_element(i);
+        const bool pressure = (i % n_components == dim);
+        squares[constraints.constrained[i] ? 2 : (pressure ? 1 : 0)] += r * r;
+        if (!pressure)
+          squares[3] += f * f;
+      }
+    ResidualNorms norms;
+    norms.status = static_cast<EvaluationStatus>(
+      Utilities::MPI::max(static_cast<unsigned int>(status), comm));
+    norms.pending =
+      Utilities::MPI::max(static_cast<int>(anything_pending), comm) != 0;
+    sum_over_ranks(squares, comm);
+    norms.displacement = std::sqrt(squares[0]);
+    norms.pressure     = std::sqrt(squares[1]);
+    norms.force_scale =
+      norms.pending ? 0. : std::sqrt(std::max(squares[2], squares[3]));
+    norms.displacement_floor = force_floor;
+    norms.pressure_floor     = volume_floor;
+    return norms;
+  }
+
+
+
+  template class Equilibrium<2>;
+  template class Equilibrium<3>;
+} // namespace isochor

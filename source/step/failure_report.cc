@@ -1,0 +1,355 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/mpi_sums.h>
+#include <isochor/base/plain_message.h>
+#include <isochor/postprocess/grid_fields.h>
+#include <isochor/postprocess/point_fields.h>
+#include <isochor/step/failure_report.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace isochor
+{
+  namespace
+  {
+    /** By which the displacement per load has grown where a body flows. */
+    constexpr double large_growth = 10;
+    /** So many steps one after the other that are this fast are worth a
+     * warning. */
+    constexpr unsigned int many_steps = 5;
+
+
+
+    /** Where the residual force is largest: "12 N at (1, 2)". Owned entries,
+     * constrained ones don't count. */
+    template <int dim>
+    std::string
+    largest_residual(const StepContext<dim> &step,
+                     const MixedSystem<dim> &system)
+    {
+      const MPI_Comm          comm    = step.grid.communicator();
+      double                  largest = -1;
+      std::array<double, dim> place{};
+      for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+        {
+          double square = 0;
+          for (unsigned int a = 0; a < dim; ++a)
+            {
+              const unsigned int entry = node * step.n_components + a;
+              if (system.equation(entry) != numbers::invalid_unsigned_int)
+                square += std::pow(system.residual.local_element(entry), 2);
+            }
+          if (!(square > largest))
+            continue;
+          largest = square;
+          for (unsigned int d = 0; d < dim; ++d)
+            place[d] =
+              step.grid.geometry().vertices()[step.nodes.vertex(node)][d];
+        }
+      const double       all    = Utilities::MPI::max(largest, comm);
+      const unsigned int rank   = Utilities::MPI::this_mpi_process(comm);
+      const unsigned int winner = Utilities::MPI::min(
+        largest == all ? rank : numbers::invalid_unsigned_int, comm);
+      if (rank != winner)
+        place.fill(0.);
+      sum_over_ranks(place, comm);
+      std::string text =
+        rounded(std::sqrt(std::max(all, 0.))) + " N at the node (";
+      for (unsigned int d = 0; d < dim; ++d)
+        text += (d > 0 ? ", " : "") + rounded(place[d]);
+      return text + ")";
+    }
+
+
+
+    /** The share of the reference volume that has yielded so far; negative if
+     * no material has a plastic strain. */
+    template <int dim>
+    double
+    plastic_share(const MaterialPoints<dim> &points,
+                  const MixedKernel<dim>    &kernel,
+                  const MPI_Comm             comm)
+    {
+      constexpr unsigned int    none = numbers::invalid_unsigned_int;
+      std::vector<unsigned int> index;
+      for (const auto &material : kernel.materials)
+        {
+          const auto names = material->history_names();
+          const auto found =
+            std::find(names.begin(), names.end(), "equivalent_plastic_strain");
+          index.push_back(found == names.end() ? none : found - names.begin());
+        }
+      if (std::all_of(index.begin(), index.end(), [](const unsigned int i) {
+            return i == none;
+          }))
+        return -1;
+      const PointLayout    &l = points.layout();
+      std::array<double, 2> volumes{};
+      for (const auto &particle : points.handler())
+        {
+          const auto         values = particle.get_properties();
+          const unsigned int i =
+            index[static_cast<unsigned int>(values[l.material])];
+          volumes[0] += values[l.volume];
+          if (i != none && values[l.history + i] > 0)
+            volumes[1] += values[l.volume];
+        }
+      sum_over_ranks(volumes, comm);
+      return volumes[1] / volumes[0];
+    }
+
+
+
+    /** The number of pressure equations over all ranks. */
+    long
+    n_pressures(const SparseSystem &matrix)
+    {
+      long n = 0;
+      for (unsigned int i = 0; i < matrix.global_equation.size(); ++i)
+        n += matrix.field[i] == SparseSystem::Field::pressure &&
+             matrix.locally_owned.is_element(matrix.global_equation[i]);
+      return Utilities::MPI::sum(n, matrix.comm);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  FailureReport<dim>::speed(const StepContext<dim> &step,
+                            const NodalField       &unknowns)
+  {
+    double largest = 0;
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      {
+        double square = 0;
+        for (unsigned int a = 0; a < dim; ++a)
+          square +=
+            std::pow(unknowns.local_element(node * step.n_components + a), 2);
+        largest = std::max(largest, square);
+      }
+    return std::sqrt(Utilities::MPI::max(largest, step.grid.communicator())) /
+           step.step_size();
+  }
+
+
+
+  template <int dim>
+  void
+  FailureReport<dim>::remember(const StepContext<dim> &step,
+                               const NodalField       &unknowns)
+  {
+    last_speed = speed(step, unknowns);
+    if (last_speed > 0)
+      slowest = slowest > 0 ? std::min(slowest, last_speed) : last_speed;
+    if (!(last_speed > large_growth * slowest))
+      {
+        soft_since = -1;
+        n_soft     = 0;
+        return;
+      }
+    if (soft_since < 0)
+      soft_since = step.old_time;
+    if (++n_soft == many_steps)
+      step.warnings.add(
+        "the body gives way",
+        "Since t = " + rounded(soft_since) +
+          " the displacement per time is more than " + rounded(large_growth) +
+          " times that of the slowest step so far (" +
+          rounded(last_speed / slowest) +
+          " times at t = " + rounded(step.time) +
+          "). If loads drive the body, they are beyond what it can carry: it "
+          "flows or falls, and without inertia its speed means nothing. Look "
+          "at t = " +
+          rounded(soft_since) +
+          " for the limit load; to follow the body beyond, use "
+          "<Dynamics/Inertia = true>.");
+  }
+
+
+
+  template <int dim>
+  bool
+  FailureReport<dim>::Evidence::has_lost_stiffness() const
+  {
+    constexpr double significant = 3;
+    return growth > significant || growth_of_trial > significant ||
+           n_negative_pivots > 0;
+  }
+
+
+
+  template <int dim>
+  std::string
+  FailureReport<dim>::Evidence::text() const
+  {
+    std::string text = "the displacement per load was " + rounded(growth) +
+                       " times that of the stiffest step in the last step "
+                       "that converged";
+    if (soft_since >= 0)
+      text += " (more than " + rounded(large_growth) +
+              " times since t = " + rounded(soft_since) + ")";
+    if (growth_of_trial >= 0)
+      text += ", " + rounded(growth_of_trial) +
+              " times in the last iterate of the one that failed";
+    if (plastic_share >= 0)
+      text +=
+        ", " + rounded(100 * plastic_share) + " % of the volume has yielded";
+    if (n_negative_pivots >= 0)
+      text += ", the last matrix has " + std::to_string(n_negative_pivots) +
+              " negative pivot(s) of displacements (a stable state has none)";
+    return text;
+  }
+
+
+
+  template <int dim>
+  typename FailureReport<dim>::Evidence
+  FailureReport<dim>::collect(const Failure &failure) const
+  {
+    const MPI_Comm comm = failure.step.grid.communicator();
+    Evidence       evidence;
+    // where displacements are prescribed, a node moves as far as it is told;
+    // what holds a node in place may be rounding
+    constexpr double negligible = 0.01;
+    double           prescribed = 0;
+    for (const double increment : failure.constraints.increment)
+      prescribed = std::max(prescribed, std::abs(increment));
+    const double trial = speed(failure.step, failure.unknowns);
+    const bool   driven =
+      Utilities::MPI::max(prescribed, comm) >
+        negligible * trial * failure.step.step_size() ||
+      Utilities::MPI::max(static_cast<int>(failure.dragged), comm) != 0;
+    if (slowest > 0)
+      {
+        evidence.growth     = last_speed / slowest;
+        evidence.soft_since = soft_since;
+        if (!driven && std::isfinite(trial))
+          evidence.growth_of_trial = trial / slowest;
+      }
+    evidence.plastic_share =
+      isochor::plastic_share(failure.points, failure.step.kernel, comm);
+    if (failure.solver.knows_pivots)
+      evidence.n_negative_pivots =
+        std::max(0l,
+                 static_cast<long>(failure.solver.n_negative_pivots) -
+                   n_pressures(failure.system.matrix()));
+    return evidence;
+  }
+
+
+
+  template <int dim>
+  std::string
+  FailureReport<dim>::write_points(const StepContext<dim>    &step,
+                                   const MaterialPoints<dim> &points,
+                                   const std::string         &directory)
+  {
+    FieldPatches<0, dim> fields = point_fields(points, step.kernel);
+    try
+      {
+        OutputSeries("failure-points")
+          .write(fields, step.old_time, directory, step.grid.communicator());
+      }
+    catch (const ExceptionBase &exc)
+      {
+        return plain_message(exc);
+      }
+    return "The last good state, at t = " + rounded(step.old_time) +
+           ", is in <" + directory + "/failure-points.pvd>.";
+  }
+
+
+
+  template <int dim>
+  std::string
+  FailureReport<dim>::explain(const Failure &failure) const
+  {
+    const StepContext<dim> &step     = failure.step;
+    const LoadStepping     &time     = failure.time;
+    const Evidence          evidence = collect(failure);
+
+    std::string text = "The step from t = " + rounded(time.time) + " of size " +
+                       rounded(time.next_time() - time.time) +
+                       " failed and can't be cut back further (<Time/Minimum "
+                       "step size>): " +
+                       failure.newton.failure + ".\n";
+    if (time.step == 0)
+      text += "It is the very first step, so that the scene is to be looked "
+              "at: are all bodies held, the loads in the units of the "
+              "stiffness (<Material/Young modulus>, <Material/Density>), and "
+              "<Time/Step size> small enough for what happens in it? A "
+              "displacement that is prescribed by a constant acts in this step "
+              "as a whole, however small the step: let it grow with t.";
+    else if (failure.dynamic)
+      text += "In dynamics there is a solution if the step is small enough: "
+              "lower <Time/Minimum step size>, or look at the files for what "
+              "goes wrong.";
+    else if (!failure.loaded)
+      text += "Only displacements are prescribed, so that this is no limit "
+              "load, which they could pass, but a step that is too large for "
+              "what happens in it, or a grid that is too coarse (" +
+              evidence.text() +
+              "). Lower <Time/Minimum step size>, look for what happens at "
+              "the place of the residual, or use <Dynamics/Inertia = true> "
+              "where the body snaps.";
+    else if (evidence.has_lost_stiffness())
+      text +=
+        "No equilibrium found: limit load near t = " + rounded(time.time) +
+        ". Evidence: " + evidence.text() +
+        ". To follow the body beyond, prescribe displacements instead of "
+        "loads, or give it inertia (<Dynamics/Inertia = true>).";
+    else
+      text += "The body has not lost its stiffness (" + evidence.text() +
+              "), so that this is hardly a limit load, but a bad step: look "
+              "for what happens at the place of the residual, use a finer "
+              "grid or more points there, or lower <Time/Minimum step size>.";
+
+    return text + "\nThe largest residual force was " +
+           largest_residual(step, failure.system) + ". " + write_files(failure);
+  }
+
+
+
+  template <int dim>
+  std::string
+  FailureReport<dim>::write_files(const Failure &failure)
+  {
+    const StepContext<dim> &step     = failure.step;
+    NodalField              residual = failure.system.residual;
+    for (unsigned int i = 0; i < step.nodes.n_owned() * step.n_components; ++i)
+      if (failure.system.equation(i) == numbers::invalid_unsigned_int)
+        residual.local_element(i) = 0.; // a reaction
+    residual.update_ghost_values();
+    FieldPatches<dim, dim> fields =
+      grid_fields(step, failure.unknowns, &residual);
+    try
+      {
+        OutputSeries("failure-grid")
+          .write(fields,
+                 step.time,
+                 failure.directory,
+                 step.grid.communicator());
+      }
+    catch (const ExceptionBase &exc)
+      {
+        // on all ranks; the failure itself is what matters
+        return plain_message(exc);
+      }
+    return "The residuals of the step that failed are in <" +
+           failure.directory + "/failure-grid.pvd>. " +
+           write_points(step, failure.points, failure.directory);
+  }
+
+
+
+  template class FailureReport<2>;
+  template class FailureReport<3>;
+} // namespace isochor

@@ -1,0 +1,243 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/base/parameter_list.h>
+#include <isochor/base/plugin_registry.h>
+#include <isochor/body_quadrature/body_quadrature.h>
+#include <isochor/linear_solver/linear_solver_choice.h>
+#include <isochor/step/idle_parameters.h>
+
+#include <algorithm>
+#include <string>
+
+namespace isochor
+{
+  namespace
+  {
+    using Path = ParameterList::Path;
+
+    /** Looks into a list of parameters and warns. */
+    class Inspector
+    {
+    public:
+      Inspector(const ParameterList &list, Warnings &warnings)
+        : list(list)
+        , warnings(warnings)
+      {}
+
+      /** The value of a parameter, empty if there is none. */
+      std::string
+      value(const Path &path) const
+      {
+        const auto entry = list.entries.find(path);
+        return entry == list.entries.end() ? "" : entry->second.value;
+      }
+
+      double
+      number(const Path &path) const
+      {
+        const std::string text = value(path);
+        return text.empty() ? 0. : std::stod(text);
+      }
+
+      /** Warn if the parameter is changed; @p why completes "has no effect". */
+      void
+      idle(const Path &path, const std::string &why) const
+      {
+        const auto entry = list.entries.find(path);
+        if (entry == list.entries.end() || !entry->second.is_changed())
+          return;
+        const std::string name = join_path(path);
+        warnings.add("no effect of <" + name + ">",
+                     "The parameter <" + name + " = " + entry->second.value +
+                       "> has no effect " + why + ".");
+      }
+
+      /** The same for all parameters whose path starts with @p start, but for
+       * the one called @p except there. */
+      void
+      idle_section(const Path        &start,
+                   const std::string &why,
+                   const std::string &except = "") const
+      {
+        for (const auto &entry : list.entries)
+          if (entry.first.size() > start.size() &&
+              std::equal(start.begin(), start.end(), entry.first.begin()) &&
+              entry.first.back() != except)
+            idle(entry.first, why);
+      }
+
+      /** In @p section, the subsections are those of the plugins among which
+       * @p selector chooses: warn of those of the others. */
+      void
+      idle_plugins(const std::string &section,
+                   const std::string &selector) const
+      {
+        const std::string chosen = value({section, selector});
+        for (const Path &path : list.subsections)
+          if (path.size() == 2 && path[0] == section && path[1] != chosen)
+            idle_section(path,
+                         "with <" + section + "/" + selector + " = " + chosen +
+                           ">");
+      }
+
+    private:
+      const ParameterList &list;
+      Warnings            &warnings;
+    };
+
+
+
+    void
+    inspect_grid(const Inspector &inspect)
+    {
+      const bool adaptive    = inspect.value({"Grid", "Type"}) == "adaptive";
+      const Path entry       = {"Grid", adaptive ? "Coarse cells" : "Type"};
+      const std::string type = inspect.value(entry);
+      const std::string with = "with <" + join_path(entry) + " = " + type + ">";
+      const std::string fixed =
+        "with <Grid/Type = " + inspect.value({"Grid", "Type"}) + ">";
+      if (adaptive)
+        for (const char *name : {"Diagonals", "Offset"})
+          inspect.idle({"Grid", name}, fixed);
+      else
+        {
+          inspect.idle({"Grid", "Coarse cells"}, fixed);
+          inspect.idle_section({"Adaptive grid"}, fixed);
+        }
+      if (type != "box")
+        for (const char *name : {"Lower corner", "Upper corner"})
+          inspect.idle({"Grid", name}, with);
+      if (type != "trapezoid")
+        for (const char *name : {"Corners", "Depth"})
+          inspect.idle({"Grid", name}, with);
+      else if (inspect.value({"Dimension"}) == "2")
+        inspect.idle({"Grid", "Depth"}, "in 2D");
+      if (type == "gmsh")
+        for (const char *name : {"Subdivisions", "Diagonals", "Offset"})
+          inspect.idle({"Grid", name}, with);
+      else
+        inspect.idle({"Grid", "File"}, with + "; a mesh needs 'gmsh'");
+      if (inspect.number({"Grid reset", "Steps between resets"}) == 1)
+        inspect.idle({"Grid reset", "Smallest element quality"},
+                     "with <Grid reset/Steps between resets = 1>: the grid is "
+                     "reset after each step");
+    }
+
+
+
+    void
+    inspect_equations(const Inspector &inspect)
+    {
+      if (inspect.value({"Formulation", "Type"}) == "u")
+        for (const char *name : {"Stabilisation", "PPP coefficient"})
+          inspect.idle({"Formulation", name}, "with <Formulation/Type = u>");
+      else if (inspect.value({"Formulation", "Stabilisation"}) == "none")
+        inspect.idle({"Formulation", "PPP coefficient"},
+                     "with <Formulation/Stabilisation = none>");
+      const std::string inertia = inspect.value({"Dynamics", "Inertia"});
+      if (inertia == "false" || inertia == "no")
+        inspect.idle_section({"Dynamics"},
+                             "with <Dynamics/Inertia = false>",
+                             "Inertia");
+    }
+
+
+
+    void
+    inspect_cut_cells(const Inspector &inspect)
+    {
+      const std::string use = inspect.value({"Cut cells", "Extension"});
+      // plugins are the same in 2D and 3D
+      const std::string quadrature = inspect.value({"Quadrature", "Type"});
+      const bool        is_asked_for =
+        PluginRegistry<BodyQuadrature<2>>::create(quadrature)->ties_cut_cells();
+      if (use == "never" || (use == "auto" && !is_asked_for))
+        inspect.idle({"Cut cells", "Smallest support"},
+                     use == "never" ?
+                       "with <Cut cells/Extension = never>" :
+                       "with <Cut cells/Extension = auto> and <Quadrature/Type "
+                       "= " +
+                         quadrature + ">");
+    }
+
+
+
+    void
+    inspect_surfaces(const Inspector &inspect)
+    {
+      const std::string section = "Boundary conditions";
+      if (inspect.value({section, "Surfaces of body"}).empty())
+        for (const char *name :
+             {"Boundary points per face", "Mesh of body surfaces"})
+          inspect.idle({section, name},
+                       "without <Boundary conditions/Surfaces of body>");
+      if (inspect.value({section, "Displacement of body"}).empty())
+        inspect.idle({section, "Penalty of body displacement"},
+                     "without <Boundary conditions/Displacement of body>");
+    }
+
+
+
+    void
+    inspect_points(const Inspector &inspect)
+    {
+      if (inspect.number({"Material points", "Lattice spacing"}) > 0)
+        inspect.idle({"Material points", "Points per cell"},
+                     "with <Material points/Lattice spacing>, which sets the "
+                     "density of points");
+    }
+
+
+
+    void
+    inspect_materials(const ParameterList &list, Inspector &inspect)
+    {
+      for (const Path &path : list.subsections)
+        if (path.size() == 1 && path[0].rfind("Material", 0) == 0 &&
+            list.entries.count({path[0], "Model"}) > 0)
+          {
+            inspect.idle_plugins(path[0], "Model");
+            if (inspect.number({path[0], "J2", "Saturation exponent"}) == 0 &&
+                inspect.value({path[0], "Model"}) == "J2")
+              inspect.idle({path[0], "J2", "Saturation stress"},
+                           "with <" + path[0] + "/J2/Saturation exponent = 0>");
+          }
+    }
+
+
+
+    void
+    inspect_linear_solver(const ParameterList &list, const Inspector &inspect)
+    {
+      const std::string solver = inspect.value({"Linear solver", "Solver"});
+      const std::string with   = "with <Linear solver/Solver = " + solver + ">";
+      if (solver != "auto")
+        inspect.idle({"Linear solver", "Largest direct system"}, with);
+      const auto in_use = LinearSolverChoice::candidates(solver);
+      if (in_use.size() == 1) // a direct solver
+        inspect.idle({"Newton", "Inexact"}, with);
+      for (const Path &path : list.subsections)
+        if (path.size() == 2 && path[0] == "Linear solver" &&
+            std::find(in_use.begin(), in_use.end(), path[1]) == in_use.end())
+          inspect.idle_section(path, with);
+    }
+  } // namespace
+
+
+
+  void
+  warn_of_idle_parameters(const ParameterHandler &prm, Warnings &warnings)
+  {
+    const ParameterList list(prm);
+    Inspector           inspect(list, warnings);
+    inspect_grid(inspect);
+    inspect_points(inspect);
+    inspect_equations(inspect);
+    inspect_cut_cells(inspect);
+    inspect_surfaces(inspect);
+    inspect_materials(list, inspect);
+    inspect_linear_solver(list, inspect);
+  }
+} // namespace isochor

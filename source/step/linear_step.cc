@@ -1,0 +1,119 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/step/linear_step.h>
+
+namespace isochor
+{
+  template <int dim>
+  LinearStep<dim>::LinearStep(const MixedSystem<dim> &system,
+                              TimerOutput            &timer,
+                              Warnings               &warnings)
+    : system(system)
+    , timer(timer)
+    , linear_solver(warnings)
+  {}
+
+
+
+  template <int dim>
+  void
+  LinearStep<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Linear solver");
+    LinearSolverChoice::declare_parameters(prm);
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  LinearStep<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Linear solver");
+    linear_solver.parse_parameters(prm);
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  LinearStep<dim>::start_step(const ActiveNodes<dim> &nodes,
+                              const unsigned int      n_components)
+  {
+    nodes.initialize(base, n_components);
+    nodes.initialize(correction, n_components);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  LinearStep<dim>::solve(const NodalField       &unknowns,
+                         const NodalConstraints &constraints,
+                         const NodalField       &pending,
+                         const bool              factorise,
+                         const SolutionAccuracy &accuracy)
+  {
+    linear_solver.set_accuracy(accuracy);
+    system.right_hand_side(rhs);
+    system.shape(solution);
+    if (factorise)
+      {
+        TimerOutput::Scope scope(timer, "factorisation");
+        factorised_pattern = 0; // none, should this throw
+        factorisation      = linear_solver.factorise(system.matrix());
+        factorised_pattern = system.matrix().pattern_id;
+      }
+    LinearSolverReport report;
+    {
+      TimerOutput::Scope scope(timer, "solution");
+      report = linear_solver.solve(rhs, solution);
+    }
+
+    for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
+      {
+        base.local_element(i) = unknowns.local_element(i);
+        correction.local_element(i) =
+          constraints.constrained[i] ? pending.local_element(i) : 0.;
+      }
+    system.to_nodes(solution, correction);
+    return report.iterations;
+  }
+
+
+
+  template <int dim>
+  void
+  LinearStep<dim>::advance(const double s, NodalField &unknowns) const
+  {
+    const unsigned int n_entries =
+      base.locally_owned_size() + base.get_partitioner()->n_ghost_indices();
+    for (unsigned int i = 0; i < n_entries; ++i)
+      unknowns.local_element(i) =
+        base.local_element(i) + s * correction.local_element(i);
+  }
+
+
+
+  template <int dim>
+  void
+  LinearStep<dim>::set_statistics(const unsigned int n_linear_iterations,
+                                  Statistics        &statistics) const
+  {
+    if (linear_solver.is_iterative())
+      statistics.set("Linear iterations", n_linear_iterations);
+    if (factorisation.knows_pivots)
+      statistics.set("Negative pivots", factorisation.n_negative_pivots);
+    if (factorisation.n_factor_entries > 0)
+      statistics.set("Entries of the factors", factorisation.n_factor_entries);
+  }
+
+
+
+  template class LinearStep<2>;
+  template class LinearStep<3>;
+} // namespace isochor

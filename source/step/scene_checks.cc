@@ -1,0 +1,161 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/mpi_sums.h>
+#include <isochor/step/free_motions.h>
+#include <isochor/step/scene.h>
+#include <isochor/step/scene_checks.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  check_body(const StepContext<dim> &step)
+  {
+    const MPI_Comm comm = step.grid.communicator();
+    // a body that fills less than this part of the cells it is in isn't
+    // resolved by them, whatever its shape
+    constexpr double                smallest_share = 0.01;
+    std::array<double, 3>           sums{}; // body, its cells, number of them
+    const std::size_t               n_materials = step.kernel.materials.size();
+    std::vector<unsigned long long> n_points(n_materials, 0);
+    const PointArrays<dim>         &points = step.points;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      {
+        sums[1] += step.grid.geometry().measure(points.cell[k]);
+        sums[2] += 1;
+        for (unsigned int q = points.cell_start[k];
+             q < points.cell_start[k + 1];
+             ++q)
+          {
+            sums[0] += points.volume[q];
+            ++n_points[points.material[q]];
+          }
+      }
+    sum_over_ranks(sums, comm);
+    Utilities::MPI::sum(n_points, comm, n_points);
+    const std::string unit = dim == 2 ? " m^2" : " m^3";
+    if (sums[0] < smallest_share * sums[1])
+      {
+        std::ostringstream numbers;
+        numbers.precision(3);
+        numbers << "fills " << 100 * sums[0] / sums[1] << " % of the "
+                << sums[2] << " cell(s) it is in (" << sums[0] << " of "
+                << sums[1] << unit << ")";
+        step.warnings.add("a body smaller than a cell",
+                          "The body " + numbers.str() +
+                            ": no cell resolves it. Are the lengths in <Grid> "
+                            "and <Material points> in the same unit? Otherwise "
+                            "raise <Grid/Subdivisions>, or use a finer mesh.");
+      }
+    for (unsigned int m = 1; m < n_materials; ++m)
+      if (n_points[m] == 0)
+        step.warnings.add("no point of material " + std::to_string(m + 1),
+                          "No material point is made of <Material " +
+                            std::to_string(m + 1) +
+                            ">: <Material points/Materials in zones> has no "
+                            "zone with that number that holds a point.");
+  }
+
+
+
+  void
+  check_supports(const SparseSystem &matrix, Warnings &warnings)
+  {
+    constexpr unsigned int      most   = 3;
+    const std::vector<FreeBody> bodies = find_free_bodies(matrix);
+    if (bodies.empty())
+      return;
+    std::ostringstream text;
+    text.precision(4);
+    text << "Nothing holds "
+         << (bodies.size() == 1 ? "a body" :
+                                  std::to_string(bodies.size()) + " bodies")
+         << " against: ";
+    for (unsigned int b = 0; b < std::min<std::size_t>(bodies.size(), most);
+         ++b)
+      {
+        text << (b > 0 ? "; " : "");
+        for (unsigned int m = 0; m < bodies[b].motions.size(); ++m)
+          text << (m > 0 ? ", " : "") << bodies[b].motions[m];
+        text << " (the one around (";
+        for (unsigned int d = 0; d < bodies[b].centre.size(); ++d)
+          text << (d > 0 ? ", " : "") << bodies[b].centre[d];
+        text << "), " << bodies[b].n_equations << " displacement equations)";
+      }
+    if (bodies.size() > most)
+      text << "; ...";
+    text << ". In statics the displacement is then not unique, and there is no "
+            "equilibrium if a load acts along such a motion. Hold the body by "
+            "<Boundary conditions/Displacement> or <Boundary "
+            "conditions/Displacement of body>, or give it inertia: <Dynamics/"
+            "Inertia = true>.";
+    warnings.add("a body that nothing holds", text.str());
+  }
+
+
+
+  template <int dim>
+  void
+  check_first_step(const Scene<dim>       &scene,
+                   const StepContext<dim> &step,
+                   const SparseSystem     &matrix)
+  {
+    check_body(step);
+    for (const auto &condition : scene.boundary_conditions)
+      condition->check_scene(step);
+    for (const auto &postprocessor : scene.postprocessors)
+      postprocessor->check_scene(step);
+    if (!scene.dynamic)
+      check_supports(matrix, step.warnings);
+  }
+
+
+
+  template <int dim>
+  void
+  warn_if_nothing_moves(Scene<dim>         &scene,
+                        const NewtonReport &newton,
+                        const NodalField   &unknowns)
+  {
+    // in dynamics the trial steps may have left nothing to iterate on
+    if (scene.time.step == 0 && newton.n_iterations() == 0 &&
+        unknowns.linfty_norm() == 0)
+      scene.warnings.add(
+        "nothing loads the scene",
+        "The first step, to t = " + std::to_string(scene.time.next_time()) +
+          ", needed no iteration: no load and no displacement acts on the body "
+          "up to then. Set loads in <Boundary conditions>, <Dynamics/Initial "
+          "velocity>, or a larger <Time/Step size> if they begin later.");
+  }
+
+
+
+  template void
+  check_body<2>(const StepContext<2> &);
+  template void
+  check_body<3>(const StepContext<3> &);
+  template void
+  check_first_step<2>(const Scene<2> &,
+                      const StepContext<2> &,
+                      const SparseSystem &);
+  template void
+  check_first_step<3>(const Scene<3> &,
+                      const StepContext<3> &,
+                      const SparseSystem &);
+  template void
+  warn_if_nothing_moves<2>(Scene<2> &,
+                           const NewtonReport &,
+                           const NodalField &);
+  template void
+  warn_if_nothing_moves<3>(Scene<3> &,
+                           const NewtonReport &,
+                           const NodalField &);
+} // namespace isochor

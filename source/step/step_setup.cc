@@ -1,0 +1,296 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/step/step_setup.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <numeric>
+#include <sstream>
+
+namespace isochor
+{
+  template <int dim>
+  StepSetup<dim>::StepSetup(Scene<dim> &scene, TimerOutput &timer)
+    : scene(scene)
+    , timer(timer)
+    , spacing(scene.grid)
+    , occupancy(scene.grid)
+    , extension(scene.grid, occupancy)
+    , nodes(scene.grid)
+  {}
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    DiscreteExtension<dim>::declare_parameters(prm);
+    PointRefinement<dim>::declare_parameters(prm);
+    GridReset<dim>::declare_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    extension.parse_parameters(prm);
+    refinement.parse_parameters(prm);
+    grid_reset.parse_parameters(prm);
+    extends         = extension.is_active(scene.quadrature->ties_cut_cells());
+    needs_occupancy = scene.quadrature->needs_occupancy() || extends;
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::initialize()
+  {
+    locator = std::make_unique<PointLocator<dim>>(scene.grid.geometry());
+    if (needs_occupancy)
+      find_walls();
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::find_walls()
+  {
+    // what the boundary conditions hold, asked with all nodes of the grid
+    ActiveNodes<dim>          all_nodes(scene.grid);
+    std::vector<unsigned int> vertices(scene.grid.triangulation().n_vertices());
+    std::iota(vertices.begin(), vertices.end(), 0);
+    all_nodes.update(vertices);
+    const unsigned int     n_components = scene.n_components;
+    const StepContext<dim> step{scene.grid,
+                                all_nodes,
+                                arrays,
+                                scene.kernel,
+                                n_components,
+                                scene.time.time,
+                                scene.time.next_time(),
+                                scene.warnings};
+    NodalConstraints       held;
+    held.reinit(all_nodes.n_local() * n_components);
+    for (const auto &condition : scene.boundary_conditions)
+      condition->constrain(step, held);
+    occupancy.initialize(
+      [&](const unsigned int vertex, const unsigned int component) {
+        return held.constrained[all_nodes.node(vertex) * n_components +
+                                component] != 0;
+      });
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::restore_moved_grid()
+  {
+    BackgroundGrid<dim> &grid = scene.grid;
+    if (grid.is_moving() && !grid_reset.due())
+      grid.set_vertices(grid.vertices_at_time(grid_reset.start_time()));
+  }
+
+
+
+  template <int dim>
+  StepContext<dim>
+  StepSetup<dim>::context() const
+  {
+    return {scene.grid,
+            nodes,
+            arrays,
+            scene.kernel,
+            scene.n_components,
+            scene.time.time,
+            scene.inertia.in_trial() ? scene.time.time : scene.time.next_time(),
+            scene.warnings,
+            !grid_reset.due()};
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::start_step(const std::vector<EquationTerm<dim> *> &terms,
+                             LastMotion &last_motion)
+  {
+    if (grid_reset.due())
+      reset_grid(terms, last_motion);
+    else
+      scene.points.update(arrays);
+    nodes_changed = nodes.update(touched_vertices) || is_fresh;
+    is_fresh      = false;
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::reset_grid(const std::vector<EquationTerm<dim> *> &terms,
+                             LastMotion &last_motion)
+  {
+    TimerOutput::Scope scope(timer, "grid reset");
+    const double       time = scene.time.time;
+    if (scene.grid.is_moving())
+      scene.grid.set_vertices(scene.grid.vertices_at_time(time));
+    grid_reset.start(time);
+    // here and not after the last step, which may end outside of the grid
+    const auto n_changed = scene.points.relocate(*locator);
+    if (!scene.quadrature->bears_changes_of_cells() && scene.time.step > 0)
+      spacing.watch_changes_of_cells(
+        n_changed,
+        scene.points.handler().n_global_particles(),
+        time,
+        scene.warnings);
+    if (scene.grid.is_adaptive() && scene.adaptation.is_due())
+      {
+        TimerOutput::Scope scope(timer, "grid adaptation");
+        if (scene.adaptation.adapt(
+              scene.grid, scene.points, *locator, time, last_motion))
+          grid_changed();
+      }
+    refinement.refine(scene.points, scene.grid, *locator);
+    scene.points.gather(arrays);
+    scene.quadrature->start_step(
+      arrays, *locator, scene.kernel, needs_occupancy, occupancy);
+    spacing.check(arrays, time, scene.time.step == 0, scene.warnings);
+    spacing.compare_volumes(arrays, time, scene.warnings);
+    touched_vertices.clear();
+    for (EquationTerm<dim> *term : terms)
+      term->touch_vertices(touched_vertices);
+    if (extends)
+      extension.update(arrays, touched_vertices);
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::grid_changed()
+  {
+    for (const auto &condition : scene.boundary_conditions)
+      condition->grid_changed(scene.grid, scene.time.step == 0);
+    for (const auto &postprocessor : scene.postprocessors)
+      postprocessor->grid_changed(scene.grid);
+    if (needs_occupancy)
+      find_walls();
+  }
+
+
+
+  template <int dim>
+  bool
+  StepSetup<dim>::repeats_first_step(const NodalField &unknowns)
+  {
+    if (scene.time.step > 0 ||
+        !scene.adaptation.repeats_first_step(++n_first_solutions))
+      return false;
+    TimerOutput::Scope scope(timer, "grid adaptation");
+    Statistics         not_of_a_step;
+    LastMotion         none;
+    scene.adaptation.set_sizes(context(),
+                               unknowns,
+                               scene.points,
+                               not_of_a_step);
+    if (!scene.adaptation.adapt(
+          scene.grid, scene.points, *locator, scene.time.time, none))
+      return false;
+    scene.points.seed(scene.kernel.materials,
+                      scene.dynamic,
+                      scene.inertia.initial_velocity,
+                      scene.quadrature->needs_domains());
+    grid_changed();
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::collect_elements(
+    const std::vector<EquationTerm<dim> *> &terms)
+  {
+    if (!grid_reset.due())
+      return;
+    TimerOutput::Scope     scope(timer, "grid reset");
+    const StepContext<dim> step = context();
+    elements.clear();
+    first_element.clear();
+    for (EquationTerm<dim> *term : terms)
+      {
+        first_element.push_back(elements.size());
+        term->collect_elements(step, elements);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::constrain(const StepContext<dim> &step,
+                            NodalConstraints       &constraints) const
+  {
+    if (extends)
+      extension.constrain(step, constraints);
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::advance(const StepContext<dim> &step,
+                          const NodalField       &unknowns)
+  {
+    grid_reset.advance(step, unknowns, arrays);
+  }
+
+
+
+  template <int dim>
+  std::string
+  StepSetup<dim>::save_state() const
+  {
+    std::ostringstream              stream(std::ios::binary);
+    boost::archive::binary_oarchive archive(stream);
+    archive << scene.adaptation.save_state(scene.grid) << grid_reset;
+    if (!grid_reset.due())
+      archive << touched_vertices << elements << first_element << arrays
+              << extension;
+    return stream.str();
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::load_state(const std::string &state)
+  {
+    std::istringstream              stream(state, std::ios::binary);
+    boost::archive::binary_iarchive archive(stream);
+    std::string                     mesh;
+    archive >> mesh;
+    if (scene.adaptation.load_state(mesh, scene.grid, scene.points, *locator))
+      grid_changed();
+    archive >> grid_reset;
+    if (!grid_reset.due())
+      archive >> touched_vertices >> elements >> first_element >> arrays >>
+        extension;
+  }
+
+
+
+  template class StepSetup<2>;
+  template class StepSetup<3>;
+} // namespace isochor

@@ -1,0 +1,194 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/equations/nodal_unknowns.h>
+#include <isochor/transfer/grid_reset.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  GridReset<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Grid reset");
+    prm.declare_entry("Steps between resets",
+                      "1",
+                      Patterns::Integer(0),
+                      "Steps after which the deformed grid is put back and the "
+                      "points are located anew. 1: after each, the Material "
+                      "Point Method as it is. Between resets the grid moves "
+                      "with the body, as in updated Lagrangian finite "
+                      "elements. 0: only by 'Smallest element quality'.");
+    prm.declare_entry("Smallest element quality",
+                      "0.3",
+                      Patterns::Double(0, 1),
+                      "The grid is also reset once the quality of a cell that "
+                      "holds material falls below this: d (det A)^(2/d) / "
+                      "|A|^2, A the deformation gradient of the cell since the "
+                      "last reset; 1 for shapes similar to the undeformed one, "
+                      "0 for flat ones. 0: only if a cell is turned inside "
+                      "out.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Grid reset");
+    interval         = prm.get_integer("Steps between resets");
+    smallest_quality = prm.get_double("Smallest element quality");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::start(const double time)
+  {
+    reset_time    = time;
+    n_steps_since = 0;
+  }
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::advance(const StepContext<dim> &step,
+                          const NodalField       &unknowns,
+                          PointArrays<dim>       &points)
+  {
+    ++n_steps_since;
+    is_due = (n_steps_since == interval);
+    if (is_due)
+      return;
+    advance_massless_points(step, unknowns, points);
+    advance_stencils(step, unknowns, points);
+    const double worst =
+      Utilities::MPI::min(advance_cells(step, unknowns, points),
+                          step.grid.communicator());
+    is_due = !(worst > 0 && worst >= smallest_quality);
+  }
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::advance_massless_points(const StepContext<dim> &step,
+                                          const NodalField       &unknowns,
+                                          PointArrays<dim>       &points)
+  {
+    const NodalUnknowns<dim> nodal(step, unknowns);
+    std::vector<double>      history(points.n_history);
+    for (unsigned int k = points.n_occupied_cells; k < points.cell.size(); ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          const auto state =
+            step.kernel.final_state(points,
+                                    q,
+                                    nodal.deformation_at(stencil),
+                                    step.mixed(),
+                                    nodal.pressure_at(stencil),
+                                    history.data());
+          points.F[q]        = state.F;
+          points.pressure[q] = state.pressure;
+          std::copy(history.begin(),
+                    history.end(),
+                    points.history.begin() +
+                      q * static_cast<std::size_t>(points.n_history));
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::advance_stencils(const StepContext<dim> &step,
+                                   const NodalField       &unknowns,
+                                   PointArrays<dim>       &points)
+  {
+    if (!points.has_stencils())
+      return;
+    const NodalUnknowns<dim> nodal(step, unknowns);
+    for (unsigned int q = 0; q < points.n_points(); ++q)
+      {
+        const Tensor<2, dim> inverse = invert(
+          nodal.deformation_at(points.stencil(step.grid.geometry(), 0, q)));
+        for (std::size_t i = points.stencil_start[q];
+             i < points.stencil_start[q + 1];
+             ++i)
+          points.stencil_gradient[i] = points.stencil_gradient[i] * inverse;
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  GridReset<dim>::advance_cells(const StepContext<dim> &step,
+                                const NodalField       &unknowns,
+                                PointArrays<dim>       &points)
+  {
+    const SimplexGeometry<dim> &geometry = step.grid.geometry();
+    const NodalUnknowns<dim>    nodal(step, unknowns);
+    points.deform_cells(geometry);
+    double worst = 1;
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
+      {
+        auto       &cell     = points.deformed_cell[k];
+        const auto &vertices = geometry.vertex_indices(points.cell[k]);
+        if (!std::all_of(vertices.begin(), vertices.end(), [&](const auto v) {
+              return nodal.is_active(v);
+            }))
+          continue; // the points' domains miss a node of the cell
+        std::array<Tensor<1, dim>, dim + 1> u;
+        for (unsigned int v = 0; v <= dim; ++v)
+          u[v] = nodal.increment(vertices[v]);
+        const Tensor<2, dim> F = deformation_increment<dim>(
+          dim + 1,
+          [&](const unsigned int v) { return u[v]; },
+          cell.gradients.data());
+        if (!(determinant(F) > 0))
+          return 0;
+        const Tensor<2, dim> inverse = invert(F);
+        for (unsigned int v = 0; v <= dim; ++v)
+          {
+            cell.corners[v] += u[v];
+            cell.gradients[v] = cell.gradients[v] * inverse;
+          }
+        worst = std::min(worst, quality(step, k));
+      }
+    return worst;
+  }
+
+
+
+  template <int dim>
+  double
+  GridReset<dim>::quality(const StepContext<dim> &step, const unsigned int k)
+  {
+    const auto &gradients = step.grid.geometry().gradients(step.points.cell[k]);
+    const auto &cell      = step.points.deformed_cell[k];
+    Tensor<2, dim> A;
+    for (unsigned int v = 0; v <= dim; ++v)
+      A += outer_product(Tensor<1, dim>(cell.corners[v]), gradients[v]);
+    const double J = determinant(A);
+    return J > 0 ? dim * std::pow(J, 2. / dim) / A.norm_square() : 0.;
+  }
+
+
+
+  template class GridReset<2>;
+  template class GridReset<3>;
+} // namespace isochor

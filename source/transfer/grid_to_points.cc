@@ -1,0 +1,169 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/base/mpi_sums.h>
+#include <isochor/base/plain_message.h>
+#include <isochor/equations/nodal_unknowns.h>
+#include <isochor/transfer/grid_to_points.h>
+
+#include <array>
+#include <cmath>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Tell if the material's own volumes have little to do any more with the
+     * pressure: @p sums are Σ V (θ^e - p/K)² and Σ V of the points of this
+     * rank. Collective. */
+    template <int dim>
+    void
+    warn_of_wandering_volumes(const StepContext<dim> &step,
+                              std::array<double, 2>   sums)
+    {
+      constexpr double tolerated = 0.05;
+      sum_over_ranks(sums, step.grid.communicator());
+      const double difference = std::sqrt(sums[0] / sums[1]);
+      if (!(difference > tolerated))
+        return;
+      step.warnings.add(
+        "volumes of the points wander",
+        "At t = " + rounded(step.time) +
+          " the volumes of the material points differ by " +
+          rounded(100 * difference) +
+          " % (root mean square) from what the pressure says, while the cells "
+          "hold the right volume: motions that no cell feels have grown from "
+          "one reset of the grid to the next. Loads may still look right, "
+          "displacements and stresses are not. Keep the grid for several steps "
+          "or all (<Grid reset/Steps between resets>), let it follow the body "
+          "(<Grid/Stretch>), use more <Material points/Points per cell>, "
+          "another <Quadrature/Type>, or <Formulation/Project volume change>.");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  GridToPoints<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    VolumeProjection<dim>::declare_parameters(prm);
+  }
+
+
+
+  template <int dim>
+  void
+  GridToPoints<dim>::parse_parameters(ParameterHandler          &prm,
+                                      const BodyQuadrature<dim> &quadrature,
+                                      const bool                 measure_energy)
+  {
+    projects_volume = volume_projection.parse_parameters(prm, quadrature);
+    measures_energy = measure_energy;
+  }
+
+
+
+  template <int dim>
+  void
+  GridToPoints<dim>::transfer(const StepContext<dim> &step,
+                              const NodalField       &unknowns,
+                              const InertiaTerm<dim> *inertia,
+                              MaterialPoints<dim>    &points)
+  {
+    const PointLayout              &l      = points.layout();
+    const PointArrays<dim>         &arrays = step.points;
+    const NodalUnknowns<dim>        nodal(step, unknowns);
+    std::array<double, max_history> history;
+    Tensor<2, dim>                  F_increment;
+    SymmetricTensor<2, dim>         strain_increment;
+    unsigned int                    last_cell = numbers::invalid_unsigned_int;
+    if (projects_volume)
+      volume_projection.start(step);
+    step_energy = 0;
+    std::array<double, 2> volume_errors{};
+
+    points.for_each([&](const unsigned int k,
+                        const unsigned int q,
+                        Point<dim>        &location,
+                        ArrayView<double>  properties) {
+      const auto stencil = arrays.stencil(step.grid.geometry(), k, q);
+      if (k != last_cell || arrays.has_stencils())
+        {
+          F_increment = nodal.deformation_at(stencil);
+          if (measures_energy)
+            strain_increment =
+              symmetrize(unit_symmetric_tensor<dim>() - invert(F_increment));
+          last_cell = k;
+        }
+
+      const Tensor<1, dim> displacement = nodal.increment_at(stencil);
+      const auto           state        = step.kernel.final_state(arrays,
+                                                 q,
+                                                 F_increment,
+                                                 step.mixed(),
+                                                 nodal.pressure_at(stencil),
+                                                 history.data());
+      location += displacement;
+      properties[l.pressure] = state.pressure;
+      for (unsigned int a = 0; a < dim; ++a)
+        {
+          properties[l.displacement + a] += displacement[a];
+          for (unsigned int b = 0; b < dim; ++b)
+            properties[l.F + a * dim + b] = state.F[a][b];
+        }
+      store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
+      if (measures_energy)
+        {
+          double work = 0;
+          for (unsigned int a = 0; a < dim; ++a)
+            for (unsigned int b = 0; b < dim; ++b)
+              work += state.cauchy_stress[a][b] * strain_increment[a][b];
+          step_energy +=
+            std::abs(work) * determinant(state.F) * properties[l.volume];
+        }
+      std::copy_n(history.begin(), l.n_history, &properties[l.history]);
+      if (step.mixed())
+        {
+          const double excess =
+            state.volumetric_strain -
+            state.pressure *
+              step.kernel.materials[arrays.material[q]]->inverse_bulk_modulus();
+          volume_errors[0] += properties[l.volume] * excess * excess;
+          volume_errors[1] += properties[l.volume];
+          if (projects_volume)
+            volume_projection.set_excess(q, excess);
+        }
+      if (inertia)
+        {
+          const auto motion = inertia->point(step, stencil, arrays.velocity[q]);
+          for (unsigned int a = 0; a < dim; ++a)
+            {
+              properties[l.velocity + a]     = motion.first[a];
+              properties[l.acceleration + a] = motion.second[a];
+            }
+          if (measures_energy)
+            step_energy += properties[l.mass] / 2 * motion.first.norm_square();
+        }
+    });
+    if (step.mixed())
+      warn_of_wandering_volumes(step, volume_errors);
+  }
+
+
+
+  template <int dim>
+  void
+  GridToPoints<dim>::project_volume(const StepContext<dim> &step,
+                                    MaterialPoints<dim>    &points)
+  {
+    if (projects_volume)
+      volume_projection.apply(step, points);
+  }
+
+
+
+  template class GridToPoints<2>;
+  template class GridToPoints<3>;
+} // namespace isochor
