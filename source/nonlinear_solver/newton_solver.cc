@@ -294,8 +294,8 @@ namespace isochor
     bool matrix_is_current = true, expect_need = true;
     while (!finished(gauge, norms, report))
       {
-        // an old matrix is worth a try where it, or the quadratic convergence
-        // of the last iteration, promises to do
+        // an old matrix is worth a try if the last iteration converged so fast
+        // that it, or quadratic convergence, can be expected to be enough
         const bool reuse = reuse_ratio > 0 && last_ratio <= reuse_ratio &&
                            !problem.is_iterative() &&
                            problem.has_factorisation();
