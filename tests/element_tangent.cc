@@ -41,10 +41,12 @@ struct RandomElement
   using ElementType           = Element<dim, n_components, dim + 1>;
   static constexpr int n_dofs = ElementType::n_max;
 
-  const MixedKernel<dim> &kernel;
-  PointArrays<dim>        points;
-  ElementType             element;
-  double                  G, volume, volume_over_G = 0;
+  const MixedKernel<dim>         &kernel;
+  PointArrays<dim>                points;
+  ElementType                     element;
+  double                          G, volume;
+  CellCompliance                  compliance;
+  std::array<Point<dim>, dim + 1> corners;
 
   RandomElement(const MixedKernel<dim> &kernel,
                 const unsigned int      n_points,
@@ -55,8 +57,11 @@ struct RandomElement
   {
     // edges around those of the unit simplex; ∇N_I are the rows of the inverse
     const Tensor<2, dim> one(unit_symmetric_tensor<dim>());
-    const Tensor<2, dim> inverse =
-      invert(one + random.template gradient<dim>(0.25));
+    const Tensor<2, dim> edges   = one + random.template gradient<dim>(0.25);
+    const Tensor<2, dim> inverse = invert(edges);
+    for (unsigned int I = 1; I <= dim; ++I)
+      for (unsigned int a = 0; a < dim; ++a)
+        corners[I][a] = edges[a][I - 1];
     element.gradient[0] = 0;
     for (unsigned int I = 1; I <= dim; ++I)
       {
@@ -97,8 +102,10 @@ struct RandomElement
       std::min<unsigned int>(std::abs(random()) * kernel.materials.size(),
                              kernel.materials.size() - 1);
     points.material.push_back(m);
-    volume_over_G +=
-      points.weight.back() / kernel.materials[m]->shear_modulus();
+    kernel.add_compliance(points,
+                          points.weight.size() - 1,
+                          points.weight.back(),
+                          compliance);
     test::Point<dim> point(*kernel.materials[m]);
     if (mixed && point.material.depends_on_pressure())
       point.pressure = 0.1 * G * random();
@@ -139,7 +146,7 @@ struct RandomElement
     const EvaluationStatus status = kernel.evaluate(
       element, points, 0, points.weight.size(), shape, with_matrix);
     if constexpr (mixed)
-      kernel.add_pressure_projection(element, volume_over_G, with_matrix);
+      kernel.add_pressure_projection(element, compliance, corners, with_matrix);
     return status;
   }
 
@@ -203,6 +210,18 @@ struct ScaledMatrix
     return std::abs(error) / norm[field(i)][field(j)];
   }
 };
+
+/** A weight that changes the pressure by some G over an element, as far as the
+ * laws have a density. */
+template <int dim>
+void
+set_weight(MixedKernel<dim> &kernel)
+{
+  const MaterialModel<dim> &material = *kernel.materials[0];
+  for (unsigned int a = 0; a < dim; ++a)
+    kernel.hydrostatic_acceleration[a] =
+      (0.4 - 0.3 * a) * material.shear_modulus() / material.density();
+}
 
 template <int dim, int n_components>
 void
@@ -291,6 +310,7 @@ test_materials(const std::vector<std::pair<std::string, std::string>> &laws,
   for (const double alpha : {0., 1.7})
     {
       kernel.ppp_coefficient = alpha;
+      set_weight(kernel);
       test_matrix<dim, dim + 1>(label + (alpha > 0 ? ", PPP" : ""),
                                 kernel,
                                 n_tested);
@@ -309,7 +329,8 @@ test_potential()
   MixedKernel<dim> kernel;
   kernel.ppp_coefficient = 1.3;
   kernel.materials.push_back(test::make_material<dim>("Neo-Hookean"));
-  const double G  = kernel.materials[0]->shear_modulus();
+  const double G = kernel.materials[0]->shear_modulus();
+  set_weight(kernel);
   const double iK = kernel.materials[0]->inverse_bulk_modulus();
   for (unsigned int n = 0; n < 20; ++n)
     {
@@ -332,13 +353,17 @@ test_potential()
                       (G / 2 * (std::pow(J, -2. / 3.) * trace - 3) +
                        p * (J - 1) - p * p * iK / 2);
           }
-        // variance of linear functions on a simplex with nodal values p_I:
-        // (Σ p_I² - (d+1) p̃²) / ((d+1)(d+2))
+        // variance of linear functions on a simplex with nodal values d_I:
+        // (Σ d_I² - (d+1) d̃²) / ((d+1)(d+2)), of p and the body's weight
         double mean = 0, squares = 0;
-        for (const double p : e.element.pressure)
+        for (unsigned int I = 0; I <= dim; ++I)
           {
-            mean += p / (dim + 1);
-            squares += p * p;
+            const double d =
+              e.element.pressure[I] +
+              kernel.materials[0]->density() * kernel.hydrostatic_acceleration *
+                Tensor<1, dim>(e.corners[I] + e.element.increment[I]);
+            mean += d / (dim + 1);
+            squares += d * d;
           }
         return energy - kernel.ppp_coefficient * V / (2 * G) *
                           (squares - (dim + 1) * mean * mean) /

@@ -69,10 +69,8 @@ namespace isochor
     {
       if (gravity.empty())
         return;
-      Tensor<1, dim> g;
-      for (unsigned int a = 0; a < dim; ++a)
-        g[a] = gravity[a](Point<dim>(), step.time);
-      const auto &points = step.points;
+      const Tensor<1, dim> g      = body_acceleration(step.time);
+      const auto          &points = step.points;
       for (unsigned int k = 0; k < points.cell.size(); ++k)
         for (unsigned int q = points.cell_start[k];
              q < points.cell_start[k + 1];
@@ -85,6 +83,15 @@ namespace isochor
                   step.nodes.node(stencil.vertex[I]) * step.n_components + a) +=
                   stencil.shape[I] * points.mass[q] * g[a];
           }
+    }
+
+    Tensor<1, dim>
+    body_acceleration(const double time) const override
+    {
+      Tensor<1, dim> g;
+      for (unsigned int a = 0; a < gravity.size(); ++a)
+        g[a] = gravity[a](Point<dim>(), time);
+      return g;
     }
 
   private:

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/dynamics/inertia_term.h>
@@ -330,6 +331,59 @@ namespace isochor
     const MPI_Comm comm = step.grid.communicator();
     return Utilities::MPI::max(impulse, comm) >
            1e-8 * Utilities::MPI::max(scale, comm);
+  }
+
+
+
+  template <int dim>
+  template <typename Acceleration>
+  Tensor<1, dim>
+  InertiaTerm<dim>::mean_over_mass(const StepContext<dim> &step,
+                                   const Acceleration     &of_entry) const
+  {
+    std::array<double, dim + 1> sums{};
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      {
+        const double m = mass.lumped.local_element(node);
+        for (unsigned int d = 0; d < dim; ++d)
+          sums[d] += m * of_entry(node, d);
+        sums[dim] += m;
+      }
+    sum_over_ranks(sums, step.grid.communicator());
+    Tensor<1, dim> mean;
+    if (sums[dim] > 0)
+      for (unsigned int d = 0; d < dim; ++d)
+        mean[d] = sums[d] / sums[dim];
+    return mean;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  InertiaTerm<dim>::mean_acceleration(const StepContext<dim> &step) const
+  {
+    return mean_over_mass(step,
+                          [&](const unsigned int node, const unsigned int d) {
+                            return acceleration.local_element(node * dim + d);
+                          });
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  InertiaTerm<dim>::mean_trial_acceleration(const StepContext<dim> &step,
+                                            const NodalField &unknowns) const
+  {
+    return mean_over_mass(
+      step, [&](const unsigned int node, const unsigned int d) {
+        return scheme().acceleration(unknowns.local_element(
+                                       node * step.n_components + d),
+                                     velocity.local_element(node * dim + d),
+                                     acceleration.local_element(node * dim + d),
+                                     step_size(step));
+      });
   }
 
 

@@ -30,7 +30,7 @@ namespace isochor
                         points.stencil_vertex.begin(),
                         points.stencil_vertex.end());
         for (const auto &cell : points.overlapped_cells)
-          touch(cell.first);
+          touch(cell.cell);
       }
     else
       for (const unsigned int cell : points.cell)
@@ -58,7 +58,7 @@ namespace isochor
           add(&points.stencil_vertex[points.stencil_start[q]],
               points.stencil_start[q + 1] - points.stencil_start[q]);
         for (const auto &cell : points.overlapped_cells)
-          add(grid.geometry().vertex_indices(cell.first).data(), dim + 1);
+          add(grid.geometry().vertex_indices(cell.cell).data(), dim + 1);
       }
     else
       for (const unsigned int cell : points.cell)
@@ -154,15 +154,15 @@ namespace isochor
     element.matrix.fill(0.);
     for (unsigned int k = 0; k < points.overlapped_cells.size(); ++k)
       {
-        const auto &vertices =
-          grid.geometry().vertex_indices(points.overlapped_cells[k].first);
-        for (unsigned int I = 0; I <= dim; ++I)
-          element.pressure[I] = nodal.pressure(vertices[I]);
+        const OverlappedCell<dim> &cell = points.overlapped_cells[k];
+        const auto &vertices = grid.geometry().vertex_indices(cell.cell);
+        nodal.gather(dim + 1, vertices.data(), element);
         element.residual.fill(0.);
         if (with_matrix)
           element.matrix.fill(0.);
         step.kernel.add_pressure_projection(element,
-                                            points.overlapped_cells[k].second,
+                                            cell.compliance,
+                                            cell.corners,
                                             with_matrix);
         system.add_element(first_element + k,
                            element.residual.data(),
@@ -206,13 +206,12 @@ namespace isochor
         if constexpr (n_components == dim + 1)
           if (kernel.ppp_coefficient > 0)
             {
-              double volume_over_G = 0;
+              CellCompliance compliance;
               for (unsigned int q = begin; q < end; ++q)
-                volume_over_G +=
-                  points.weight[q] /
-                  kernel.materials[points.material[q]]->shear_modulus();
+                kernel.add_compliance(points, q, points.weight[q], compliance);
               kernel.add_pressure_projection(element,
-                                             volume_over_G,
+                                             compliance,
+                                             points.corners(geometry, k),
                                              with_matrix);
             }
         system.add_element(first_element + k,

@@ -236,7 +236,7 @@ namespace isochor
       return sums;
     }
 
-    /** Σ_e p·S_e p / 2 of this rank's cells. */
+    /** Σ_e Φ_e of the stabilisation, of this rank's cells. */
     double
     stabilisation_energy(const StepResult<dim> &result) const
     {
@@ -246,31 +246,33 @@ namespace isochor
       if (!step.mixed() || !(step.kernel.ppp_coefficient > 0))
         return energy;
       const NodalUnknowns<dim> nodal(step, result.unknowns);
-      const auto add = [&](const unsigned int cell, const double V_over_G) {
+      const auto               add = [&](const unsigned int                     cell,
+                           const CellCompliance                  &compliance,
+                           const std::array<Point<dim>, dim + 1> &corners) {
         Element<dim, dim + 1, dim + 1> element;
-        element.residual.fill(0.);
-        const auto &vertices = step.grid.geometry().vertex_indices(cell);
-        for (unsigned int I = 0; I <= dim; ++I)
-          element.pressure[I] = nodal.pressure(vertices[I]);
-        step.kernel.add_pressure_projection(element, V_over_G, false);
-        for (unsigned int I = 0; I <= dim; ++I)
-          energy -=
-            element.pressure[I] / 2 * element.residual[I * (dim + 1) + dim];
+        nodal.gather(dim + 1,
+                     step.grid.geometry().vertex_indices(cell).data(),
+                     element);
+        energy +=
+          step.kernel.pressure_projection_energy(element, compliance, corners);
       };
       if (points.has_stencils())
         for (const auto &cell : points.overlapped_cells)
-          add(cell.first, cell.second);
+          add(cell.cell, cell.compliance, cell.corners);
       else
         for (unsigned int k = 0; k < points.cell.size(); ++k)
           {
-            double V_over_G = 0;
+            CellCompliance compliance;
             for (unsigned int q = points.cell_start[k];
                  q < points.cell_start[k + 1];
                  ++q)
-              V_over_G +=
-                points.weight[q] /
-                step.kernel.materials[points.material[q]]->shear_modulus();
-            add(points.cell[k], V_over_G);
+              step.kernel.add_compliance(points,
+                                         q,
+                                         points.weight[q],
+                                         compliance);
+            add(points.cell[k],
+                compliance,
+                points.corners(step.grid.geometry(), k));
           }
       return energy;
     }

@@ -81,6 +81,7 @@ namespace isochor
     setup.collect_elements(terms);
     set_external_force();
     start_contact(setup.nodes_have_changed());
+    set_weight();
     compute_residual_floor();
   }
 
@@ -171,6 +172,33 @@ namespace isochor
 
   template <int dim>
   void
+  Equilibrium<dim>::set_weight()
+  {
+    set_weight(scene.dynamic ?
+                 scene.inertia.mean_acceleration(setup.context()) :
+                 Tensor<1, dim>());
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::set_weight(const Tensor<1, dim> &mean_acceleration)
+  {
+    if (!scene.leaves_out_weight)
+      return;
+    Tensor<1, dim> gravity;
+    for (const auto &condition : scene.boundary_conditions)
+      gravity += condition->body_acceleration(setup.context().time);
+    // nothing without weight: an acceleration may be rounding over h²
+    scene.kernel.hydrostatic_acceleration =
+      gravity.norm() > 0 ? gravity - mean_acceleration : Tensor<1, dim>();
+  }
+
+
+
+  template <int dim>
+  void
   Equilibrium<dim>::compute_residual_floor()
   {
     // strains carry rounding errors of some 1e-15: residuals of ten times that
@@ -211,6 +239,8 @@ namespace isochor
         start_again();
         at_start = true;
         report   = trial > 0 ? solve_with_contact() : find_root();
+        if (report.converged && trial > 0)
+          settle_weight(report);
         if (report.converged)
           inertia.finish_trial(setup.context(),
                                unknowns,
@@ -225,7 +255,30 @@ namespace isochor
                        scene.points,
                        scene.time.step == 0);
     start_again();
+    set_weight();
     return report;
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::settle_weight(NewtonReport &report)
+  {
+    constexpr unsigned int max_repetitions = 3;
+    constexpr double       accuracy        = 1e-10;
+    for (unsigned int n = 0; n < max_repetitions && report.converged; ++n)
+      {
+        const Tensor<1, dim> before = scene.kernel.hydrostatic_acceleration,
+                             mean   = scene.inertia.mean_trial_acceleration(
+                               setup.context(), unknowns);
+        set_weight(mean);
+        const Tensor<1, dim> after = scene.kernel.hydrostatic_acceleration;
+        if ((after - before).norm() <=
+            accuracy * (after + mean).norm()) // of gravity
+          return;
+        report.continue_with(find_root());
+      }
   }
 
 

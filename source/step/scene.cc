@@ -57,6 +57,15 @@ namespace isochor
                       Patterns::Double(0),
                       "The factor alpha of alpha/G in the stabilisation; "
                       "useful are 1 to 8.");
+    prm.declare_entry("PPP leaves out weight",
+                      "true",
+                      Patterns::Bool(),
+                      "Whether the stabilisation acts on what is left of the "
+                      "pressure without the part that is in equilibrium with "
+                      "the body's weight under <Boundary conditions/Gravity> "
+                      "(in dynamics: less its mean acceleration). It changes "
+                      "with the depth, which is no oscillation. false: on all "
+                      "of the pressure, as in the paper.");
     prm.leave_subsection();
 
     for (unsigned int m = 0; m < n_materials; ++m)
@@ -109,6 +118,7 @@ namespace isochor
     kernel.ppp_coefficient = mixed() && prm.get("Stabilisation") == "PPP" ?
                                prm.get_double("PPP coefficient") :
                                0.;
+    leaves_out_weight      = prm.get_bool("PPP leaves out weight");
     prm.leave_subsection();
   }
 

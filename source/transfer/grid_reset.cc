@@ -169,6 +169,10 @@ namespace isochor
           }
         worst = std::min(worst, quality(step, k));
       }
+    for (OverlappedCell<dim> &cell : points.overlapped_cells)
+      for (unsigned int v = 0; v <= dim; ++v)
+        cell.corners[v] +=
+          nodal.increment(geometry.vertex_indices(cell.cell)[v]);
     return worst;
   }
 

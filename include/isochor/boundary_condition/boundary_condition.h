@@ -103,6 +103,15 @@ namespace isochor
                        NodalField & /*force*/) const
     {}
 
+    /** The part of the dead loads that acts on all mass alike (m/s²), at
+     * @p time. The stabilisation of the pressure leaves out what is in
+     * equilibrium with it. */
+    virtual Tensor<1, dim>
+    body_acceleration(const double /*time*/) const
+    {
+      return {};
+    }
+
     /** Whether what assemble() adds is symmetric. */
     virtual bool
     has_symmetric_matrix() const

@@ -72,6 +72,16 @@ namespace isochor
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       const NodalConstraints                                     &constraints);
 
+    /** Of the mass, at the start of the step (m/s²). Needs prescribe().
+     * Collective. */
+    Tensor<1, dim>
+    mean_acceleration(const StepContext<dim> &step) const;
+
+    /** The same in a trial, of its @p unknowns. Collective. */
+    Tensor<1, dim>
+    mean_trial_acceleration(const StepContext<dim> &step,
+                            const NodalField       &unknowns) const;
+
     /** Whether prescribe() has been called in this step. */
     bool
     is_prescribed() const
@@ -164,6 +174,12 @@ namespace isochor
         return trial_integrator;
       return *integrator;
     }
+
+    /** Mean over the mass of what @p of_entry(node, component) gives. */
+    template <typename Acceleration>
+    Tensor<1, dim>
+    mean_over_mass(const StepContext<dim> &step,
+                   const Acceleration     &of_entry) const;
 
     /** Whether held nodes move otherwise than the points. Collective. */
     bool

@@ -75,6 +75,37 @@ namespace isochor
     return F;
   }
 
+  /** Σ V/G and Σ ρ V/G of the points in a cell, V the reference volume that
+   * each integrates: what the stabilisation needs (MixedKernel). */
+  struct CellCompliance
+  {
+    double volume = 0, mass = 0;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &volume &mass;
+    }
+  };
+
+  /** A cell that domains of points overlap, with the part of the points in it
+   * and its vertices at the start of the step. */
+  template <int dim>
+  struct OverlappedCell
+  {
+    unsigned int                    cell;
+    CellCompliance                  compliance;
+    std::array<Point<dim>, dim + 1> corners;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &cell &compliance &corners;
+    }
+  };
+
   /**
    * The material points of this rank in typed arrays, ordered by cell: what
    * the hot loops of one step work on. Cell k of the list `cell` holds the
@@ -113,9 +144,8 @@ namespace isochor
     /** Pairs (point, cell) for the corners of domains, at least dim + 1 a
      * point: the cells whose nodes corners touch. */
     std::vector<std::pair<unsigned int, unsigned int>> corner_cells;
-    /** Cells that domains overlap and all of whose nodes are active, with the
-     * part of the points' Σ V_0/G in them. */
-    std::vector<std::pair<unsigned int, double>> overlapped_cells;
+    /** Cells that domains overlap and all of whose nodes are active. */
+    std::vector<OverlappedCell<dim>> overlapped_cells;
 
     /** A cell as the motion of the body since the last reset of the grid has
      * deformed it: its vertices and the gradients of its N_I. */
@@ -146,6 +176,18 @@ namespace isochor
       return deformed_cell.empty() ?
                geometry.vertices()[geometry.vertex_indices(cell[k])[v]] :
                deformed_cell[k].corners[v];
+    }
+
+    /** All of them. */
+    std::array<Point<dim>, dim + 1>
+    corners(const SimplexGeometry<dim> &geometry, const unsigned int k) const
+    {
+      if (!deformed_cell.empty())
+        return deformed_cell[k].corners;
+      std::array<Point<dim>, dim + 1> result;
+      for (unsigned int v = 0; v <= dim; ++v)
+        result[v] = corner(geometry, k, v);
+      return result;
     }
 
     /** ∇_n N_I in cell k of the list: with respect to the grid at the start of
