@@ -27,7 +27,7 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm) override
     {
-      const std::string name = "Boundary conditions/Gravity";
+      const std::string name = this->parameter("Gravity");
       if (prm.get("Gravity").empty())
         return;
       for (const auto &item : split_formulas(prm.get("Gravity"), name))

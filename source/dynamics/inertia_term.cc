@@ -17,11 +17,6 @@ namespace isochor
   InertiaTerm<dim>::declare_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Dynamics");
-    prm.declare_entry("Inertia",
-                      "false",
-                      Patterns::Bool(),
-                      "Whether the body has inertia, or is in equilibrium at "
-                      "all times.");
     TimeIntegrator::declare_schemes(prm);
     prm.declare_entry("Transfer",
                       "PIC",
@@ -51,26 +46,24 @@ namespace isochor
 
 
   template <int dim>
-  bool
+  void
   InertiaTerm<dim>::parse_parameters(ParameterHandler          &prm,
                                      const BodyQuadrature<dim> &quadrature)
   {
     prm.enter_subsection("Dynamics");
-    const bool dynamic      = prm.get_bool("Inertia");
     integrator              = TimeIntegrator::create(prm);
     kept_part               = prm.get("Transfer") == "FLIP" ? 1 : 0;
     initial_velocity        = prm.get("Initial velocity");
     const std::string start = prm.get("Acceleration");
     prm.leave_subsection();
     from_stresses = start != "carried" && !quadrature.forces_jump();
-    AssertThrow(!dynamic || from_stresses || start != "from stresses",
+    AssertThrow(!is_active() || from_stresses || start != "from stresses",
                 ExcMessage("<Dynamics/Acceleration = from stresses> needs "
                            "<Quadrature/Type = CPDI>: with other quadratures "
                            "forces jump when points change cells."));
-    AssertThrow(dynamic || initial_velocity.empty(),
+    AssertThrow(is_active() || initial_velocity.empty(),
                 ExcMessage("The parameter <Dynamics/Initial velocity> needs "
                            "<Dynamics/Inertia = true>."));
-    return dynamic;
   }
 
 
@@ -83,6 +76,8 @@ namespace isochor
     MaterialPoints<dim>                                        &points,
     const bool                                                  is_first)
   {
+    if (!is_active())
+      return;
     by_stresses = from_stresses && !is_first;
     mass.reinit(step, by_stresses);
     mass.collect(step, step.points.velocity, momentum);
@@ -171,6 +166,27 @@ namespace isochor
                           " of their size. Use more <Material points/Points "
                           "per cell>, larger steps or, with <Quadrature/Type = "
                           "CPDI>, <Dynamics/Acceleration = carried>.");
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::constrain(
+    const StepContext<dim>                                     &step,
+    const double                                                end,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    const bool                                                  changed,
+    NodalConstraints                                           &constraints)
+  {
+    if (!is_active())
+      return;
+    StepContext<dim> whole_step = step;
+    whole_step.time             = end; // also in a trial
+    if (changed || !prescribed)
+      prescribe(whole_step, conditions, constraints);
+    if (in_trial())
+      set_trial_increments(step, constraints);
   }
 
 
@@ -339,6 +355,8 @@ namespace isochor
   InertiaTerm<dim>::collect_elements(const StepContext<dim> &step,
                                      ElementNodes           &elements)
   {
+    if (!is_active())
+      return;
     for (unsigned int e = 0; e < mass.n_elements(step); ++e)
       {
         mass.element_nodes(step, e, nodes);
@@ -357,6 +375,8 @@ namespace isochor
                              const bool              with_matrix,
                              MixedSystem<dim>       &system)
   {
+    if (!is_active())
+      return EvaluationStatus::success;
     const unsigned int nc        = step.n_components;
     const double       dt        = step_size(step);
     const double       stiffness = scheme().stiffness(dt);
@@ -409,6 +429,8 @@ namespace isochor
   InertiaTerm<dim>::finish_step(const StepContext<dim> &step,
                                 const NodalField       &unknowns)
   {
+    if (!is_active())
+      return;
     const double dt = step_size(step);
     step.nodes.initialize(new_velocity, dim);
     step.nodes.initialize(new_acceleration, dim);
@@ -456,6 +478,28 @@ namespace isochor
           }
       }
     return {v, a};
+  }
+
+
+
+  template <int dim>
+  double
+  InertiaTerm<dim>::move_point(
+    const StepContext<dim>                   &step,
+    const typename PointArrays<dim>::Stencil &stencil,
+    const unsigned int                        q,
+    const PointLayout                        &layout,
+    const ArrayView<double>                  &properties) const
+  {
+    if (!is_active())
+      return 0;
+    const auto motion = point(step, stencil, step.points.velocity[q]);
+    for (unsigned int a = 0; a < dim; ++a)
+      {
+        properties[layout.velocity + a]     = motion.first[a];
+        properties[layout.acceleration + a] = motion.second[a];
+      }
+    return properties[layout.mass] / 2 * motion.first.norm_square();
   }
 
 

@@ -52,9 +52,7 @@ namespace isochor
   void
   Equilibrium<dim>::initialize()
   {
-    terms = {&body};
-    if (scene.dynamic)
-      terms.push_back(&scene.inertia);
+    terms = {&body, &scene.inertia};
     for (auto &condition : scene.boundary_conditions)
       terms.push_back(condition.get());
   }
@@ -73,11 +71,10 @@ namespace isochor
     linear_step.start_step(nodes, n_components);
     at_start = true;
     set_initial_pressure();
-    if (scene.dynamic)
-      scene.inertia.start_step(setup.context(),
-                               scene.boundary_conditions,
-                               scene.points,
-                               scene.time.step == 0);
+    scene.inertia.start_step(setup.context(),
+                             scene.boundary_conditions,
+                             scene.points,
+                             scene.time.step == 0);
     setup.collect_elements(terms);
     set_external_force();
     start_contact(setup.nodes_have_changed());
@@ -199,7 +196,7 @@ namespace isochor
   {
     NewtonReport report;
     report.converged = true;
-    if (!scene.dynamic || scene.time.step > 0)
+    if (!scene.has_inertia() || scene.time.step > 0)
       return report;
     InertiaTerm<dim> &inertia = scene.inertia;
     // a trial errs by O(h); two, one of them back in time, by O(h²)
@@ -333,16 +330,11 @@ namespace isochor
     const bool changed =
       Utilities::MPI::max(static_cast<int>(constraints.constrained != previous),
                           scene.grid.communicator()) != 0;
-    if (scene.dynamic)
-      {
-        InertiaTerm<dim> &inertia    = scene.inertia;
-        StepContext<dim>  whole_step = step;
-        whole_step.time = scene.time.next_time(); // also in a trial
-        if (changed || !inertia.is_prescribed())
-          inertia.prescribe(whole_step, scene.boundary_conditions, constraints);
-        if (inertia.in_trial())
-          inertia.set_trial_increments(step, constraints);
-      }
+    scene.inertia.constrain(step,
+                            scene.time.next_time(),
+                            scene.boundary_conditions,
+                            changed,
+                            constraints);
     return changed;
   }
 

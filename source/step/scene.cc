@@ -2,10 +2,12 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/parameter_list.h>
 #include <isochor/base/plugin_registry.h>
 #include <isochor/step/scene.h>
 #include <isochor/transfer/volume_projection.h>
 
+#include <algorithm>
 #include <string>
 
 namespace isochor
@@ -18,7 +20,84 @@ namespace isochor
       return material == 0 ? "Material" :
                              "Material " + std::to_string(material + 1);
     }
+
+
+
+    /** Declare the parameters of all plugins in @p section, and of one each in
+     * @p named sections. */
+    template <typename Plugin>
+    void
+    declare_plugins(const std::string               &section,
+                    const std::vector<NamedSection> &named,
+                    ParameterHandler                &prm)
+    {
+      using Registry = PluginRegistry<Plugin>;
+      prm.enter_subsection(section);
+      Registry::declare_parameters(prm);
+      prm.leave_subsection();
+      const auto types = Utilities::split_string_list(Registry::names(), '|');
+      for (const NamedSection &entry : named)
+        {
+          const bool known =
+            std::find(types.begin(), types.end(), entry.type) != types.end();
+          prm.enter_subsection(entry.section);
+          prm.declare_entry("Type",
+                            known ? entry.type : types.front(),
+                            Patterns::Selection(Registry::names()),
+                            "Which of the objects of the section '" + section +
+                              "' this is one more of. The section has the "
+                              "parameters of that one.");
+          if (known)
+            Registry::declare_parameters(entry.type, prm);
+          else // the error is to be that of the type
+            Registry::declare_parameters(prm);
+          prm.leave_subsection();
+        }
+    }
+
+
+
+    /** Make the objects of all plugins, then those of named sections, and let
+     * them read their parameters. */
+    template <typename Plugin>
+    void
+    create_plugins(ParameterHandler                     &prm,
+                   std::vector<std::unique_ptr<Plugin>> &objects)
+    {
+      PluginRegistry<Plugin>::create_all(objects);
+      const std::string kind = objects.front()->section;
+      for (const auto &path : ParameterList(prm).subsections)
+        if (path.size() == 1 && path.front().rfind(kind + ": ", 0) == 0)
+          {
+            prm.enter_subsection(path.front());
+            const std::string type = prm.get("Type");
+            prm.leave_subsection();
+            objects.push_back(PluginRegistry<Plugin>::create(type));
+            Plugin &object  = *objects.back();
+            object.section  = path.front();
+            object.instance = path.front().substr(kind.size() + 2);
+            object.name     = type + ": " + object.instance;
+          }
+      for (const auto &object : objects)
+        {
+          prm.enter_subsection(object->section);
+          object->parse_parameters(prm);
+          prm.leave_subsection();
+        }
+    }
   } // namespace
+
+
+
+  SceneSections
+  SceneSections::find(const std::vector<ParameterStatement> &statements)
+  {
+    SceneSections sections(n_numbered_subsections(statements, "Material"));
+    sections.boundary_conditions =
+      named_subsections(statements, "Boundary conditions");
+    sections.postprocessors = named_subsections(statements, "Postprocess");
+    return sections;
+  }
 
 
 
@@ -32,8 +111,8 @@ namespace isochor
 
   template <int dim>
   void
-  Scene<dim>::declare_parameters(ParameterHandler  &prm,
-                                 const unsigned int n_materials)
+  Scene<dim>::declare_parameters(ParameterHandler    &prm,
+                                 const SceneSections &sections)
   {
     BackgroundGrid<dim>::declare_parameters(prm);
     GridAdaptation<dim>::declare_parameters(prm);
@@ -59,7 +138,7 @@ namespace isochor
                       "useful are 1 to 8.");
     prm.leave_subsection();
 
-    for (unsigned int m = 0; m < n_materials; ++m)
+    for (unsigned int m = 0; m < sections.n_materials; ++m)
       {
         prm.enter_subsection(material_section(m));
         prm.declare_entry("Model",
@@ -72,12 +151,12 @@ namespace isochor
         prm.leave_subsection();
       }
 
-    prm.enter_subsection("Boundary conditions");
-    PluginRegistry<BoundaryCondition<dim>>::declare_parameters(prm);
-    prm.leave_subsection();
-    prm.enter_subsection("Postprocess");
-    PluginRegistry<Postprocessor<dim>>::declare_parameters(prm);
-    prm.leave_subsection();
+    declare_plugins<BoundaryCondition<dim>>("Boundary conditions",
+                                            sections.boundary_conditions,
+                                            prm);
+    declare_plugins<Postprocessor<dim>>("Postprocess",
+                                        sections.postprocessors,
+                                        prm);
   }
 
 
@@ -92,7 +171,7 @@ namespace isochor
     shape.parse_parameters(prm);
     time.parse_parameters(prm);
     quadrature = BodyQuadrature<dim>::create(prm);
-    dynamic    = inertia.parse_parameters(prm, *quadrature);
+    inertia.parse_parameters(prm, *quadrature);
     parse_formulation(prm);
     parse_materials(prm);
     parse_plugins(prm);
@@ -150,7 +229,7 @@ namespace isochor
                            "/Poisson ratio> must be less than 0.5 in the "
                            "formulation u. Set <Formulation/Type = u-p> for "
                            "an incompressible material."));
-    AssertThrow(!dynamic || material.density() > 0,
+    AssertThrow(!has_inertia() || material.density() > 0,
                 ExcMessage("The parameter <" + material_section(m) +
                            "/Density> must be positive in a scene with "
                            "<Dynamics/Inertia = true>."));
@@ -175,20 +254,10 @@ namespace isochor
   void
   Scene<dim>::parse_plugins(ParameterHandler &prm)
   {
-    prm.enter_subsection("Boundary conditions");
-    PluginRegistry<BoundaryCondition<dim>>::create_all(boundary_conditions);
-    for (auto &condition : boundary_conditions)
-      {
-        condition->parse_parameters(prm);
-        symmetric = symmetric && condition->has_symmetric_matrix();
-      }
-    prm.leave_subsection();
-
-    prm.enter_subsection("Postprocess");
-    PluginRegistry<Postprocessor<dim>>::create_all(postprocessors);
-    for (auto &postprocessor : postprocessors)
-      postprocessor->parse_parameters(prm);
-    prm.leave_subsection();
+    create_plugins(prm, boundary_conditions);
+    create_plugins(prm, postprocessors);
+    for (const auto &condition : boundary_conditions)
+      symmetric = symmetric && condition->has_symmetric_matrix();
   }
 
 
@@ -201,7 +270,7 @@ namespace isochor
     grid.create();
     adaptation.make_initial_grid(grid);
     points.seed(kernel.materials,
-                dynamic,
+                has_inertia(),
                 inertia.initial_velocity,
                 with_domains);
     shape.initialize(grid, with_domains);

@@ -208,7 +208,7 @@ namespace isochor
           scene.grid, scene.points, *locator, scene.time.time, none))
       return false;
     scene.points.seed(scene.kernel.materials,
-                      scene.dynamic,
+                      scene.has_inertia(),
                       scene.inertia.initial_velocity,
                       scene.quadrature->needs_domains());
     grid_changed();

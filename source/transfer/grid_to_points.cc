@@ -69,7 +69,7 @@ namespace isochor
   void
   GridToPoints<dim>::transfer(const StepContext<dim> &step,
                               const NodalField       &unknowns,
-                              const InertiaTerm<dim> *inertia,
+                              const InertiaTerm<dim> &inertia,
                               MaterialPoints<dim>    &points)
   {
     const PointLayout              &l      = points.layout();
@@ -135,17 +135,10 @@ namespace isochor
           if (projects_volume)
             volume_projection.set_excess(q, excess);
         }
-      if (inertia)
-        {
-          const auto motion = inertia->point(step, stencil, arrays.velocity[q]);
-          for (unsigned int a = 0; a < dim; ++a)
-            {
-              properties[l.velocity + a]     = motion.first[a];
-              properties[l.acceleration + a] = motion.second[a];
-            }
-          if (measures_energy)
-            step_energy += properties[l.mass] / 2 * motion.first.norm_square();
-        }
+      const double kinetic_energy =
+        inertia.move_point(step, stencil, q, l, properties);
+      if (measures_energy)
+        step_energy += kinetic_energy;
     });
     if (step.mixed())
       warn_of_wandering_volumes(step, volume_errors);
