@@ -316,7 +316,7 @@ namespace isochor
         const auto &[q, cell] = points.corner_cells[i];
         if (corner_shares[i] > 0 && occupancy.is_closed(cell))
           volume_over_G[cell] +=
-            corner_shares[i] * points.weight[q] / (dim + 1) /
+            corner_shares[i] * points.measure(q) / (dim + 1) /
             kernel.materials[points.material[q]]->shear_modulus();
       }
     points.overlapped_cells.assign(volume_over_G.begin(), volume_over_G.end());

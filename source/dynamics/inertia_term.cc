@@ -117,13 +117,20 @@ namespace isochor
                         ArrayView<double> properties) {
       const auto   stencil = step.points.stencil(step.grid.geometry(), k, q);
       const auto   stress  = load_symmetric<dim>(&properties[l.stress]);
-      const double V = step.points.weight[q] * determinant(step.points.F[q]);
+      const double V = step.points.measure(q) * determinant(step.points.F[q]) *
+                       step.kernel.hoop_stretch(&properties[l.history]);
       for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-        for (unsigned int a = 0; a < dim; ++a)
-          for (unsigned int b = 0; b < dim; ++b)
-            loads.local_element(
-              step.nodes.node(stencil.vertex[I]) * step.n_components + a) -=
-              V * stress[a][b] * stencil.gradient[I][b];
+        {
+          const unsigned int entry =
+            step.nodes.node(stencil.vertex[I]) * step.n_components;
+          for (unsigned int a = 0; a < dim; ++a)
+            for (unsigned int b = 0; b < dim; ++b)
+              loads.local_element(entry + a) -=
+                V * stress[a][b] * stencil.gradient[I][b];
+          if (step.kernel.axisymmetric)
+            loads.local_element(entry) -=
+              V * stress[2][2] * stencil.shape[I] / step.points.radius[q];
+        }
     });
     loads.compress(VectorOperation::add);
     // the points have what a_n differs by from the acceleration of the forces

@@ -152,17 +152,22 @@ namespace isochor
 
 
     void
-    inspect_surfaces(const Inspector &inspect)
+    inspect_surfaces(const ParameterList &list, const Inspector &inspect)
     {
-      const std::string section = "Boundary conditions";
-      if (inspect.value({section, "Surfaces of body"}).empty())
-        for (const char *name :
-             {"Boundary points per face", "Mesh of body surfaces"})
-          inspect.idle({section, name},
-                       "without <Boundary conditions/Surfaces of body>");
-      if (inspect.value({section, "Displacement of body"}).empty())
-        inspect.idle({section, "Penalty of body displacement"},
-                     "without <Boundary conditions/Displacement of body>");
+      for (const Path &path : list.subsections)
+        {
+          const std::string section = path.front();
+          if (path.size() > 1 || section.rfind("Boundary conditions", 0) != 0)
+            continue;
+          if (inspect.value({section, "Surfaces of body"}).empty())
+            for (const char *name :
+                 {"Boundary points per face", "Mesh of body surfaces"})
+              inspect.idle({section, name},
+                           "without <" + section + "/Surfaces of body>");
+          if (inspect.value({section, "Displacement of body"}).empty())
+            inspect.idle({section, "Penalty of body displacement"},
+                         "without <" + section + "/Displacement of body>");
+        }
     }
 
 
@@ -229,7 +234,7 @@ namespace isochor
     inspect_points(inspect);
     inspect_equations(inspect, scene.has_inertia());
     inspect_cut_cells(inspect, scene.quadrature->ties_cut_cells());
-    inspect_surfaces(inspect);
+    inspect_surfaces(list, inspect);
     inspect_materials(list, inspect);
     inspect_linear_solver(list, inspect);
   }

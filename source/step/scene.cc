@@ -3,7 +3,9 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/parameter_list.h>
+#include <isochor/base/plain_message.h>
 #include <isochor/base/plugin_registry.h>
+#include <isochor/material_model/axisymmetric_material.h>
 #include <isochor/step/scene.h>
 #include <isochor/transfer/volume_projection.h>
 
@@ -127,6 +129,14 @@ namespace isochor
                       Patterns::Selection("u|u-p"),
                       "Displacements as the only unknowns, or displacements "
                       "and pressure.");
+    prm.declare_entry("Geometry",
+                      "plane strain",
+                      Patterns::Selection("plane strain|axisymmetric"),
+                      "In 2D: a slice of a body that is long in z, or a "
+                      "section of a body of revolution, x being the distance "
+                      "from the axis (r) and y the place along it (z). "
+                      "Volumes, forces and energies are then those of the "
+                      "whole circle.");
     prm.declare_entry("Stabilisation",
                       "PPP",
                       Patterns::Selection("none|PPP"),
@@ -188,7 +198,12 @@ namespace isochor
     kernel.ppp_coefficient = mixed() && prm.get("Stabilisation") == "PPP" ?
                                prm.get_double("PPP coefficient") :
                                0.;
+    kernel.axisymmetric    = prm.get("Geometry") == "axisymmetric";
     prm.leave_subsection();
+    AssertThrow(dim == 2 || !kernel.axisymmetric,
+                ExcMessage("The parameter <Formulation/Geometry = "
+                           "axisymmetric> needs <Dimension = 2>: the plane is "
+                           "a section of the body."));
   }
 
 
@@ -204,8 +219,7 @@ namespace isochor
       {
         prm.enter_subsection(material_section(m));
         const std::string model = prm.get("Model");
-        kernel.materials.push_back(
-          PluginRegistry<MaterialModel<dim>>::create(model));
+        kernel.materials.push_back(create_material(model));
         MaterialModel<dim> &material = *kernel.materials.back();
         material.parse_parameters(prm);
         if (rescales)
@@ -214,6 +228,19 @@ namespace isochor
         check_material(material, model, m);
         symmetric = symmetric && material.has_symmetric_tangent();
       }
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<MaterialModel<dim>>
+  Scene<dim>::create_material(const std::string &model) const
+  {
+    if constexpr (dim == 2)
+      if (kernel.axisymmetric)
+        return std::make_unique<AxisymmetricMaterial>(
+          PluginRegistry<MaterialModel<3>>::create(model));
+    return PluginRegistry<MaterialModel<dim>>::create(model);
   }
 
 
@@ -269,10 +296,12 @@ namespace isochor
     const bool with_domains = quadrature->needs_domains();
     grid.create();
     adaptation.make_initial_grid(grid);
+    check_axis();
     points.seed(kernel.materials,
                 has_inertia(),
                 inertia.initial_velocity,
-                with_domains);
+                with_domains,
+                kernel.axisymmetric);
     shape.initialize(grid, with_domains);
     for (auto &condition : boundary_conditions)
       {
@@ -281,6 +310,25 @@ namespace isochor
       }
     for (auto &postprocessor : postprocessors)
       postprocessor->initialize(grid);
+  }
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::check_axis() const
+  {
+    if (!kernel.axisymmetric)
+      return;
+    double least = 0;
+    for (const Point<dim> &vertex : grid.geometry().vertices())
+      least = std::min(least, vertex[0]);
+    AssertThrow(least == 0,
+                ExcMessage("With <Formulation/Geometry = axisymmetric> x is "
+                           "the distance from the axis, but the grid of <Grid/"
+                           "Type> reaches to x = " +
+                           rounded(least) +
+                           ". Let it begin at x = 0 or to the right of it."));
   }
 
 

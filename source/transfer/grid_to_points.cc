@@ -98,10 +98,12 @@ namespace isochor
           last_cell = k;
         }
 
-      const Tensor<1, dim> displacement = nodal.increment_at(stencil);
-      const auto           state        = step.kernel.final_state(arrays,
+      const Tensor<1, dim> displacement   = nodal.increment_at(stencil);
+      const double         hoop_increment = nodal.hoop_at(stencil, arrays, q);
+      const auto           state          = step.kernel.final_state(arrays,
                                                  q,
                                                  F_increment,
+                                                 hoop_increment,
                                                  step.mixed(),
                                                  nodal.pressure_at(stencil),
                                                  history.data());
@@ -120,8 +122,9 @@ namespace isochor
           for (unsigned int a = 0; a < dim; ++a)
             for (unsigned int b = 0; b < dim; ++b)
               work += state.cauchy_stress[a][b] * strain_increment[a][b];
-          step_energy +=
-            std::abs(work) * determinant(state.F) * properties[l.volume];
+          work += state.cauchy_stress[2][2] * (1 - 1 / hoop_increment);
+          step_energy += std::abs(work) * state.J * properties[l.volume] *
+                         arrays.thickness(q);
         }
       std::copy_n(history.begin(), l.n_history, &properties[l.history]);
       if (step.mixed())

@@ -106,6 +106,11 @@ namespace isochor
     parse_formulation(ParameterHandler &prm);
     void
     parse_materials(ParameterHandler &prm);
+    std::unique_ptr<MaterialModel<dim>>
+    create_material(const std::string &model) const;
+    /** Throw if, in axisymmetry, the grid reaches beyond the axis. */
+    void
+    check_axis() const;
     /** Throw if @p material, the one of number @p m, can't be used here. */
     void
     check_material(const MaterialModel<dim> &material,
