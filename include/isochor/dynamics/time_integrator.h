@@ -19,7 +19,7 @@ namespace isochor
    * Interface of the schemes in time: how displacement, velocity and
    * acceleration of a node go together over a step, and which acceleration
    * enters the equation of motion. All relations are between scalars, one
-   * component of one node. To add one, write `source/time_integrator/<name>.cc`
+   * component of one node. To add one, write `source/dynamics/<name>.cc`
    * with the class and its registration; its parameters live in the subsection
    * "Dynamics", where `Scheme` names it.
    *
