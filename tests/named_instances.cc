@@ -49,7 +49,7 @@ namespace
     if (Utilities::MPI::this_mpi_process(comm) == 0)
       std::ofstream(name) << text;
     MPI_Barrier(comm);
-    const auto statements = read_parameter_file(name, comm);
+    const auto       statements = read_parameter_file(name, comm);
     ParameterHandler prm;
     MaterialPointMethod<2>::declare_parameters(prm,
                                                SceneSections::find(statements));
@@ -121,7 +121,7 @@ namespace
         set Output times per grid = 3
       end
     )";
-    std::string text = block;
+    std::string       text = block;
     text.replace(text.find("-1*t"), 4, "-0.5*t");
     const auto halves = make(text + more, "halves");
     halves->run();
@@ -146,13 +146,13 @@ namespace
     // the effective parameters are a scene again
     std::ostringstream file;
     file << std::ifstream("halves.prm").rdbuf();
-    const auto statements = read_parameter_file("halves.prm", comm);
+    const auto       statements = read_parameter_file("halves.prm", comm);
     ParameterHandler prm;
     MaterialPointMethod<2>::declare_parameters(prm,
                                                SceneSections::find(statements));
     apply_parameters(statements, prm);
     write_effective_parameters(prm, "again", comm);
-    const auto written = read_parameter_file("again/parameters.prm", comm);
+    const auto written  = read_parameter_file("again/parameters.prm", comm);
     const auto sections = SceneSections::find(written);
     check("parameters in effect",
           sections.boundary_conditions.size() == 1 &&
@@ -166,7 +166,7 @@ namespace
   void
   test_restart()
   {
-    const std::string text = block + R"(
+    const std::string text  = block + R"(
       subsection Boundary conditions: punch
         set Type                 = Surfaces of body
         set Surfaces of body     = top: y > 1 - 1e-9
@@ -178,21 +178,24 @@ namespace
         set Point probes = tip: 0, 1
       end
     )";
-    const auto whole = make(text, "run");
+    const auto        whole = make(text, "run");
     whole->run();
     const std::string first = R"(
       subsection Checkpoint
         set Interval = 2
       end
     )";
-    std::string half = text + first;
-    half.replace(half.find("Step size = 0.25"), 16, "End time = 0.5\nset Step size = 0.25");
+    std::string       half  = text + first;
+    half.replace(half.find("Step size = 0.25"),
+                 16,
+                 "End time = 0.5\nset Step size = 0.25");
     make(half, "resumed")->run();
     const auto resumed = make(text + first + R"(
       subsection Checkpoint
         set Resume = true
       end
-    )", "resumed");
+    )",
+                              "resumed");
     resumed->run();
     double error = 0;
     for (const std::string column :
@@ -224,16 +227,17 @@ namespace
     expect("parameter of another type",
            message(block + "subsection Postprocess: a\nset Type = Reactions\n"
                            "set Reactons = left\nend\n"),
-           {"Postprocess: a/Reactons", "did you mean",
+           {"Postprocess: a/Reactons",
+            "did you mean",
             "<Postprocess: a/Reactions>"});
     expect("message of the object",
            message(block + "subsection Postprocess: a\nset Type = Reactions\n"
                            "set Reactions = roof\nend\n"),
            {"<Postprocess: a/Reactions>", "roof"});
-    const auto idle = make(block + "subsection Boundary conditions: punch\n"
-                                   "set Type = Surfaces of body\n"
-                                   "set Penalty of body displacement = 10\n"
-                                   "end\n",
+    const auto  idle = make(block + "subsection Boundary conditions: punch\n"
+                                    "set Type = Surfaces of body\n"
+                                    "set Penalty of body displacement = 10\n"
+                                    "end\n",
                            "idle");
     std::string warnings;
     for (const auto &warning : idle->all_warnings())

@@ -5,6 +5,8 @@
 #include <isochor/base/plugin_registry.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 
+#include <algorithm>
+
 namespace isochor
 {
   /**
@@ -16,6 +18,15 @@ namespace isochor
   {
   public:
     void
+    initialize(const BackgroundGrid<dim> &grid) override
+    {
+      double largest = 0;
+      for (const Point<dim> &vertex : grid.geometry().vertices())
+        largest = std::max(largest, vertex[0]);
+      rounding = 1e-12 * largest;
+    }
+
+    void
     constrain(const StepContext<dim> &step,
               NodalConstraints       &constraints) const override
     {
@@ -23,9 +34,12 @@ namespace isochor
         return;
       const auto &vertices = step.grid.geometry().vertices();
       for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
-        if (vertices[step.nodes.vertex(node)][0] == 0.)
+        if (vertices[step.nodes.vertex(node)][0] <= rounding)
           constraints.constrain(node * step.n_components, 0.);
     }
+
+  private:
+    double rounding = 0; ///< of r on the axis (m)
   };
 
   ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition,

@@ -320,10 +320,13 @@ namespace isochor
   {
     if (!kernel.axisymmetric)
       return;
-    double least = 0;
+    double least = 0, largest = 0;
     for (const Point<dim> &vertex : grid.geometry().vertices())
-      least = std::min(least, vertex[0]);
-    AssertThrow(least == 0,
+      {
+        least   = std::min(least, vertex[0]);
+        largest = std::max(largest, vertex[0]);
+      }
+    AssertThrow(least >= -1e-12 * largest,
                 ExcMessage("With <Formulation/Geometry = axisymmetric> x is "
                            "the distance from the axis, but the grid of <Grid/"
                            "Type> reaches to x = " +
