@@ -354,6 +354,9 @@ namespace
             contains(squeezed(defaults.out),
                      "# Ratio of the transverse contraction.\n"
                      " set Poisson ratio = 0.3\n") == is_root() &&
+            contains(squeezed(defaults.out),
+                     "# One of: Hencky, J2\n set Model = Hencky\n") ==
+              is_root() &&
             !contains(defaults.out, "Slice normal"),
           describe(defaults));
 
