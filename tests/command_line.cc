@@ -379,7 +379,7 @@ namespace
   {
     ParameterHandler prm;
     prm.declare_entry("Dimension", "2", Patterns::Selection("2|3"));
-    declare(prm, 2, 1);
+    declare(prm, 2, {});
     apply_parameters({parse_override("Newton/Tolerance=1e-3", "test")}, prm);
     write_effective_parameters(prm, "new/directory");
     check_parameter("effective parameters can be run",
