@@ -55,6 +55,10 @@ namespace isochor
       return n_components == dim + 1;
     }
 
+    /** What a run of this scene never computes or stores, a list of phrases. */
+    std::vector<std::string>
+    not_needed() const;
+
     Warnings            warnings;
     BackgroundGrid<dim> grid;
     GridAdaptation<dim> adaptation; ///< what an adaptive grid follows
