@@ -28,7 +28,7 @@ namespace isochor
 
 
   template <int dim>
-  void
+  bool
   MixedSystem<dim>::reinit(const bool              nodes_changed,
                            const unsigned int      n_components_,
                            const ElementNodes     &elements_,
@@ -42,7 +42,7 @@ namespace isochor
                          constrained != constraints.constrained ||
                          !(tied.nodal_ties() == constraints.ties);
     if (Utilities::MPI::max(static_cast<unsigned int>(changed), comm) == 0)
-      return;
+      return false;
 
     n_components     = n_components_;
     elements         = elements_;
@@ -62,6 +62,7 @@ namespace isochor
     find_blocks();
     for (auto *list : {&neighbour, &neighbour_offset})
       std::vector<unsigned int>().swap(*list); // needed no more
+    return true;
   }
 
 
@@ -325,6 +326,68 @@ namespace isochor
 
 
 
+  /** The equations of a node follow one another, so that its rows do. */
+  template <int dim>
+  void
+  MixedSystem<dim>::add_free_element(const unsigned int  e,
+                                     const unsigned int *node,
+                                     const unsigned int  n_nodes,
+                                     const double       *matrix)
+  {
+    const unsigned int        nc     = n_components;
+    const unsigned int        n_dofs = n_nodes * nc;
+    const unsigned int       *offset = &block_offset[block_start[e]];
+    const std::size_t *const  start  = system.row_start.data();
+    const unsigned int *const first  = equations.data();
+    double *const             values = system.values.data();
+    for (unsigned int I = 0; I < n_nodes; ++I)
+      {
+        const unsigned int row_I = first[node[I] * nc];
+        if (!system.symmetric)
+          {
+            for (unsigned int J = 0; J < n_nodes; ++J, ++offset)
+              for (unsigned int a = 0; a < nc; ++a)
+                {
+                  double *const       row = values + start[row_I + a] + *offset;
+                  const double *const part =
+                    matrix + (I * nc + a) * n_dofs + J * nc;
+                  for (unsigned int b = 0; b < nc; ++b)
+                    row[b] += part[b];
+                }
+            continue;
+          }
+        // the upper triangle: row a begins a entries later than the first
+        for (unsigned int a = 0; a < nc; ++a)
+          {
+            double *const       row  = values + start[row_I + a] + *offset - a;
+            const double *const part = matrix + (I * nc + a) * n_dofs + I * nc;
+            for (unsigned int b = a; b < nc; ++b)
+              row[b] += part[b];
+          }
+        ++offset;
+        for (unsigned int J = I + 1; J < n_nodes; ++J, ++offset)
+          {
+            const double *const      part  = matrix + I * nc * n_dofs + J * nc;
+            const unsigned int       row_J = first[node[J] * nc];
+            const bool               swapped = row_J < row_I;
+            const std::size_t *const row_start =
+              start + (swapped ? row_J : row_I);
+            for (unsigned int a = 0; a < nc; ++a)
+              {
+                double *const row = values + row_start[a] + *offset - a;
+                if (swapped)
+                  for (unsigned int b = 0; b < nc; ++b)
+                    row[b] += part[b * n_dofs + a];
+                else
+                  for (unsigned int b = 0; b < nc; ++b)
+                    row[b] += part[a * n_dofs + b];
+              }
+          }
+      }
+  }
+
+
+
   template <int dim>
   void
   MixedSystem<dim>::add_element(const unsigned int e,
@@ -351,6 +414,11 @@ namespace isochor
         node                         = &extended.node[extended.start[e]];
         n_nodes = extended.start[e + 1] - extended.start[e];
       }
+    if (!element_is_constrained[e])
+      {
+        add_free_element(e, node, n_nodes, element_matrix);
+        return;
+      }
     const unsigned int n_dofs = n_nodes * n_components;
 
     const unsigned int *offset = &block_offset[block_start[e]];
@@ -365,21 +433,20 @@ namespace isochor
             add_block(node[I], node[J], *offset++, block, n_dofs, 1);
         }
 
-    if (element_is_constrained[e])
-      for (unsigned int s = 0; s < n_dofs; ++s)
-        {
-          const unsigned int entry =
-            node[s / n_components] * n_components + s % n_components;
-          const double value = pending.local_element(entry);
-          if (equations[entry] != invalid || value == 0.)
-            continue;
-          for (unsigned int r = 0; r < n_dofs; ++r)
-            lifting.local_element(node[r / n_components] * n_components +
-                                  r % n_components) +=
-              value * (system.symmetric && s < r ?
-                         element_matrix[s * n_dofs + r] :
-                         element_matrix[r * n_dofs + s]);
-        }
+    for (unsigned int s = 0; s < n_dofs; ++s)
+      {
+        const unsigned int entry =
+          node[s / n_components] * n_components + s % n_components;
+        const double value = pending.local_element(entry);
+        if (equations[entry] != invalid || value == 0.)
+          continue;
+        for (unsigned int r = 0; r < n_dofs; ++r)
+          lifting.local_element(node[r / n_components] * n_components +
+                                r % n_components) +=
+            value * (system.symmetric && s < r ?
+                       element_matrix[s * n_dofs + r] :
+                       element_matrix[r * n_dofs + s]);
+      }
   }
 
 

@@ -354,6 +354,28 @@ namespace isochor
 
 
 
+  template <int dim>
+  std::vector<std::string>
+  Scene<dim>::not_needed() const
+  {
+    std::vector<std::string> list;
+    if (!mixed())
+      list.push_back("pressures at the nodes");
+    if (!mixed() || kernel.ppp_coefficient == 0)
+      list.push_back("stabilisation of the pressure");
+    if (!has_inertia())
+      list.push_back("masses and inertia");
+    if (points.layout().n_history == 0)
+      list.push_back("history of the points");
+    if (!points.layout().with_domains)
+      list.push_back("domains of the points");
+    if (symmetric)
+      list.push_back("lower triangle of the matrix");
+    return list;
+  }
+
+
+
   template class Scene<2>;
   template class Scene<3>;
 } // namespace isochor
