@@ -236,7 +236,11 @@ namespace isochor
       for (auto &postprocessor : scene.postprocessors)
         postprocessor->evaluate_nodes(result, statistics);
       for (const auto &condition : scene.boundary_conditions)
-        condition->evaluate(step, unknowns, statistics);
+        condition->evaluate(step,
+                            unknowns,
+                            equilibrium.mixed_system(),
+                            equilibrium.nodal_constraints(),
+                            statistics);
       scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
       scene.adaptation.evaluate(scene.grid, scene.points, statistics);
     }
