@@ -64,7 +64,7 @@ namespace isochor
     double         smallest = std::numeric_limits<double>::max();
     for (unsigned int i = 0; i < from.size(); ++i)
       {
-        shift += (x[to[i]] - x[from[i]]) / from.size();
+        shift += (x[to[i]] - x[from[i]]) / double(from.size());
         if (i > 0)
           smallest = std::min(smallest, x[from[i]].distance(x[from[i - 1]]));
       }
