@@ -56,10 +56,12 @@ write(const std::string &file, const std::string &text)
 
 
 inline void
-declare(ParameterHandler  &prm,
-        const unsigned int dim,
-        const unsigned int n_materials)
+declare(ParameterHandler                      &prm,
+        const unsigned int                     dim,
+        const std::vector<ParameterStatement> &statements)
 {
+  const unsigned int n_materials =
+    n_numbered_subsections(statements, "Material");
   for (unsigned int m = 1; m <= n_materials; ++m)
     {
       prm.enter_subsection(m == 1 ? "Material" :

@@ -320,7 +320,8 @@ namespace isochor
         if (corner_shares[i] > 0 && occupancy.is_closed(cell))
           kernel.add_compliance(points,
                                 q,
-                                corner_shares[i] * points.weight[q] / (dim + 1),
+                                corner_shares[i] * points.measure(q) /
+                                  (dim + 1),
                                 compliance[cell]);
       }
     points.overlapped_cells.clear();

@@ -27,7 +27,7 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm) override
     {
-      const std::string name = "Boundary conditions/Gravity";
+      const std::string name = this->parameter("Gravity");
       if (prm.get("Gravity").empty())
         return;
       for (const auto &item : split_formulas(prm.get("Gravity"), name))
@@ -56,9 +56,9 @@ namespace isochor
           const std::string section =
             m == 0 ? "Material" : "Material " + std::to_string(m + 1);
           step.warnings.add("weight without density",
-                            "The parameter <Boundary conditions/Gravity> has "
-                            "no effect on points of <" +
-                              section + ">, as <" + section +
+                            "The parameter <" + this->parameter("Gravity") +
+                              "> has no effect on points of <" + section +
+                              ">, as <" + section +
                               "/Density> is 0. Give it a density (kg/m^3).");
         }
     }
@@ -69,8 +69,14 @@ namespace isochor
     {
       if (gravity.empty())
         return;
-      const Tensor<1, dim> g      = body_acceleration(step.time);
-      const auto          &points = step.points;
+      const Tensor<1, dim> g = body_acceleration(step.time);
+      AssertThrow(!step.kernel.axisymmetric || g[0] == 0.,
+                  ExcMessage("The first component of <" +
+                             this->parameter("Gravity") +
+                             "> must be 0 with <Formulation/Geometry = "
+                             "axisymmetric>: gravity has to act along the "
+                             "axis."));
+      const auto &points = step.points;
       for (unsigned int k = 0; k < points.cell.size(); ++k)
         for (unsigned int q = points.cell_start[k];
              q < points.cell_start[k + 1];

@@ -76,7 +76,7 @@ namespace isochor
   void
   SurfaceConditions<dim>::parse_parameters(ParameterHandler &prm)
   {
-    const std::string name = "Boundary conditions/Surfaces of body";
+    const std::string name = section + "/Surfaces of body";
     for (const auto &entry :
          split_named_list(prm.get("Surfaces of body"), name))
       {
@@ -93,8 +93,8 @@ namespace isochor
     parse_displacements(prm);
     parse_tractions(prm);
     AssertThrow(penalty > 0,
-                ExcMessage("The parameter <Boundary conditions/Penalty of body "
-                           "displacement> must be positive."));
+                ExcMessage("The parameter <" + section +
+                           "/Penalty of body displacement> must be positive."));
   }
 
 
@@ -112,9 +112,9 @@ namespace isochor
         known += (known.empty() ? "" : ", ") + surface.place.name;
       }
     AssertThrow(false,
-                ExcMessage("The parameter <Boundary conditions/" + parameter +
-                           "> names the surface <" + name +
-                           ">. <Boundary conditions/Surfaces of body> lists: " +
+                ExcMessage("The parameter <" + section + "/" + parameter +
+                           "> names the surface <" + name + ">. <" + section +
+                           "/Surfaces of body> lists: " +
                            (known.empty() ? "none" : known) + "."));
     return surfaces.front();
   }
@@ -125,7 +125,7 @@ namespace isochor
   void
   SurfaceConditions<dim>::parse_tractions(ParameterHandler &prm)
   {
-    const std::string name = "Boundary conditions/Traction";
+    const std::string name = section + "/Traction";
     for (const auto &entry : split_named_list(prm.get("Traction"), name))
       {
         SurfaceCondition<dim> surface;
@@ -156,7 +156,7 @@ namespace isochor
   {
     for (const std::string parameter : {"Traction on body", "Pressure on body"})
       {
-        const std::string name    = "Boundary conditions/" + parameter;
+        const std::string name    = section + "/" + parameter;
         const bool        is_dead = parameter == "Traction on body";
         for (const auto &entry : split_named_list(prm.get(parameter), name))
           {
@@ -186,7 +186,7 @@ namespace isochor
   SurfaceConditions<dim>::parse_displacements(ParameterHandler &prm)
   {
     const std::string parameter = "Displacement of body";
-    const std::string name      = "Boundary conditions/" + parameter;
+    const std::string name      = section + "/" + parameter;
     const std::string axes      = std::string("xyz").substr(0, dim);
     for (const auto &entry : split_named_list(prm.get(parameter), name))
       for (const auto &item : split_formulas(entry.second, name))
@@ -230,8 +230,8 @@ namespace isochor
         if (boundary == grid.boundary_names().end())
           continue;
         AssertThrow(body_mesh.empty(),
-                    ExcMessage("With <Boundary conditions/Mesh of body "
-                               "surfaces> the surface <" +
+                    ExcMessage("With <" + section +
+                               "/Mesh of body surfaces> the surface <" +
                                place.name +
                                "> needs a condition in the coordinates, not "
                                "the name of a boundary of the grid."));

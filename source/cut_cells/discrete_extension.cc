@@ -391,7 +391,7 @@ namespace isochor
              q < step.points.cell_start[k + 1];
              ++q)
           work +=
-            step.points.weight[q] * strain * strain *
+            step.points.measure(q) * strain * strain *
             step.kernel.materials[step.points.material[q]]->shear_modulus();
       }
     return work;

@@ -119,15 +119,24 @@ namespace isochor
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
           element.gradient[I] = stencil.gradient[I];
         nodal.gather(stencil.n_nodes, stencil.vertex, element);
-        const EvaluationStatus status = step.kernel.evaluate(
-          element,
-          points,
-          q,
-          q + 1,
-          [&](const unsigned int, const unsigned int I) {
-            return stencil.shape[I];
-          },
-          with_matrix);
+        const EvaluationStatus status =
+          step.kernel.has_constant_gradients() ?
+            step.kernel.evaluate(
+              element,
+              points,
+              q,
+              q + 1,
+              [&](const unsigned int, const unsigned int I) {
+                return stencil.shape[I];
+              },
+              with_matrix) :
+            step.kernel.evaluate_points(
+              element,
+              points,
+              q,
+              q + 1,
+              [&](const unsigned int) { return stencil; },
+              with_matrix);
         if (status != EvaluationStatus::success)
           return status;
         system.add_element(first_element + q,
@@ -200,7 +209,17 @@ namespace isochor
         const unsigned int begin = points.cell_start[k],
                            end   = points.cell_start[k + 1];
         const EvaluationStatus status =
-          kernel.evaluate(element, points, begin, end, shape, with_matrix);
+          kernel.has_constant_gradients() ?
+            kernel.evaluate(element, points, begin, end, shape, with_matrix) :
+            kernel.evaluate_points(
+              element,
+              points,
+              begin,
+              end,
+              [&](const unsigned int q) {
+                return points.stencil(geometry, k, q);
+              },
+              with_matrix);
         if (status != EvaluationStatus::success)
           return status;
         if constexpr (n_components == dim + 1)
@@ -208,7 +227,7 @@ namespace isochor
             {
               CellCompliance compliance;
               for (unsigned int q = begin; q < end; ++q)
-                kernel.add_compliance(points, q, points.weight[q], compliance);
+                kernel.add_compliance(points, q, points.measure(q), compliance);
               kernel.add_pressure_projection(element,
                                              compliance,
                                              points.corners(geometry, k),
@@ -234,7 +253,7 @@ namespace isochor
            ++q)
         {
           const auto   stencil = points.stencil(grid.geometry(), k, q);
-          const double V       = points.weight[q];
+          const double V       = points.measure(q);
           const MaterialModel<dim> &material =
             *step.kernel.materials[points.material[q]];
           // in the u form the rounding of J is multiplied by K
@@ -248,6 +267,9 @@ namespace isochor
               for (unsigned int a = 0; a < dim; ++a)
                 scale.local_element(entry + a) +=
                   V * modulus * stencil.gradient[I].norm();
+              if (step.kernel.axisymmetric)
+                scale.local_element(entry) +=
+                  V * modulus * stencil.shape[I] / points.radius[q];
               if (step.mixed())
                 scale.local_element(entry + dim) += V * stencil.shape[I];
             }

@@ -193,13 +193,15 @@ namespace isochor
               *step.kernel.materials[points.material[q]];
             const double *const old_history =
               points.history.data() + q * std::size_t(points.n_history);
-            const double V      = points.volume[q];
+            const double V      = points.volume[q] * points.thickness(q);
+            const double hoop   = nodal.hoop_at(stencil, points, q);
             const double half_K = material.inverse_bulk_modulus() / 2;
 
             const auto state =
               step.kernel.final_state(points,
                                       q,
                                       gradient + unit_symmetric_tensor<dim>(),
+                                      hoop,
                                       step.mixed(),
                                       nodal.pressure_at(stencil),
                                       history.data());
@@ -218,20 +220,21 @@ namespace isochor
               material.deviatoric_energy(points.F[q], old_history) +
               half_K * points.pressure[q] * points.pressure[q];
             sums[old_strain] += V * old_stored;
-            if (material.history_names().empty())
+            if (!material.dissipates())
               continue;
             const auto old_state =
               step.kernel.final_state(points,
                                       q,
                                       unit_symmetric_tensor<dim>(),
+                                      1.,
                                       step.mixed(),
                                       points.pressure[q],
                                       history.data());
             const Tensor<2, dim> new_gradient =
               gradient * invert(gradient + unit_symmetric_tensor<dim>());
-            sums[plastic] +=
-              V * (power(old_state, gradient) / 2 +
-                   power(state, new_gradient) / 2 - (stored - old_stored));
+            sums[plastic] += V * (power(old_state, gradient, hoop - 1) / 2 +
+                                  power(state, new_gradient, 1 - 1 / hoop) / 2 -
+                                  (stored - old_stored));
           }
       return sums;
     }
@@ -268,7 +271,7 @@ namespace isochor
                  ++q)
               step.kernel.add_compliance(points,
                                          q,
-                                         points.weight[q],
+                                         points.measure(q),
                                          compliance);
             add(points.cell[k],
                 compliance,
@@ -327,16 +330,17 @@ namespace isochor
                                text.str());
     }
 
-    /** τ : @p gradient. */
+    /** τ : @p gradient, with @p hoop its component out of the plane. */
     static double
     power(const typename MixedKernel<dim>::PointState &state,
-          const Tensor<2, dim>                        &gradient)
+          const Tensor<2, dim>                        &gradient,
+          const double                                 hoop)
     {
-      double sum = 0;
+      double sum = state.cauchy_stress[2][2] * hoop;
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = 0; j < dim; ++j)
           sum += state.cauchy_stress[i][j] * gradient[i][j];
-      return sum * determinant(state.F);
+      return sum * state.J;
     }
 
     /** Of the step, this rank's part. */

@@ -37,7 +37,7 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm) override
     {
-      const std::string name = "Postprocess/Point probes";
+      const std::string name = this->parameter("Point probes");
       for (const auto &entry : split_named_list(prm.get("Point probes"), name))
         {
           const auto x =
@@ -79,7 +79,8 @@ namespace isochor
               AssertThrow(in_body,
                           ExcMessage("The point probe <" + probe.name +
                                      "> lies in no cell that holds material. "
-                                     "Check <Postprocess/Point probes>."));
+                                     "Check <" +
+                                     this->parameter("Point probes") + ">."));
               extrapolate(result, probe, values);
             }
           for (unsigned int a = 0; a < dim; ++a)

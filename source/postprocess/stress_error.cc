@@ -73,7 +73,9 @@ namespace isochor
                   for (unsigned int b = 0; b < dim; ++b)
                     F[a][b] = properties[l.F + a * dim + b];
                 }
-              const double V     = determinant(F) * properties[l.volume];
+              double V = determinant(F) * properties[l.volume];
+              if (l.axisymmetric)
+                V *= particle.get_location()[0]; // of the ring, over 2 pi
               const double exact = reference.stress(origin, result.step.time);
               const double error =
                 properties[l.stress + reference.component] - exact;

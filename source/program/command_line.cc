@@ -5,7 +5,9 @@
 
 #include <isochor/base/parameter_file.h>
 #include <isochor/base/plain_message.h>
+#include <isochor/base/plugin_registry.h>
 #include <isochor/base/shared_libraries.h>
+#include <isochor/grid/grid_source.h>
 #include <isochor/program/command_line.h>
 #include <isochor/program/command_line_options.h>
 #include <isochor/program/grid_offsets.h>
@@ -114,7 +116,7 @@ namespace isochor
       const unsigned int dim = find_dimension(statements);
       declare_dimension(prm);
       declare_shared_libraries(prm);
-      program.declare(prm, dim, n_numbered_subsections(statements, "Material"));
+      program.declare(prm, dim, statements);
       apply_parameters(statements, prm);
       return dim;
     }
@@ -141,10 +143,12 @@ namespace isochor
           prm.set("Directory", part);
           prm.leave_subsection();
           prm.enter_subsection("Grid");
-          AssertThrow(prm.get("Type") == "box" ||
-                        prm.get("Type") == "trapezoid",
+          // plugins are the same in 2D and 3D
+          AssertThrow(PluginRegistry<GridSource<2>>::parameters(prm.get("Type"))
+                          .count("Offset") > 0,
                       ExcMessage("The option --grid-offsets moves the lines of "
-                                 "a box or a trapezoid, but <Grid/Type> is <" +
+                                 "a lattice, such as a box or a trapezoid, but "
+                                 "<Grid/Type> is <" +
                                  prm.get("Type") + ">."));
           prm.set("Offset", grid_offset(k, dim));
           prm.leave_subsection();

@@ -53,9 +53,7 @@ namespace isochor
   void
   Equilibrium<dim>::initialize()
   {
-    terms = {&body};
-    if (scene.dynamic)
-      terms.push_back(&scene.inertia);
+    terms = {&body, &scene.inertia};
     for (auto &condition : scene.boundary_conditions)
       terms.push_back(condition.get());
   }
@@ -74,11 +72,10 @@ namespace isochor
     linear_step.start_step(nodes, n_components);
     at_start = true;
     set_initial_pressure();
-    if (scene.dynamic)
-      scene.inertia.start_step(setup.context(),
-                               scene.boundary_conditions,
-                               scene.points,
-                               scene.time.step == 0);
+    scene.inertia.start_step(setup.context(),
+                             scene.boundary_conditions,
+                             scene.points,
+                             scene.time.step == 0);
     setup.collect_elements(terms);
     set_external_force();
     start_contact(setup.nodes_have_changed());
@@ -173,33 +170,6 @@ namespace isochor
 
   template <int dim>
   void
-  Equilibrium<dim>::set_weight()
-  {
-    set_weight(scene.dynamic ?
-                 scene.inertia.mean_acceleration(setup.context()) :
-                 Tensor<1, dim>());
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::set_weight(const Tensor<1, dim> &mean_acceleration)
-  {
-    if (!scene.leaves_out_weight)
-      return;
-    Tensor<1, dim> gravity;
-    for (const auto &condition : scene.boundary_conditions)
-      gravity += condition->body_acceleration(setup.context().time);
-    // nothing without weight: an acceleration may be rounding over h²
-    scene.kernel.hydrostatic_acceleration =
-      gravity.norm() > 0 ? gravity - mean_acceleration : Tensor<1, dim>();
-  }
-
-
-
-  template <int dim>
-  void
   Equilibrium<dim>::compute_residual_floor()
   {
     // strains carry rounding errors of some 1e-15: residuals of ten times that
@@ -218,68 +188,6 @@ namespace isochor
         unit.local_element(i) * unit.local_element(i);
     force_floor  = rounding * std::sqrt(Utilities::MPI::sum(force, comm));
     volume_floor = rounding * std::sqrt(Utilities::MPI::sum(volume, comm));
-  }
-
-
-
-  template <int dim>
-  NewtonReport
-  Equilibrium<dim>::find_initial_acceleration()
-  {
-    NewtonReport report;
-    report.converged = true;
-    if (!scene.dynamic || scene.time.step > 0)
-      return report;
-    InertiaTerm<dim> &inertia = scene.inertia;
-    // a trial errs by O(h); two, one of them back in time, by O(h²)
-    const StepContext<dim> step       = setup.context();
-    const auto            &conditions = scene.boundary_conditions;
-    for (const double trial : {step.step_size(), -step.step_size()})
-      {
-        inertia.start_trial(step, trial, conditions);
-        start_again();
-        at_start = true;
-        report   = trial > 0 ? solve_with_contact() : find_root();
-        if (report.converged && trial > 0)
-          settle_weight(report);
-        if (report.converged)
-          inertia.finish_trial(setup.context(),
-                               unknowns,
-                               conditions,
-                               setup.point_arrays());
-        inertia.end_trial(step, conditions);
-        if (!report.converged)
-          return report;
-      }
-    inertia.start_step(setup.context(),
-                       scene.boundary_conditions,
-                       scene.points,
-                       scene.time.step == 0);
-    start_again();
-    set_weight();
-    return report;
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::settle_weight(NewtonReport &report)
-  {
-    constexpr unsigned int max_repetitions = 3;
-    constexpr double       accuracy        = 1e-10;
-    for (unsigned int n = 0; n < max_repetitions && report.converged; ++n)
-      {
-        const Tensor<1, dim> before = scene.kernel.hydrostatic_acceleration,
-                             mean   = scene.inertia.mean_trial_acceleration(
-                               setup.context(), unknowns);
-        set_weight(mean);
-        const Tensor<1, dim> after = scene.kernel.hydrostatic_acceleration;
-        if ((after - before).norm() <=
-            accuracy * (after + mean).norm()) // of gravity
-          return;
-        report.continue_with(find_root());
-      }
   }
 
 
@@ -394,16 +302,11 @@ namespace isochor
     const bool changed = any[0] != 0;
     if (any[1] != 0)
       tell_conflicts(step, constraints);
-    if (scene.dynamic)
-      {
-        InertiaTerm<dim> &inertia    = scene.inertia;
-        StepContext<dim>  whole_step = step;
-        whole_step.time = scene.time.next_time(); // also in a trial
-        if (changed || !inertia.is_prescribed())
-          inertia.prescribe(whole_step, scene.boundary_conditions, constraints);
-        if (inertia.in_trial())
-          inertia.set_trial_increments(step, constraints);
-      }
+    scene.inertia.constrain(step,
+                            scene.time.next_time(),
+                            scene.boundary_conditions,
+                            changed,
+                            constraints);
     return changed;
   }
 

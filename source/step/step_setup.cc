@@ -156,6 +156,7 @@ namespace isochor
       reset_grid(terms, last_motion);
     else
       scene.points.update(arrays);
+    arrays.place_massless_points(scene.grid.geometry());
     nodes_changed = nodes.update(touched_vertices) || is_fresh;
     is_fresh      = false;
   }
@@ -244,9 +245,10 @@ namespace isochor
           scene.grid, scene.points, *locator, scene.time.time, none))
       return false;
     scene.points.seed(scene.kernel.materials,
-                      scene.dynamic,
+                      scene.has_inertia(),
                       scene.inertia.initial_velocity,
-                      scene.quadrature->needs_domains());
+                      scene.quadrature->needs_domains(),
+                      scene.kernel.axisymmetric);
     grid_changed();
     return true;
   }

@@ -98,6 +98,7 @@ namespace isochor
             step.kernel.final_state(points,
                                     q,
                                     nodal.deformation_at(stencil),
+                                    nodal.hoop_at(stencil, points, q),
                                     step.mixed(),
                                     nodal.pressure_at(stencil),
                                     history.data());

@@ -69,7 +69,7 @@ namespace isochor
   void
   GridToPoints<dim>::transfer(const StepContext<dim> &step,
                               const NodalField       &unknowns,
-                              const InertiaTerm<dim> *inertia,
+                              const InertiaTerm<dim> &inertia,
                               MaterialPoints<dim>    &points)
   {
     const PointLayout              &l      = points.layout();
@@ -98,10 +98,12 @@ namespace isochor
           last_cell = k;
         }
 
-      const Tensor<1, dim> displacement = nodal.increment_at(stencil);
-      const auto           state        = step.kernel.final_state(arrays,
+      const Tensor<1, dim> displacement   = nodal.increment_at(stencil);
+      const double         hoop_increment = nodal.hoop_at(stencil, arrays, q);
+      const auto           state          = step.kernel.final_state(arrays,
                                                  q,
                                                  F_increment,
+                                                 hoop_increment,
                                                  step.mixed(),
                                                  nodal.pressure_at(stencil),
                                                  history.data());
@@ -120,8 +122,9 @@ namespace isochor
           for (unsigned int a = 0; a < dim; ++a)
             for (unsigned int b = 0; b < dim; ++b)
               work += state.cauchy_stress[a][b] * strain_increment[a][b];
-          step_energy +=
-            std::abs(work) * determinant(state.F) * properties[l.volume];
+          work += state.cauchy_stress[2][2] * (1 - 1 / hoop_increment);
+          step_energy += std::abs(work) * state.J * properties[l.volume] *
+                         arrays.thickness(q);
         }
       std::copy_n(history.begin(), l.n_history, &properties[l.history]);
       if (step.mixed())
@@ -135,17 +138,10 @@ namespace isochor
           if (projects_volume)
             volume_projection.set_excess(q, excess);
         }
-      if (inertia)
-        {
-          const auto motion = inertia->point(step, stencil, arrays.velocity[q]);
-          for (unsigned int a = 0; a < dim; ++a)
-            {
-              properties[l.velocity + a]     = motion.first[a];
-              properties[l.acceleration + a] = motion.second[a];
-            }
-          if (measures_energy)
-            step_energy += properties[l.mass] / 2 * motion.first.norm_square();
-        }
+      const double kinetic_energy =
+        inertia.move_point(step, stencil, q, l, properties);
+      if (measures_energy)
+        step_energy += kinetic_energy;
     });
     if (step.mixed())
       warn_of_wandering_volumes(step, volume_errors);

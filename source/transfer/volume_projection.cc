@@ -79,7 +79,7 @@ namespace isochor
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
               const unsigned int node = step.nodes.node(stencil.vertex[I]);
-              const double       wN   = stencil.shape[I] * points.weight[q];
+              const double       wN   = stencil.shape[I] * points.measure(q);
               weight.local_element(node) += wN;
               mean.local_element(node) += wN * excess[q];
             }

@@ -5,6 +5,7 @@
 #ifndef isochor_boundary_condition_h
 #define isochor_boundary_condition_h
 
+#include <isochor/base/named_plugin.h>
 #include <isochor/base/plugin_registry.h>
 #include <isochor/base/statistics.h>
 #include <isochor/equations/equation_term.h>
@@ -21,11 +22,12 @@ namespace isochor
    * whose parameters are left empty does nothing.
    */
   template <int dim>
-  class BoundaryCondition : public EquationTerm<dim>
+  class BoundaryCondition : public EquationTerm<dim>, public NamedPlugin
   {
   public:
-    /** As it is registered. A checkpoint keeps its state by this name. */
-    std::string name;
+    BoundaryCondition()
+      : NamedPlugin("Boundary conditions")
+    {}
 
     /** For those that have none. */
     static void

@@ -27,7 +27,7 @@ namespace isochor
    *   a_p = Σ N_I a_I,  v_p = Σ N_I v_I + η (v_p,n - Σ N_I v_n,I),
    * with η the part that is kept of what the nodes can't represent (0: all
    * velocity is interpolated, PIC; 1: increments are, FLIP) and v_n,I without
-   * constraints. Only present in dynamic scenes.
+   * constraints. Where the scheme is statics there is nothing of all this.
    *
    * The acceleration a_n that a step starts with is either this projection, or
    * (`Acceleration = from stresses`) the solution of
@@ -43,10 +43,16 @@ namespace isochor
   public:
     static void
     declare_parameters(ParameterHandler &prm);
-    /** Whether the scene is dynamic. */
-    bool
+    void
     parse_parameters(ParameterHandler          &prm,
                      const BodyQuadrature<dim> &quadrature);
+
+    /** Whether the scheme has inertia. If not, nothing below has any effect. */
+    bool
+    is_active() const
+    {
+      return integrator && integrator->has_inertia();
+    }
 
     /** Take the points as they are at the start of the step. In the first one
      * their accelerations count in any case. Collective. */
@@ -57,24 +63,18 @@ namespace isochor
       MaterialPoints<dim>                                        &points,
       const bool                                                  is_first);
 
-    /**
-     * Give the unknowns held by @p constraints the velocity and acceleration of
-     * their prescribed motion, the parabola through its places at the start,
-     * the middle and the end of @p step, and project to the others. Has to be
-     * called whenever other unknowns are held than before. Collective.
-     *
-     * What a one-sided wall holds starts with what the points bring, so that
-     * the search for the nodes in contact doesn't change what it starts from,
-     * and ends with the motion of the wall: the impact is over within the step.
-     */
+    /** Nodes are held anew by @p constraints, in a way that has @p changed or
+     * not; the step ends at @p end. Do what follows from that. Collective. */
     void
-    prescribe(
+    constrain(
       const StepContext<dim>                                     &step,
+      const double                                                end,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-      const NodalConstraints                                     &constraints);
+      const bool                                                  changed,
+      NodalConstraints                                           &constraints);
 
-    /** Of the mass, at the start of the step (m/s²). Needs prescribe().
-     * Collective. */
+    /** Of the mass, at the start of the step (m/s²), after constrain(); zero in
+     * statics. Collective. */
     Tensor<1, dim>
     mean_acceleration(const StepContext<dim> &step) const;
 
@@ -82,13 +82,6 @@ namespace isochor
     Tensor<1, dim>
     mean_trial_acceleration(const StepContext<dim> &step,
                             const NodalField       &unknowns) const;
-
-    /** Whether prescribe() has been called in this step. */
-    bool
-    is_prescribed() const
-    {
-      return prescribed;
-    }
 
     /**
      * Look for the acceleration at the start of the first step. From now on the
@@ -105,11 +98,6 @@ namespace isochor
       const StepContext<dim>                                     &step,
       const double                                                trial_step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
-    /** The increments of a trial: those of the prescribed motion in
-     * @p constraints. */
-    void
-    set_trial_increments(const StepContext<dim> &step,
-                         NodalConstraints       &constraints) const;
     /**
      * A trial was successful: add half of its acceleration to those of the
      * points. If prescribed motions start suddenly, what the step does not
@@ -152,6 +140,15 @@ namespace isochor
     void
     finish_step(const StepContext<dim> &step, const NodalField &unknowns);
 
+    /** Write velocity and acceleration of point @p q at the end of the step
+     * into its @p properties. Returns its kinetic energy (J). */
+    double
+    move_point(const StepContext<dim>                   &step,
+               const typename PointArrays<dim>::Stencil &stencil,
+               const unsigned int                        q,
+               const PointLayout                        &layout,
+               const ArrayView<double>                  &properties) const;
+
     /** Velocity and acceleration of a point at the end of the step. */
     std::pair<Tensor<1, dim>, Tensor<1, dim>>
     point(const StepContext<dim>                   &step,
@@ -162,6 +159,27 @@ namespace isochor
     std::string initial_velocity;
 
   private:
+    /**
+     * Give the unknowns held by @p constraints the velocity and acceleration of
+     * their prescribed motion, the parabola through its places at the start,
+     * the middle and the end of @p step, and project to the others. Has to be
+     * called whenever other unknowns are held than before. Collective.
+     *
+     * What a one-sided wall holds starts with what the points bring, so that
+     * the search for the nodes in contact doesn't change what it starts from,
+     * and ends with the motion of the wall: the impact is over within the step.
+     */
+    void
+    prescribe(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      const NodalConstraints                                     &constraints);
+
+    /** The increments of a trial: those of the prescribed motion in
+     * @p constraints. */
+    void
+    set_trial_increments(const StepContext<dim> &step,
+                         NodalConstraints       &constraints) const;
     /** Size of the step whose equations are assembled (s). */
     double
     step_size(const StepContext<dim> &step) const

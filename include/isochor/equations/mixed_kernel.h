@@ -80,6 +80,10 @@ namespace isochor
   public:
     std::vector<std::unique_ptr<MaterialModel<dim>>> materials;
 
+    /** Whether the plane is a section of a body of revolution, x being the
+     * distance from the axis. All materials are AxisymmetricMaterials then. */
+    bool axisymmetric = false;
+
     /** α of the Polynomial Pressure Projection (Dohrmann & Bochev 2004), P(26);
      * 0 for none. */
     double ppp_coefficient = 0;
@@ -102,9 +106,35 @@ namespace isochor
       compliance.mass += V * material.density() / material.shear_modulus();
     }
 
+    /** Whether evaluate() can be used: what multiplies the unknowns in the
+     * strain is the same at all points of an element. */
+    bool
+    has_constant_gradients() const
+    {
+      return !axisymmetric;
+    }
+
     /**
      * Residual and, if @p with_matrix, matrix of @p element from the points
-     * [begin, end) of @p points. @p shape(q, I) is N_I at point q.
+     * [begin, end) of @p points. @p stencil(q) is that of point q
+     * (PointArrays::Stencil), its nodes those of the element in the same order;
+     * Element::gradient is not used. The general way: in axisymmetry also with
+     *   B_I,r = sym(e_r ⊗ g_I) + N_I/r e_θ ⊗ e_θ,
+     * the change of the strain with the displacement u_I,r, r = r_{n+1}.
+     */
+    template <int n_components, std::size_t max_nodes, typename Stencil>
+    EvaluationStatus
+    evaluate_points(Element<dim, n_components, max_nodes> &element,
+                    const PointArrays<dim>                &points,
+                    const unsigned int                     begin,
+                    const unsigned int                     end,
+                    const Stencil                         &stencil,
+                    const bool                             with_matrix) const;
+
+    /**
+     * The same, fast, where has_constant_gradients(): stress and modulus are
+     * summed over the points before they meet the gradients.
+     * @p shape(q, I) is N_I at point q.
      */
     template <int n_components, std::size_t max_nodes, typename Shape>
     EvaluationStatus
@@ -149,20 +179,31 @@ namespace isochor
     struct PointState
     {
       Tensor<2, dim>        F;
+      double                J; ///< of the volume: in axisymmetry det F F_θθ
       SymmetricTensor<2, 3> cauchy_stress;
       double                pressure;          ///< p, from the nodes or K θ^e
       double                volumetric_strain; ///< θ^e
     };
 
-    /** @p nodal_pressure is Σ N_I p_I, ignored in the u form. @p history gets
+    /** @p hoop_increment is r_{n+1}/r_n, see NodalUnknowns::hoop_at().
+     * @p nodal_pressure is Σ N_I p_I, ignored in the u form. @p history gets
      * the new history. */
     PointState
     final_state(const PointArrays<dim> &points,
                 const unsigned int      q,
                 const Tensor<2, dim>   &F_increment,
+                const double            hoop_increment,
                 const bool              mixed,
                 const double            nodal_pressure,
                 double                 *history) const;
+
+    /** F_θθ of a point with @p history; 1 if the body is not one of revolution.
+     */
+    double
+    hoop_stretch(const double *history) const
+    {
+      return axisymmetric ? history[0] : 1.;
+    }
 
     /** Add @p correction to θ^e of point @p q: rescale its F, its @p history
      * and the Cauchy stress, at unchanged p and dev τ. */
@@ -212,5 +253,6 @@ namespace isochor
 } // namespace isochor
 
 #include <isochor/equations/mixed_kernel.templates.h>
+#include <isochor/equations/mixed_kernel_points.templates.h>
 
 #endif

@@ -353,6 +353,7 @@ namespace isochor
   MixedKernel<dim>::final_state(const PointArrays<dim> &points,
                                 const unsigned int      q,
                                 const Tensor<2, dim>   &F_increment,
+                                const double            hoop_increment,
                                 const bool              mixed,
                                 const double            nodal_pressure,
                                 double                 *history) const
@@ -360,17 +361,20 @@ namespace isochor
     const MaterialModel<dim> &material = *materials[points.material[q]];
     Kinematics<dim>           kinematics;
     kinematics.set_increment(F_increment);
-    kinematics.with_tangent = false;
-    kinematics.F            = F_increment * points.F[q];
-    kinematics.J            = determinant(kinematics.F);
+    const double *const old_history =
+      points.history.data() + q * std::size_t(points.n_history);
+    kinematics.with_tangent   = false;
+    kinematics.F              = F_increment * points.F[q];
+    kinematics.hoop_increment = hoop_increment;
+    kinematics.J              = determinant(kinematics.F);
+    if (axisymmetric)
+      kinematics.J *= hoop_increment * hoop_stretch(old_history);
     if (mixed && material.depends_on_pressure())
       kinematics.pressure = nodal_pressure;
     StressResponse<dim> response;
-    material.evaluate(kinematics,
-                      points.history.data() + q * std::size_t(points.n_history),
-                      history,
-                      response);
+    material.evaluate(kinematics, old_history, history, response);
     PointState state;
+    state.J                 = kinematics.J;
     state.F                 = kinematics.F;
     state.volumetric_strain = response.volumetric_strain;
     state.pressure =
@@ -397,7 +401,7 @@ namespace isochor
                                   double                 *history) const
   {
     const MaterialModel<dim> &material = *materials[points.material[q]];
-    const double              J        = determinant(F);
+    const double              J        = determinant(F) * hoop_stretch(history);
     const bool                logarithmic =
       material.volumetric_measure() == VolumetricMeasure::logarithmic;
     const double factor =

@@ -54,6 +54,9 @@ namespace isochor
     unsigned int cell_size      = 0;
     bool         with_cell_size = false;
     unsigned int n_properties   = 0;
+    /** Whether the plane is a section of a body of revolution, see
+     * AxisymmetricMaterial. */
+    bool axisymmetric = false;
 
     PointLayout() = default;
     PointLayout(const unsigned int dim,
@@ -128,6 +131,9 @@ namespace isochor
     std::vector<double>                      pressure;
     std::vector<Tensor<2, dim>>              F;
     std::vector<unsigned char>               material; ///< its index
+    /** In axisymmetry, the distance from the axis (m) at the start of the step;
+     * else empty. */
+    std::vector<double>         radius;
     std::vector<double>         history; ///< n_history values a point
     std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
     /** Domains at t = 0, if the layout has them. */
@@ -252,6 +258,45 @@ namespace isochor
       return !stencil_start.empty();
     }
 
+    /**
+     * What integrals over the plane are multiplied by at point @p q: 1 or, in
+     * axisymmetry, 2πR, R = r / F_θθ its distance from the axis at t = 0 (m).
+     * Volumes and weights, cells and domains are those of the plane.
+     */
+    double
+    thickness(const unsigned int q) const
+    {
+      return radius.empty() ?
+               1. :
+               2 * numbers::PI * radius[q] /
+                 history[q * static_cast<std::size_t>(n_history)];
+    }
+
+    /** The volume that point @p q integrates, at t = 0 (m^dim; in axisymmetry
+     * m^3, of the ring). */
+    double
+    measure(const unsigned int q) const
+    {
+      return weight[q] * thickness(q);
+    }
+
+    /** Set the radius of massless points, whose place is known by their cell
+     * only. */
+    void
+    place_massless_points(const SimplexGeometry<dim> &geometry)
+    {
+      if (radius.empty())
+        return;
+      radius.resize(n_points());
+      for (unsigned int k = n_occupied_cells; k < cell.size(); ++k)
+        for (unsigned int q = cell_start[k]; q < cell_start[k + 1]; ++q)
+          {
+            radius[q] = 0;
+            for (unsigned int v = 0; v <= dim; ++v)
+              radius[q] += shape[q][v] * corner(geometry, k, v)[0];
+          }
+    }
+
     /** The nodes of a point. */
     struct Stencil
     {
@@ -301,7 +346,7 @@ namespace isochor
       archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
         &pressure &F &material &history &velocity &acceleration &domain
           &stencil_start &stencil_vertex &stencil_shape &stencil_gradient
-            &corner_cells &overlapped_cells &deformed_cell &n_history;
+            &corner_cells &overlapped_cells &deformed_cell &n_history &radius;
     }
   };
 
@@ -332,7 +377,8 @@ namespace isochor
     seed(const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
          const bool                                              dynamic,
          const std::string &initial_velocity,
-         const bool         with_domains = false);
+         const bool         with_domains = false,
+         const bool         axisymmetric = false);
 
     /**
      * Let @p change replace the mesh of the grid (it returns what
