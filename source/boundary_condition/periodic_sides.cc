@@ -265,14 +265,14 @@ namespace isochor
       Tensor<1, dim>           total; ///< the jump since t = 0 (m)
     };
 
-    static std::string
-    parameter()
+    std::string
+    parameter() const
     {
-      return "Boundary conditions/Periodic sides";
+      return NamedPlugin::parameter("Periodic sides");
     }
 
-    static void
-    parse_item(const std::string &item, Pair &pair)
+    void
+    parse_item(const std::string &item, Pair &pair) const
     {
       const auto        equals = item.find('=');
       const std::string left =

@@ -16,8 +16,10 @@ namespace isochor
 {
   template <int dim>
   RigidSide<dim>::RigidSide(const std::string &boundary,
-                            const std::string &items)
+                            const std::string &items,
+                            const std::string &parameter)
     : boundary(boundary)
+    , parameter(parameter)
     , R(unit_symmetric_tensor<3>())
     , reset_R(R)
   {
@@ -111,13 +113,17 @@ namespace isochor
 
 
 
-  template RigidSide<2>::RigidSide(const std::string &, const std::string &);
+  template RigidSide<2>::RigidSide(const std::string &,
+                                   const std::string &,
+                                   const std::string &);
   template void
   RigidSide<2>::parse_item(const std::string &);
   template void
   RigidSide<2>::set_centre(const std::string &);
 
-  template RigidSide<3>::RigidSide(const std::string &, const std::string &);
+  template RigidSide<3>::RigidSide(const std::string &,
+                                   const std::string &,
+                                   const std::string &);
   template void
   RigidSide<3>::parse_item(const std::string &);
   template void

@@ -68,15 +68,14 @@ namespace isochor
     parse_parameters(ParameterHandler &prm) override
     {
       for (const auto &entry :
-           split_named_list(prm.get("Rigid sides"), RigidSide<dim>::parameter))
+           split_named_list(prm.get("Rigid sides"), parameter()))
         {
           for (const auto &side : sides)
             AssertThrow(side.name() != entry.first,
-                        ExcMessage("The parameter <" +
-                                   std::string(RigidSide<dim>::parameter) +
+                        ExcMessage("The parameter <" + parameter() +
                                    "> has two entries for the boundary <" +
                                    entry.first + ">."));
-          sides.emplace_back(entry.first, entry.second);
+          sides.emplace_back(entry.first, entry.second, parameter());
         }
     }
 
@@ -99,11 +98,17 @@ namespace isochor
     check_scene(const StepContext<dim> &step) const override
     {
       for (const auto &side : sides)
+        AssertThrow(!step.kernel.axisymmetric || side.keeps_to_axis(),
+                    ExcMessage(
+                      "A body of revolution moves along its axis only: "
+                      "<" +
+                      side.name() + "> of the parameter <" + parameter() +
+                      "> needs <x = 0, rotation = 0>."));
+      for (const auto &side : sides)
         warn_if_untouched(step,
-                          RigidSide<dim>::parameter,
+                          parameter(),
                           side.name(),
-                          step.grid.boundary_id(side.name(),
-                                                RigidSide<dim>::parameter));
+                          step.grid.boundary_id(side.name(), parameter()));
     }
 
     std::vector<ControlNode<dim>>
@@ -318,6 +323,12 @@ namespace isochor
     }
 
   private:
+    std::string
+    parameter() const
+    {
+      return NamedPlugin::parameter("Rigid sides");
+    }
+
     /** The side of an equation by its label: dim for each vertex. */
     const RigidSide<dim> &
     side_of(const unsigned int label) const

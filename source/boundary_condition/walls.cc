@@ -274,10 +274,10 @@ namespace isochor
       std::vector<Node> nodes;
     };
 
-    static std::string
-    parameter()
+    std::string
+    parameter() const
     {
-      return "Boundary conditions/Walls";
+      return NamedPlugin::parameter("Walls");
     }
 
     /** By node of the wall, at the start of the step. */

@@ -471,7 +471,8 @@ namespace isochor
                                            with_matrix,
                                            system));
     system.finish_assembly(external_force);
-    for (unsigned int t = 0; with_matrix && t < terms.size(); ++t)
+    const bool curved = with_matrix && !scene.inertia.in_trial();
+    for (unsigned int t = 0; curved && t < terms.size(); ++t)
       if (const auto *condition =
             dynamic_cast<const BoundaryCondition<dim> *>(terms[t]);
           condition && condition->relinearises())

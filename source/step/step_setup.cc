@@ -157,6 +157,7 @@ namespace isochor
     else
       scene.points.update(arrays);
     arrays.place_massless_points(scene.grid.geometry());
+    nodes.set_control_nodes(control_nodes());
     nodes_changed = nodes.update(touched_vertices) || is_fresh;
     is_fresh      = false;
   }
@@ -206,7 +207,6 @@ namespace isochor
         extension.exempt(never);
         extension.update(arrays, touched_vertices);
       }
-    nodes.set_control_nodes(control_nodes());
     for (const auto &condition : scene.boundary_conditions)
       condition->touch_masters(nodes, touched_vertices);
   }

@@ -28,10 +28,11 @@ namespace isochor
   class RigidSide
   {
   public:
-    static constexpr const char *parameter = "Boundary conditions/Rigid sides";
-
-    /** @p items: "x = formula, moment = formula, centre = (0, 1)". */
-    RigidSide(const std::string &boundary, const std::string &items);
+    /** @p items of @p parameter: "x = formula, moment = formula, centre = (0,
+     * 1)". */
+    RigidSide(const std::string &boundary,
+              const std::string &items,
+              const std::string &parameter);
 
     /** Once: find vertices, reference point and radius. */
     void
@@ -68,6 +69,13 @@ namespace isochor
     /** Whether no moment makes the matrix unsymmetric. */
     bool
     is_symmetric() const;
+
+    /** Whether it neither turns nor moves in x freely. */
+    bool
+    keeps_to_axis() const
+    {
+      return translation[0] && rotation[0];
+    }
 
     /** Labels of its equations in the last constrain() begin here. */
     unsigned int
@@ -191,7 +199,7 @@ namespace isochor
     Vector3
     total_after(const Vector3 &step, const Tensor<2, 3> &R) const;
 
-    std::string                      boundary;
+    std::string                      boundary, parameter;
     std::array<Formula, dim>         translation, force;
     std::array<Formula, n_rotations> rotation, moment;
     bool                             has_centre = false;

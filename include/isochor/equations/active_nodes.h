@@ -139,19 +139,19 @@ namespace isochor
     std::vector<unsigned int>
     collect_owned(const std::vector<unsigned int> &touched) const;
 
-    std::vector<ControlNode<dim>> control;
-    std::vector<unsigned int>     vertices;
-    std::vector<unsigned int>     node_at_vertex;
-    std::vector<unsigned int>     last_touched;
-    unsigned int                  last_mesh      = 0; ///< of what grid they are
-    unsigned int                  n_owned_nodes  = 0;
-    types::global_dof_index       n_global_nodes = 0;
-    types::global_dof_index       first_owned    = 0;
+    std::vector<unsigned int> vertices;
+    std::vector<unsigned int> node_at_vertex;
+    std::vector<unsigned int> last_touched;
+    unsigned int              last_mesh      = 0; ///< of what grid they are
+    unsigned int              n_owned_nodes  = 0;
+    types::global_dof_index   n_global_nodes = 0;
+    types::global_dof_index   first_owned    = 0;
     /** Global numbers of the ghosts, ascending. */
     std::vector<types::global_dof_index> ghosts;
     mutable std::map<unsigned int,
                      std::shared_ptr<const Utilities::MPI::Partitioner>>
-      partitioners;
+                                  partitioners;
+    std::vector<ControlNode<dim>> control;
   };
 } // namespace isochor
 

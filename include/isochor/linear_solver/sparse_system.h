@@ -55,11 +55,6 @@ namespace isochor
     std::vector<double> position;
     unsigned int        dim = 2;
 
-    /** If not empty: for each local equation the length by which a rotation
-     * about its position is multiplied, of which it is the component (the first
-     * one in 2D); 0 for displacements; negative for what is neither. */
-    std::vector<double> rotation_arm;
-
     /** If set, A is symmetric and only entries with column >= row are stored.
      */
     bool symmetric = true;
@@ -96,6 +91,11 @@ namespace isochor
     /** Changes whenever the pattern or the numbering does, on all ranks at
      * once: as long as it stays, a solver keeps its analysis. */
     unsigned long pattern_id = 0;
+
+    /** If not empty: for each local equation the length by which a rotation
+     * about its position is multiplied, of which it is the component (the first
+     * one in 2D); 0 for displacements; negative for what is neither. */
+    std::vector<double> rotation_arm;
   };
 } // namespace isochor
 
