@@ -354,6 +354,9 @@ namespace
             contains(squeezed(defaults.out),
                      "# Ratio of the transverse contraction.\n"
                      " set Poisson ratio = 0.3\n") == is_root() &&
+            contains(squeezed(defaults.out),
+                     "# One of: Hencky, J2\n set Model = Hencky\n") ==
+              is_root() &&
             !contains(defaults.out, "Slice normal"),
           describe(defaults));
 
@@ -376,7 +379,7 @@ namespace
   {
     ParameterHandler prm;
     prm.declare_entry("Dimension", "2", Patterns::Selection("2|3"));
-    declare(prm, 2, 1);
+    declare(prm, 2, {});
     apply_parameters({parse_override("Newton/Tolerance=1e-3", "test")}, prm);
     write_effective_parameters(prm, "new/directory");
     check_parameter("effective parameters can be run",

@@ -74,6 +74,26 @@ class Scene:
         """{quantity: relative error} of the run that wrote @p directory."""
         raise NotImplementedError
 
+    def anchors(self):
+        """What others have measured or stated for the same scene, a list of
+        Anchor."""
+        return []
+
+
+@dataclass(frozen=True)
+class Anchor:
+    """A result of somebody else, with its @p source, to draw beside ours. The
+    cost is None where it isn't known."""
+
+    problem: str
+    quantity: str
+    label: str
+    source: str
+    size: int
+    error: float
+    equations: int
+    cpu: float = None
+
 
 # ------------------------------------------------------------- measuring ---
 

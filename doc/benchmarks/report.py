@@ -125,6 +125,91 @@ def series_table(scene, rows):
     return "\n\n".join(parts)
 
 
+def anchor_table(scene, rows):
+    """What others have measured, beside the program's own run of the same size
+    and choice, if there is one; empty without anchors."""
+    anchors = scene.anchors()
+    if not anchors:
+        return ""
+    body = [
+        (
+            a.problem,
+            a.quantity,
+            a.label,
+            f"{a.size:g}",
+            f"{a.equations:g}",
+            f"{100 * a.error:+.3g} %",
+            f"{a.cpu:.2f}" if a.cpu else "",
+        )
+        for a in anchors
+    ]
+    sources = sorted({f"{a.label}: {a.source}" for a in anchors})
+    return (
+        "Others:\n\n"
+        + table(
+            (
+                "problem",
+                "quantity",
+                "who",
+                scene.size_label,
+                "equations",
+                "error",
+                "CPU s",
+            ),
+            body,
+        )
+        + "\n\n"
+        + "\n".join(f"- {source}" for source in sources)
+    )
+
+
+SOLVING = ("factorisation", "solution")
+
+
+def phases_table(all_rows):
+    """Where the wall time of the most expensive run of each scene goes."""
+    body = []
+    for scene, rows in all_rows.items():
+        row = most_expensive(rows)
+        if row is None:
+            continue
+        phases = phases_of(row)
+        total = row["wall"]
+        solving = sum(phases.get(name, 0.0) for name in SOLVING)
+        others = (
+            "assembly",
+            "initialisation phase",
+            "grid reset",
+            "convective phase",
+            "postprocessing",
+            "setup",
+            "start",
+        )
+        body.append(
+            [
+                f"{scene}: {row['problem']}, {row['series']}, {row['size']:g}",
+                f"{total:.1f}",
+                f"{100 * solving / total:.0f} %",
+                *(f"{100 * phases.get(name, 0.0) / total:.0f} %" for name in others),
+            ]
+        )
+    return table(
+        [
+            "run",
+            "wall s",
+            "factorisation and solution",
+            "assembly",
+            "initialisation",
+            "putting the grid back",
+            "points move",
+            "output and probes",
+            "set-up",
+            "start and end",
+        ],
+        body,
+    )
+
+
 def insert(path, name, text):
     """Put @p text between the marks '<!-- NAME -->' and '<!-- end -->' of the
     file @p path; new marks go to its end."""
@@ -179,14 +264,17 @@ def draw_error_over(rows, scene, abscissa, label, quantity, path):
             if not points:
                 continue
             _, x, y = zip(*points)
+            floor = series.startswith("finite elements")
             (handles[series],) = axis.loglog(
                 x,
                 np.maximum(y, 1e-7),
                 marker=MARKERS[number % len(MARKERS)],
-                color=colours(number % 10),
+                color="k" if floor else colours(number % 10),
+                ls=":" if floor else "-",
                 ms=4,
                 lw=1.1,
             )
+        draw_anchors(axis, scene, problem, quantity, abscissa, handles)
         if abscissa == "cpu":
             front = front_of(rows, problem, quantity)
             if front:
@@ -224,6 +312,22 @@ def draw_error_over(rows, scene, abscissa, label, quantity, path):
     plt.close(figure)
 
 
+def draw_anchors(axis, scene, problem, quantity, abscissa, handles):
+    """What others have measured, as crosses."""
+    chosen = [
+        a
+        for a in scene.anchors()
+        if (a.problem, a.quantity) == (problem, quantity)
+        and getattr(a, abscissa, None)
+    ]
+    for number, label in enumerate(dict.fromkeys(a.label for a in chosen)):
+        places = [(getattr(a, abscissa), abs(a.error)) for a in chosen if a.label == label]
+        x, y = zip(*sorted(places))
+        (handles[label],) = axis.loglog(
+            x, y, marker="x+1"[number % 3], color="0.35", ls="--", lw=0.7, ms=6
+        )
+
+
 def set_ticks(axis):
     """Round numbers on a logarithmic abscissa that spans about a decade."""
     low, high = axis.get_xlim()
@@ -237,27 +341,38 @@ def set_ticks(axis):
     axis.xaxis.set_minor_formatter(plt.NullFormatter())
 
 
+def most_expensive(rows):
+    done = [r for r in rows if r["status"] == "ok" and "wall" in r]
+    return max(done, key=lambda r: r["wall"]) if done else None
+
+
+def phases_of(row):
+    """{phase: wall seconds} of a run, all of it; 'start' is loading, parsing and
+    ending."""
+    phases = {
+        key[len("time ") :]: value
+        for key, value in row.items()
+        if key.startswith("time ") and isinstance(value, float)
+    }
+    # the reset is a part of the phase that begins with it
+    reset = phases.get("grid reset", 0.0)
+    if "initialisation phase" in phases:
+        phases["initialisation phase"] = max(
+            0.0, phases["initialisation phase"] - reset
+        )
+    phases["start"] = max(0.0, row["wall"] - sum(phases.values()))
+    return phases
+
+
 def draw_sections(all_rows, path):
     """Where the time of the most expensive run of each scene goes: wall
     seconds of its phases; 'start' is loading, parsing and ending."""
     names, parts = [], []
     for scene, rows in all_rows.items():
-        done = [r for r in rows if r["status"] == "ok" and "wall" in r]
-        if not done:
+        row = most_expensive(rows)
+        if row is None:
             continue
-        row = max(done, key=lambda r: r["wall"])
-        phases = {
-            key[len("time ") :]: value
-            for key, value in row.items()
-            if key.startswith("time ") and isinstance(value, float)
-        }
-        # the reset is a part of the phase that begins with it
-        reset = phases.get("grid reset", 0.0)
-        if "initialisation phase" in phases:
-            phases["initialisation phase"] = max(
-                0.0, phases["initialisation phase"] - reset
-            )
-        phases["start"] = max(0.0, row["wall"] - sum(phases.values()))
+        phases = phases_of(row)
         names.append(f"{scene}: {row['problem']}, {row['series']}, {row['size']:g}")
         parts.append(phases)
     if not parts:
@@ -285,6 +400,8 @@ def draw_sections(all_rows, path):
 
 
 __all__ = [
+    "anchor_table",
+    "phases_table",
     "draw_error_over",
     "draw_sections",
     "insert",

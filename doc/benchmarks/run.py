@@ -119,6 +119,8 @@ def publish(scene, rows, arguments, where):
         + report.tolerance_table(scene, rows)
         + "\n\n"
         + pictures
+        + "\n\n"
+        + report.anchor_table(scene, rows)
         + "\n\n<details><summary>All runs</summary>\n\n"
         + report.series_table(scene, rows)
         + "\n\n</details>",
@@ -194,6 +196,13 @@ def main():
     if arguments.publish:
         for path in arguments.directory.glob("phases.*"):
             shutil.copy(path, RESULTS / path.name)
+        report.insert(
+            PAGE,
+            "benchmark phases",
+            "### Where the time goes\n\nThe most expensive run of each scene.\n\n"
+            + report.phases_table(all_rows)
+            + "\n\n![phases](benchmarks/results/phases.png)",
+        )
     print(
         f"{sum(map(len, all_rows.values()))} runs, {failed} failed, "
         f"{(time.time() - start) / 60:.1f} minutes. Results: {arguments.directory}"

@@ -5,13 +5,14 @@
 A scene to add is one class here, listed in SCENES at the end.
 """
 
+import csv
 import importlib.util
 import json
 import subprocess
 from itertools import product
 
 import numpy as np
-from harness import HERE, ROOT, Run, Scene, output
+from harness import HERE, ROOT, Anchor, Run, Scene, output
 
 PRM = ROOT / "prm"
 
@@ -96,7 +97,7 @@ class Cook(Scene):
                 continue
             yield Run(
                 problem,
-                f"own grid, {name}",
+                f"finite elements, {name}",
                 n,
                 PRM / "cooks_membrane" / "cooks_membrane.prm",
                 {
@@ -117,7 +118,7 @@ class Cook(Scene):
             path = directory / "meshes" / f"cook_graded-{n}.msh"
             yield Run(
                 problem,
-                "own grid graded to the corners, u-p, α = 1",
+                "finite elements, graded to the corners, u-p, α = 1",
                 n,
                 PRM / "cooks_membrane" / "cooks_membrane.prm",
                 {
@@ -176,6 +177,52 @@ class Cook(Scene):
         return errors
 
 
+    # Table 1 of the paper, u-p with stabilisation: u_y(A) over n
+    PAPER = {
+        "ν = 0.33": (0.1172, 0.1953, 0.2669, 0.3025, 0.315, 0.319),
+        "ν = 0.499": (0.1277, 0.1932, 0.2424, 0.2648, 0.2725, 0.275),
+    }
+
+    def anchors(self):
+        """The paper's table, and the authors' code of the time."""
+        found = []
+        for problem, values in self.PAPER.items():
+            exact = self.reference[f"nu={self.PROBLEMS[problem][0]} P=1"]["uy"]
+            for n, value in zip((2, 4, 8, 16, 32, 64), values):
+                found.append(
+                    Anchor(
+                        problem,
+                        "u_y(A)",
+                        "paper, Table 1, u-p stabilised",
+                        "Iaconeta, Larese, Rossi, Oñate, Computational Mechanics "
+                        "63 (2019) 1243-1260",
+                        n,
+                        value / exact - 1,
+                        3 * n * (n + 1),
+                    )
+                )
+        exact = self.reference["nu=0.499 P=1"]["uy"]
+        with open(HERE / "references" / "authors_2019_cook.csv") as stream:
+            lines = [line for line in stream if not line.startswith("#")]
+        for row in csv.DictReader(lines):
+            if row["program"] == "kratos2019 quiet":
+                n = int(row["n"])
+                found.append(
+                    Anchor(
+                        "ν = 0.499",
+                        "u_y(A)",
+                        "the authors' code of 2019 (Kratos), SuperLU",
+                        "run on a quiet machine of the same kind, wall time of one "
+                        "thread (references/authors_2019_cook.csv)",
+                        n,
+                        float(row["u_y"]) / exact - 1,
+                        3 * n * (n + 1),
+                        float(row["wall_total"]),
+                    )
+                )
+        return found
+
+
 class Tube(Scene):
     """Inflation of an incompressible tube: the pressure at a given stretch of
     the bore, p / G = ln(l_a / l_b) + (l_b^-2 - l_a^-2) / 2 (Neo-Hookean)."""
@@ -213,6 +260,31 @@ class Tube(Scene):
                     "Grid/Subdivisions": f"{n}, {n}",
                     "Material points/Points per cell": points,
                     "Material points/Body mesh": mesh(ring, path, n=n // 3),
+                    "Boundary conditions/Mesh of body surfaces": path,
+                },
+                full=n > 48,
+            )
+        yield from self.finite_elements(directory)
+
+    def finite_elements(self, directory):
+        """The floor: the body's own grid, never put back, one point per cell.
+        Its cells are as large as those of the box."""
+        ring = PRM / "plastic_cylinder" / "ring.geo"
+        for n in (24, 48, 96):
+            path = directory / "meshes" / f"ring-{n // 3}.msh"
+            yield Run(
+                "ν = 0.5",
+                "finite elements",
+                n,
+                HERE / "scenes" / "tube.prm",
+                {
+                    **QUIET,
+                    "Quadrature/Type": "points",
+                    "Grid/Type": "gmsh",
+                    "Grid/File": mesh(ring, path, n=n // 3),
+                    "Grid reset/Steps between resets": 1000,
+                    "Material points/Points per cell": 1,
+                    "Material points/Body mesh": "",
                     "Boundary conditions/Mesh of body surfaces": path,
                 },
                 full=n > 48,
@@ -304,6 +376,150 @@ class Column(Scene):
         }
 
 
+class Plate(Scene):
+    """Tension of a J2 plate between clamped ends: the mean stress at the end
+    over 2 / sqrt(3) of the yield stress (slip lines: Hill 1950)."""
+
+    name = "plate"
+    title = "Tension of a perfectly plastic plate"
+    size_label = "cells per side"
+    CHOICES = {
+        "u, cell-filled": ("u", "none", "cell-filled", {}),
+        "u-p, points": ("u-p", "PPP", "points", {}),
+        "u-p, cell-filled": ("u-p", "PPP", "cell-filled", {}),
+        "u-p, CPDI": (
+            "u-p",
+            "PPP",
+            "CPDI",
+            {"Material points/Points per cell": 4},
+        ),
+        "finite elements, u-p": (
+            "u-p",
+            "PPP",
+            "points",
+            {
+                "Material points/Points per cell": 1,
+                "Grid/Stretch": "",
+                "Grid reset/Steps between resets": 1000,
+            },
+        ),
+    }
+
+    def runs(self, directory):
+        geo = PRM / "tension_plate" / "plate.geo"
+        for nu, name, n in product((0.33, 0.4999), self.CHOICES, (12, 25, 50, 100)):
+            if name.startswith("u,") and nu != 0.33:
+                continue
+            form, stabilisation, quadrature, more = self.CHOICES[name]
+            path = directory / "meshes" / f"plate-{n}.msh"
+            yield Run(
+                f"ν = {nu}",
+                name,
+                n,
+                PRM / "tension_plate" / "tension_plate.prm",
+                {
+                    **QUIET,
+                    "Formulation/Type": form,
+                    "Formulation/Stabilisation": stabilisation,
+                    "Material/Poisson ratio": nu,
+                    "Quadrature/Type": quadrature,
+                    "Grid/File": mesh(geo, path, h=0.1 / n),
+                    **more,
+                },
+                full=n > 25,
+            )
+
+    def errors(self, run, directory):
+        numbers = output.read_statistics(directory)
+        stress = numbers["Reaction y on top (N)"][-1] / 0.1
+        return {"limit load": stress / (2 / np.sqrt(3) * 150e6) - 1}
+
+
+class Prandtl(Scene):
+    """The footing at small strain: q/c = 2 + π (Prandtl 1920)."""
+
+    name = "prandtl"
+    title = "Strip footing at small strain"
+    size_label = "cells per width of the footing"
+    CHOICES = {
+        "u, points": {
+            "Formulation/Type": "u",
+            "Formulation/Stabilisation": "none",
+        },
+        "u-p, points": {},
+        "u-p, cell-filled": {"Quadrature/Type": "cell-filled"},
+        "finite elements, u-p": {
+            "Material points/Points per cell": 1,
+            "Grid reset/Steps between resets": 1000,
+        },
+    }
+
+    def runs(self, directory):
+        geo = PRM / "prandtl" / "prandtl.geo"
+        for name, n in product(self.CHOICES, (8, 16, 32)):
+            path = directory / "meshes" / f"prandtl-{n}.msh"
+            yield Run(
+                "φ = 0",
+                name,
+                n,
+                PRM / "prandtl" / "prandtl.prm",
+                {
+                    **QUIET,
+                    "Grid/File": mesh(geo, path, n=n),
+                    **self.CHOICES[name],
+                },
+                full=n > 16,
+            )
+
+    def errors(self, run, directory):
+        numbers = output.read_statistics(directory)
+        q = -2 * numbers["Reaction y on footing (N)"][-1] / 1e3
+        return {"collapse load": q / (2 + np.pi) - 1}
+
+
+class Footing(Scene):
+    """The footing pushed to twice its width, against two independent methods
+    (prm/strip_footing/README.md), good to +-0.1 in q/c, which is 1.5 %."""
+
+    name = "footing"
+    title = "Strip footing pushed to twice its width"
+    size_label = "cells per width of the footing"
+    # settlement over B: q/c
+    REFERENCE = {0.5: 5.95, 1.0: 6.4, 2.0: 7.0}
+    # name: (h, h_edge, step, quick?)
+    GRIDS = {
+        "uniform below the footing": ((5, 0.2, 0.2), (10, 0.1, 0.1), (20, 0.05, 0.05)),
+        "graded to the edge": ((20, 0.2, 0.05), (40, 0.1, 0.025)),
+    }
+
+    def runs(self, directory):
+        geo = PRM / "strip_footing" / "footing.geo"
+        for name, grids in self.GRIDS.items():
+            for n, h, h_edge in grids:
+                path = directory / "meshes" / f"footing-{h}-{h_edge}.msh"
+                yield Run(
+                    "φ = 0, steps of 5 mm",
+                    name,
+                    n,
+                    PRM / "strip_footing" / "strip_footing.prm",
+                    {
+                        **QUIET,
+                        "Grid/File": mesh(
+                            geo, path, h=h, h_edge=h_edge, h_far=max(0.5, h)
+                        ),
+                    },
+                    full=h < 0.2 or h_edge < 0.2,
+                )
+
+    def errors(self, run, directory):
+        numbers = output.read_statistics(directory)
+        load_ = -numbers["Reaction y on footing (N)"] / (0.5 * 1e3)
+        return {
+            f"q/c at w/B = {w:g}": np.interp(w, numbers["Time (s)"], load_) / q - 1
+            for w, q in self.REFERENCE.items()
+        }
+
+
 class PlasticCylinder(Scene):
     """Limit pressure of a thick J2 cylinder, 2 / sqrt(3) ln 2 (Hill 1950)."""
 
@@ -383,6 +599,40 @@ class TubeVibration(Scene):
         }
 
 
+class Cantilever(Scene):
+    """A cantilever falls under its weight and swings back: what an undamped
+    scheme must keep is its energy."""
+
+    name = "cantilever"
+    title = "Vibration of a nearly incompressible cantilever"
+    size_label = "cells over the thickness"
+
+    def runs(self, directory):
+        for quadrature, n in product(
+            ("points", "cell-filled + boundary", "CPDI", "finite elements"), (2, 4)
+        ):
+            kept = quadrature == "finite elements"
+            yield Run(
+                "one period",
+                quadrature,
+                n,
+                HERE / "scenes" / "cantilever.prm",
+                {
+                    **QUIET,
+                    "Quadrature/Type": "points" if kept else quadrature,
+                    "Grid reset/Steps between resets": 100000 if kept else 1,
+                    "Grid/Subdivisions": f"{round(4.5 * n)}, {round(4 * n)}",
+                },
+                full=n > 2,
+            )
+
+    def errors(self, run, directory):
+        numbers = output.read_statistics(directory)
+        lost = numbers["Energy lost by the scheme (J)"][-1]
+        largest = np.max(numbers["Kinetic energy (J)"])
+        return {"energy lost, over the largest kinetic": lost / largest}
+
+
 class Column3D(Scene):
     """The column in three dimensions."""
 
@@ -413,5 +663,16 @@ class Column3D(Scene):
 
 SCENES = {
     scene.name: scene
-    for scene in (Cook, Tube, Column, PlasticCylinder, TubeVibration, Column3D)
+    for scene in (
+        Cook,
+        Tube,
+        Column,
+        PlasticCylinder,
+        Prandtl,
+        Plate,
+        Footing,
+        TubeVibration,
+        Cantilever,
+        Column3D,
+    )
 }

@@ -75,6 +75,15 @@ namespace isochor
 
 
   void
+  Terminal::print_work(const std::vector<std::string> &not_needed) const
+  {
+    if (pcout.is_active())
+      tally.print(std::cout, not_needed);
+  }
+
+
+
+  void
   Terminal::print_summary(const Warnings &warnings) const
   {
     if (warnings.all().empty())

@@ -26,16 +26,21 @@ namespace isochor
       Patterns::Anything(),
       "Parts of the body's surface at t = 0: 'name: place; name: place'. The "
       "place is the name of a boundary of the grid that the body touches, or "
-      "a condition in x, y(, z) at the centres of the free faces of the cells "
-      "that the body fills. Boundary points mark the surface and follow the "
-      "body. Of faces that the body covers in part only this part belongs to "
+      "a condition in x, y(, z) at the centres of the free faces of the "
+      "cells that the body fills (or of those of <Mesh of body surfaces>). "
+      "Boundary points mark the surface and follow the body. If the grid is "
+      "moved or refined, its faces lie elsewhere, and a condition must "
+      "still hold at their centres; with a mesh it does. Of faces that the "
+      "body covers in part only this part belongs to "
       "its surface.");
-    prm.declare_entry("Boundary points per face",
-                      "3",
-                      Patterns::Integer(1),
-                      "Gauss points in 2D, any number; in 3D 1, 3, 4, 6, 7, 9, "
-                      "12, 15, 16, ... From 2 (2D) or 3 (3D) on, a traction "
-                      "linear on a face is integrated exactly.");
+    prm.declare_entry(
+      "Boundary points per face",
+      "3",
+      Patterns::Integer(1),
+      "Number of boundary points on each face at t = 0, which are Gauss "
+      "points: any number in 2D; 1, 3, 4, 6, 7, 9, 12, 15, 16, ... in 3D. "
+      "From 2 (2D) or 3 (3D) on, a traction linear on a face is integrated "
+      "exactly.");
     prm.declare_entry("Mesh of body surfaces",
                       "",
                       Patterns::Anything(),
@@ -61,13 +66,15 @@ namespace isochor
                       "the body, formulas in the reference position x, y(, z) "
                       "and t: 'surface: x = formula, y = formula; surface: "
                       "...'. Components not named are free.");
-    prm.declare_entry("Penalty of body displacement",
-                      "1e3",
-                      Patterns::Double(0),
-                      "Stiffness by which prescribed displacements of the body "
-                      "are imposed, in units of shear modulus over cell size. "
-                      "Where materials meet, the shear modulus is the mean by "
-                      "volume around the point's nodes.");
+    prm.declare_entry(
+      "Penalty of body displacement",
+      "1e3",
+      Patterns::Double(0),
+      "Displacements of the body are prescribed by springs, so that it "
+      "follows up to a small gap. This is their stiffness per area, in "
+      "units of shear modulus over cell size. "
+      "Where materials meet, the shear modulus is the mean, by volume, of "
+      "those around the point's nodes.");
   }
 
 

@@ -35,14 +35,14 @@ namespace isochor
   DiscreteExtension<dim>::declare_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Cut cells");
-    prm.declare_entry("Extension",
-                      "auto",
-                      Patterns::Selection("auto|always|never"),
-                      "Whether nodes that hardly any material touches follow "
-                      "the cells next to them, which bounds the condition "
-                      "number however small the part of a cell is that the "
-                      "body fills. auto: with every 'Quadrature/Type' but "
-                      "'points'.");
+    prm.declare_entry(
+      "Extension",
+      "auto",
+      Patterns::Selection("auto|always|never"),
+      "Whether nodes that hardly any material touches follow a cell nearby "
+      "that is better filled, so that the matrix stays well conditioned "
+      "however small the part of a cell is that the body fills. auto: with "
+      "every 'Quadrature/Type' but 'points'.");
     prm.declare_entry("Smallest support",
                       "0.01",
                       Patterns::Double(0, 0.5),

@@ -28,7 +28,7 @@ namespace isochor
 
 
   template <int dim>
-  void
+  bool
   MixedSystem<dim>::reinit(const bool              nodes_changed,
                            const unsigned int      n_components_,
                            const ElementNodes     &elements_,
@@ -44,7 +44,7 @@ namespace isochor
     if (Utilities::MPI::max(static_cast<unsigned int>(changed), comm) == 0)
       {
         update_followers(constraints);
-        return;
+        return false;
       }
 
     n_components     = n_components_;
@@ -71,6 +71,7 @@ namespace isochor
     find_blocks();
     for (auto *list : {&neighbour, &neighbour_offset})
       std::vector<unsigned int>().swap(*list); // needed no more
+    return true;
   }
 
 
@@ -352,6 +353,68 @@ namespace isochor
 
 
 
+  /** The equations of a node follow one another, so that its rows do. */
+  template <int dim>
+  void
+  MixedSystem<dim>::add_free_element(const unsigned int  e,
+                                     const unsigned int *node,
+                                     const unsigned int  n_nodes,
+                                     const double       *matrix)
+  {
+    const unsigned int        nc     = n_components;
+    const unsigned int        n_dofs = n_nodes * nc;
+    const unsigned int       *offset = &block_offset[block_start[e]];
+    const std::size_t *const  start  = system.row_start.data();
+    const unsigned int *const first  = equations.data();
+    double *const             values = system.values.data();
+    for (unsigned int I = 0; I < n_nodes; ++I)
+      {
+        const unsigned int row_I = first[node[I] * nc];
+        if (!system.symmetric)
+          {
+            for (unsigned int J = 0; J < n_nodes; ++J, ++offset)
+              for (unsigned int a = 0; a < nc; ++a)
+                {
+                  double *const       row = values + start[row_I + a] + *offset;
+                  const double *const part =
+                    matrix + (I * nc + a) * n_dofs + J * nc;
+                  for (unsigned int b = 0; b < nc; ++b)
+                    row[b] += part[b];
+                }
+            continue;
+          }
+        // the upper triangle: row a begins a entries later than the first
+        for (unsigned int a = 0; a < nc; ++a)
+          {
+            double *const       row  = values + start[row_I + a] + *offset - a;
+            const double *const part = matrix + (I * nc + a) * n_dofs + I * nc;
+            for (unsigned int b = a; b < nc; ++b)
+              row[b] += part[b];
+          }
+        ++offset;
+        for (unsigned int J = I + 1; J < n_nodes; ++J, ++offset)
+          {
+            const double *const      part  = matrix + I * nc * n_dofs + J * nc;
+            const unsigned int       row_J = first[node[J] * nc];
+            const bool               swapped = row_J < row_I;
+            const std::size_t *const row_start =
+              start + (swapped ? row_J : row_I);
+            for (unsigned int a = 0; a < nc; ++a)
+              {
+                double *const row = values + row_start[a] + *offset - a;
+                if (swapped)
+                  for (unsigned int b = 0; b < nc; ++b)
+                    row[b] += part[b * n_dofs + a];
+                else
+                  for (unsigned int b = 0; b < nc; ++b)
+                    row[b] += part[a * n_dofs + b];
+              }
+          }
+      }
+  }
+
+
+
   template <int dim>
   void
   MixedSystem<dim>::add_element(const unsigned int e,
@@ -391,6 +454,11 @@ namespace isochor
         const ElementNodes &extended = tied.extended();
         node                         = &extended.node[extended.start[e]];
         n_nodes = extended.start[e + 1] - extended.start[e];
+      }
+    if (!element_is_constrained[e])
+      {
+        add_free_element(e, node, n_nodes, element_matrix);
+        return;
       }
     const unsigned int n_dofs = n_nodes * n_components;
 

@@ -18,11 +18,12 @@ namespace isochor
       prm.declare_entry("Lower corner",
                         dim == 2 ? "0, 0" : "0, 0, 0",
                         Patterns::List(Patterns::Double(), dim, dim),
-                        "Of a box (m).");
+                        "The corner of a box with the least coordinates (m).");
       prm.declare_entry("Upper corner",
                         dim == 2 ? "1, 1" : "1, 1, 1",
                         Patterns::List(Patterns::Double(), dim, dim),
-                        "Of a box (m).");
+                        "The corner of a box with the largest coordinates "
+                        "(m).");
       LatticeSource<dim>::declare_parameters(prm);
     }
 

@@ -40,15 +40,19 @@ namespace isochor
     prm.declare_entry("Diagonals",
                       "/",
                       Patterns::Selection("/|\\|backslash|alternating"),
-                      "Direction of the diagonals of a structured mesh.");
+                      "Direction of the diagonals by which the cells of a "
+                      "box or trapezoid are split; alternating: by turns, "
+                      "so that none is preferred. 'backslash' is another "
+                      "word for \\, which at the end of a line joins it "
+                      "with the next.");
     prm.declare_entry(
       "Offset",
       dim == 2 ? "0, 0" : "0, 0, 0",
       Patterns::List(Patterns::Double(-0.9, 0.9), dim, dim),
       "By how much of a cell the inner grid lines (planes) of a "
-      "box or trapezoid are moved along each axis; its sides "
-      "stay. What changes with it is decided by the place of "
-      "the grid: see the option --grid-offsets.");
+      "box or trapezoid are moved along each axis; its sides stay. Where "
+      "the lines lie below the body is arbitrary; by how much a result "
+      "changes with them is its error: see the option --grid-offsets.");
   }
 
 

@@ -89,6 +89,11 @@ namespace isochor
   {
     const bool is_parallel =
       dynamic_cast<const parallel::TriangulationBase<dim> *>(tria) != nullptr;
+    const unsigned int n_cells = tria->n_active_cells();
+    cell_vertices.reserve(n_cells);
+    cell_neighbours.reserve(n_cells);
+    iterators.reserve(n_cells);
+    owners.reserve(n_cells);
 
     for (const auto &cell : tria->active_cell_iterators())
       {

@@ -24,7 +24,7 @@ namespace isochor
       prm.declare_entry("Depth",
                         "1",
                         Patterns::Double(0),
-                        "Extrusion of a trapezoid in 3D (m).");
+                        "Length of a trapezoid in z, in 3D (m).");
       LatticeSource<dim>::declare_parameters(prm);
     }
 

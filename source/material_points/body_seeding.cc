@@ -23,12 +23,11 @@ namespace isochor
       "0",
       Patterns::Integer(0),
       "Material points seeded per cell: 1, 3, 4, 6, 7, 9, 12, "
-      "15, 16, ... in 2D, 1, 4, 8, 14, 27, 35, ... in 3D. Where "
-      "points own parts of the body (<Quadrature/Type> CPDI, "
-      "the default, or cell-filled + boundary), the cells must "
-      "be divisible: 1, 3, 4, 6, 9, 12, 16, 24, ...; 3D: 1, 4, "
-      "8, 24, 27, .... 0 stands for 4 (3D: 8) there and 3 (3D: "
-      "4) else.");
+      "15, 16, ... in 2D, 1, 4, 8, 14, 27, 35, ... in 3D. Where each point "
+      "owns a part of the cell (<Quadrature/Type> CPDI, the default, or "
+      "cell-filled + boundary), numbers into which a cell can be divided: "
+      "1, 3, 4, 6, 9, 12, 16, 24, ...; 3D: 1, 4, 8, 24, 27, .... 0 stands "
+      "for 4 (3D: 8) with these two and 3 (3D: 4) with the others.");
     prm.declare_entry("Points per cell in zones",
                       "",
                       Patterns::Anything(),
@@ -120,17 +119,21 @@ namespace isochor
                           const bool                 with_domains,
                           const unsigned int         n_materials) const
   {
-    std::vector<Seed<dim>> seeds =
-      !parameters.body_mesh.empty() ?
-        seeds_in_body_mesh(grid, with_domains) :
-      parameters.lattice_spacing > 0 ?
-        seeds_on_lattice(grid, with_domains) :
-        seeds_in_cells(grid.geometry(), grid.group_ids(), with_domains);
     const Expression<dim> in_body(parameters.region, "Material points/Region");
+    const auto            in_region = [&](const Point<dim> &x) {
+      return in_body(x, 0.) > 0;
+    };
+    std::vector<Seed<dim>> seeds =
+      !parameters.body_mesh.empty()  ? seeds_in_body_mesh(grid, with_domains) :
+      parameters.lattice_spacing > 0 ? seeds_on_lattice(grid, with_domains) :
+                                       seeds_in_cells(grid.geometry(),
+                                                      grid.group_ids(),
+                                                      with_domains,
+                                                      in_region);
     seeds.erase(std::remove_if(seeds.begin(),
                                seeds.end(),
                                [&](const Seed<dim> &seed) {
-                                 return !(in_body(seed.location, 0.) > 0);
+                                 return !in_region(seed.location);
                                }),
                 seeds.end());
     AssertThrow(!seeds.empty(),
@@ -179,7 +182,8 @@ namespace isochor
   BodySeeding<dim>::seeds_in_cells(
     const SimplexGeometry<dim>                      &geometry,
     const std::map<std::string, types::material_id> &group_ids,
-    const bool                                       with_domains) const
+    const bool                                       with_domains,
+    const std::function<bool(const Point<dim> &)>   &wanted) const
   {
     struct Zone
     {
@@ -241,7 +245,9 @@ namespace isochor
                 for (unsigned int c = 0; c <= dim && with_domains; ++c)
                   seed.domain[c] += zones[zone].domains[q][c][d] * edge;
               }
-            seeds.push_back(seed);
+            // at once: a large empty grid would fill the memory
+            if (wanted(seed.location))
+              seeds.push_back(seed);
           }
       }
     return seeds;
@@ -259,7 +265,9 @@ namespace isochor
       read_mesh<dim>(parameters.body_mesh, "Material points/Body mesh", body);
     const SimplexGeometry<dim> geometry(body);
     std::vector<Seed<dim>>     seeds =
-      seeds_in_cells(geometry, names.cells, with_domains);
+      seeds_in_cells(geometry, names.cells, with_domains, [](const auto &) {
+        return true;
+      });
     locate(grid, seeds);
     return seeds;
   }

@@ -29,7 +29,9 @@ namespace isochor
         Patterns::Anything(),
         "Known components of the Cauchy stress (Pa), formulas in the place "
         "x, y(, z) of a point at t = 0 and in t: 'yy: formula; xx: formula'. "
-        "Their relative L2 errors go into the statistics.");
+        "The root mean square over the body of the difference, relative to "
+        "that of the formula, goes into the statistics. It is infinite for "
+        "a formula that is zero everywhere.");
     }
 
     void

@@ -10,6 +10,7 @@
 #include <isochor/grid/grid_source.h>
 #include <isochor/program/command_line.h>
 #include <isochor/program/command_line_options.h>
+#include <isochor/program/documented_parameters.h>
 #include <isochor/program/grid_offsets.h>
 
 #include <algorithm>
@@ -206,9 +207,7 @@ namespace isochor
       if (options.print_parameters)
         {
           if (is_root)
-            prm.print_parameters(std::cout,
-                                 ParameterHandler::PRM |
-                                   ParameterHandler::KeepDeclarationOrder);
+            print_documented_parameters(prm, std::cout);
           return;
         }
       prm.assert_that_entries_have_been_set();

@@ -196,8 +196,10 @@ namespace isochor
   NewtonReport
   Equilibrium<dim>::solve()
   {
-    const bool   predicted = predict();
-    NewtonReport report    = solve_with_contact();
+    const bool predicted = predict();
+    has_another_start    = predicted;
+    NewtonReport report  = solve_with_contact();
+    has_another_start    = false;
     if (!report.converged && predicted)
       {
         start_from_rest();
@@ -248,11 +250,12 @@ namespace isochor
   void
   Equilibrium<dim>::lay_out_system(const bool with_other_nodes)
   {
-    system.reinit(with_other_nodes,
-                  scene.n_components,
-                  setup.all_elements(),
-                  constraints,
-                  scene.symmetric);
+    const bool laid_out = system.reinit(with_other_nodes,
+                                        scene.n_components,
+                                        setup.all_elements(),
+                                        constraints,
+                                        scene.symmetric);
+    terminal.work().count("patterns of the matrix", laid_out);
   }
 
 
@@ -343,9 +346,15 @@ namespace isochor
     };
     problem.solve = [this](const bool              factorise,
                            const SolutionAccuracy &accuracy) {
-      return linear_step.solve(
-        unknowns, constraints, pending, factorise, accuracy);
+      const unsigned int n =
+        linear_step.solve(unknowns, constraints, pending, factorise, accuracy);
+      WorkTally &work = terminal.work();
+      work.count("factorisations", factorise);
+      work.count("analyses of the matrix",
+                 factorise && linear_step.report().analysed);
+      return n;
     };
+    problem.has_another_start = has_another_start;
     problem.is_iterative      = [this]() { return linear_step.is_iterative(); };
     problem.has_factorisation = [this]() {
       return linear_step.has_factorisation();
@@ -384,6 +393,7 @@ namespace isochor
     const EvaluationStatus status     = assemble_terms(step, with_matrix);
     const ResidualNorms    norms =
       measure_residual(status, is_pending || is_dragged);
+    terminal.work().count("assemblies of the matrix", with_matrix);
     if (with_matrix && !scene_checked)
       {
         scene_checked = true;

@@ -92,7 +92,28 @@ namespace isochor
         throw;
       }
     terminal.print_times();
+    print_work();
     terminal.print_summary(scene.warnings);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::print_work()
+  {
+    const auto  active = setup.n_active_cells_and_nodes();
+    const auto &tria   = scene.grid.triangulation();
+    WorkTally  &work   = terminal.work();
+    work.count("cells of the grid, at last", true, active.first);
+    work.count("cells of the grid, at last",
+               false,
+               tria.n_active_cells() - active.first);
+    work.count("nodes of the grid, at last", true, active.second);
+    work.count("nodes of the grid, at last",
+               false,
+               tria.n_vertices() - active.second);
+    terminal.print_work(scene.not_needed());
   }
 
 
@@ -198,6 +219,7 @@ namespace isochor
   {
     TimerOutput::Scope scope(terminal.timer(), "initialisation phase");
     setup.start_step(equilibrium.equation_terms(), equilibrium.motion());
+    terminal.work().count("searches for all points", setup.was_laid_out());
     equilibrium.start_step();
   }
 
@@ -282,6 +304,7 @@ namespace isochor
         }
       statistics.set_owner("");
       statistics.end_row();
+      terminal.work().count("outputs of fields", scene.time.output_due());
     }
   }
 

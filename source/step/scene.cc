@@ -124,11 +124,13 @@ namespace isochor
     InertiaTerm<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
-    prm.declare_entry("Type",
-                      "u-p",
-                      Patterns::Selection("u|u-p"),
-                      "Displacements as the only unknowns, or displacements "
-                      "and pressure.");
+    prm.declare_entry(
+      "Type",
+      "u-p",
+      Patterns::Selection("u|u-p"),
+      "u: displacements are the only unknowns; nearly incompressible bodies "
+      "and those that flow plastically are then much too stiff. u-p: "
+      "displacements and pressure.");
     prm.declare_entry("Geometry",
                       "plane strain",
                       Patterns::Selection("plane strain|axisymmetric"),
@@ -137,15 +139,20 @@ namespace isochor
                       "from the axis (r) and y the place along it (z). "
                       "Volumes, forces and energies are then those of the "
                       "whole circle.");
-    prm.declare_entry("Stabilisation",
-                      "PPP",
-                      Patterns::Selection("none|PPP"),
-                      "Of u-p: none, or Polynomial Pressure Projection.");
-    prm.declare_entry("PPP coefficient",
-                      "1",
-                      Patterns::Double(0),
-                      "The factor alpha of alpha/G in the stabilisation; "
-                      "useful are 1 to 8.");
+    prm.declare_entry(
+      "Stabilisation",
+      "PPP",
+      Patterns::Selection("none|PPP"),
+      "Of u-p: none, or Polynomial Pressure Projection. Without it the "
+      "pressure oscillates from node to node.");
+    prm.declare_entry(
+      "PPP coefficient",
+      "1",
+      Patterns::Double(0),
+      "The factor alpha of alpha/G in the stabilisation. Useful are 1 to 8, "
+      "and less where pressures are far above the shear modulus G. A larger "
+      "one makes the pressure smoother, and the body softer where the "
+      "pressure varies much within a cell.");
     prm.declare_entry("PPP leaves out weight",
                       "true",
                       Patterns::Bool(),
@@ -160,11 +167,12 @@ namespace isochor
     for (unsigned int m = 0; m < sections.n_materials; ++m)
       {
         prm.enter_subsection(material_section(m));
-        prm.declare_entry("Model",
-                          "Neo-Hookean",
-                          Patterns::Selection(
-                            PluginRegistry<MaterialModel<dim>>::names()),
-                          "The constitutive law.");
+        prm.declare_entry(
+          "Model",
+          "Neo-Hookean",
+          Patterns::Selection(PluginRegistry<MaterialModel<dim>>::names()),
+          "The constitutive law. What it is told besides elasticity is in "
+          "the subsection of its name; see doc/materials.md.");
         IsotropicElasticity::declare_parameters(prm);
         PluginRegistry<MaterialModel<dim>>::declare_parameters(prm);
         prm.leave_subsection();
@@ -342,6 +350,28 @@ namespace isochor
                            "Type> reaches to x = " +
                            rounded(least) +
                            ". Let it begin at x = 0 or to the right of it."));
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  Scene<dim>::not_needed() const
+  {
+    std::vector<std::string> list;
+    if (!mixed())
+      list.push_back("pressures at the nodes");
+    if (!mixed() || kernel.ppp_coefficient == 0)
+      list.push_back("stabilisation of the pressure");
+    if (!has_inertia())
+      list.push_back("masses and inertia");
+    if (points.layout().n_history == 0)
+      list.push_back("history of the points");
+    if (!points.layout().with_domains)
+      list.push_back("domains of the points");
+    if (symmetric)
+      list.push_back("lower triangle of the matrix");
+    return list;
   }
 
 

@@ -152,7 +152,14 @@ namespace isochor
   StepSetup<dim>::start_step(const std::vector<EquationTerm<dim> *> &terms,
                              LastMotion &last_motion)
   {
-    if (grid_reset.due())
+    // the initial acceleration, found in the first step, is the points'
+    const bool repeated =
+      is_current && !(scene.has_inertia() && scene.time.step == 0);
+    laid_out      = !repeated && grid_reset.due();
+    nodes_changed = false;
+    if (repeated)
+      return;
+    if (laid_out)
       reset_grid(terms, last_motion);
     else
       scene.points.update(arrays);
@@ -160,6 +167,7 @@ namespace isochor
     nodes.set_control_nodes(control_nodes());
     nodes_changed = nodes.update(touched_vertices) || is_fresh;
     is_fresh      = false;
+    is_current    = true;
   }
 
 
@@ -250,6 +258,7 @@ namespace isochor
                       scene.quadrature->needs_domains(),
                       scene.kernel.axisymmetric);
     grid_changed();
+    is_current = false;
     return true;
   }
 
@@ -260,7 +269,7 @@ namespace isochor
   StepSetup<dim>::collect_elements(
     const std::vector<EquationTerm<dim> *> &terms)
   {
-    if (!grid_reset.due())
+    if (!laid_out)
       return;
     TimerOutput::Scope     scope(timer, "grid reset");
     const StepContext<dim> step = context();
@@ -292,6 +301,20 @@ namespace isochor
                           const NodalField       &unknowns)
   {
     grid_reset.advance(step, unknowns, arrays);
+    is_current = false;
+  }
+
+
+
+  template <int dim>
+  std::pair<types::global_dof_index, types::global_dof_index>
+  StepSetup<dim>::n_active_cells_and_nodes() const
+  {
+    const MPI_Comm comm = scene.grid.communicator();
+    return {Utilities::MPI::sum(
+              static_cast<types::global_dof_index>(arrays.cell.size()), comm),
+            Utilities::MPI::sum(
+              static_cast<types::global_dof_index>(nodes.n_owned()), comm)};
   }
 
 
@@ -322,6 +345,7 @@ namespace isochor
     if (scene.adaptation.load_state(mesh, scene.grid, scene.points, *locator))
       grid_changed();
     archive >> grid_reset;
+    is_current = false;
     if (!grid_reset.due())
       archive >> touched_vertices >> elements >> first_element >> arrays >>
         extension;

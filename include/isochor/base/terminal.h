@@ -11,6 +11,7 @@
 
 #include <isochor/base/remaining_time.h>
 #include <isochor/base/warnings.h>
+#include <isochor/base/work_tally.h>
 
 #include <ostream>
 #include <string>
@@ -50,6 +51,19 @@ namespace isochor
       return sections;
     }
 
+    /** What was done and what was skipped. */
+    WorkTally &
+    work()
+    {
+      return tally;
+    }
+
+    const WorkTally &
+    work() const
+    {
+      return tally;
+    }
+
     /** The run has reached @p time (s): at its start and after each step. */
     void
     reached(const double time);
@@ -62,6 +76,10 @@ namespace isochor
     void
     print_times() const;
 
+    /** The table of what was done and skipped, and what was @p not_needed. */
+    void
+    print_work(const std::vector<std::string> &not_needed) const;
+
     /** How many warnings there were. Goes where the warnings are, so that
      * nobody misses them because of 'quiet'. */
     void
@@ -72,6 +90,7 @@ namespace isochor
     bool               verbose = false;
     ConditionalOStream pcout;
     TimerOutput        sections;
+    WorkTally          tally;
     Timer              clock;
     RemainingTime      remaining_time;
   };

@@ -36,9 +36,9 @@ namespace isochor
      * Number the equations and lay out the matrix. Nothing is done if neither
      * the active nodes (@p nodes_changed), the elements nor the constraints
      * have changed since the last call; then the solver keeps its analysis.
-     * Collective.
+     * Whether anything was done. Collective.
      */
-    void
+    bool
     reinit(const bool              nodes_changed,
            const unsigned int      n_components,
            const ElementNodes     &elements,
@@ -204,6 +204,12 @@ namespace isochor
     build_rows();
     void
     find_blocks();
+    /** The same for elements all of whose unknowns are free. */
+    void
+    add_free_element(const unsigned int  e,
+                     const unsigned int *node,
+                     const unsigned int  n_nodes,
+                     const double       *matrix);
     /** Add what two nodes share, by its strides in the element's matrix. */
     void
     add_block(const unsigned int row_node,

@@ -64,6 +64,18 @@ namespace isochor
     {
       return scene.warnings;
     }
+    /** What was done and what was skipped so far. */
+    const WorkTally &
+    work() const
+    {
+      return terminal.work();
+    }
+    /** What the scene never needs. */
+    std::vector<std::string>
+    not_needed() const
+    {
+      return scene.not_needed();
+    }
 
   private:
     void
@@ -94,6 +106,9 @@ namespace isochor
     set_statistics(const StepResult<dim> &result);
     void
     print_size();
+    /** What was done and skipped, at the end. Collective. */
+    void
+    print_work();
     /** Tell on the terminal that a step is done, and how long the rest takes.
      */
     void

@@ -78,6 +78,10 @@ namespace isochor
       return inertia.is_active();
     }
 
+    /** What a run of this scene never computes or stores, a list of phrases. */
+    std::vector<std::string>
+    not_needed() const;
+
     Warnings            warnings;
     BackgroundGrid<dim> grid;
     GridAdaptation<dim> adaptation; ///< what an adaptive grid follows

@@ -17,6 +17,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace isochor
@@ -57,6 +58,15 @@ namespace isochor
     start_step(const std::vector<EquationTerm<dim> *> &terms,
                LastMotion                             &last_motion);
 
+    /** Whether start_step() has found the points in the grid anew. It does
+     * nothing at all if no point has moved since it was last called, as after
+     * a step that failed. */
+    bool
+    was_laid_out() const
+    {
+      return laid_out;
+    }
+
     /** The first step was solved: adapt the grid to the solution @p unknowns
      * and fill it with the body anew, if the step is to be solved once more.
      * Whether it is. Collective. */
@@ -82,12 +92,18 @@ namespace isochor
     void
     start_afresh()
     {
-      is_fresh = true;
+      is_fresh   = true;
+      is_current = false;
     }
 
     /** The step, of the points as they are now. */
     StepContext<dim>
     context() const;
+
+    /** How many cells of the grid hold material, and how many nodes take part.
+     * Collective. */
+    std::pair<types::global_dof_index, types::global_dof_index>
+    n_active_cells_and_nodes() const;
 
     /** All of this rank that a run which continues on a kept grid needs; short
      * if the grid is to be reset. */
@@ -172,10 +188,13 @@ namespace isochor
     DiscreteExtension<dim>             extension;
     bool                               extends = false;
 
-    PointArrays<dim>          arrays;
-    ActiveNodes<dim>          nodes;
-    bool                      nodes_changed = false;
-    bool                      is_fresh      = false;
+    PointArrays<dim> arrays;
+    ActiveNodes<dim> nodes;
+    bool             nodes_changed = false;
+    bool             is_fresh      = false;
+    bool             laid_out      = false;
+    /** Whether no point has moved since start_step(). */
+    bool                      is_current = false;
     std::vector<unsigned int> touched_vertices;
     ElementNodes              elements;
     std::vector<unsigned int> first_element;
