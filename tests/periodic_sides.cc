@@ -71,7 +71,7 @@ test_shear()
     check("u-p, " + quadrature,
           up + "Quadrature/Type = " + quadrature + '\n',
           G);
-  check("u-p, Block FGMRES", up + "Linear solver/Type = Block FGMRES\n", G);
+  check("u-p, Block FGMRES", up + "Linear solver/Solver = Block FGMRES\n", G);
   const auto in_space =
     test::run_scene<3>(cell<3>("left: right; bottom: top, x = 0.3*t; front: "
                                "back") +

@@ -437,7 +437,7 @@ main(int argc, char **argv)
                 up + "Quadrature/Type = CPDI\n",
                 lower + upper);
   test_loads<2>("2D, u, Block FGMRES",
-                "Linear solver/Type = Block FGMRES\n",
+                "Linear solver/Solver = Block FGMRES\n",
                 lower + upper);
   const std::string lower_3d = "bottom: x = 0, y = 0, z = 0, rotation x = 0, "
                                "rotation y = 0, rotation z = 0;",
@@ -449,7 +449,7 @@ main(int argc, char **argv)
                 keep + "Time/Step size = 0.5\n",
                 lower_3d + upper_3d);
   test_loads<3>("3D, u-p, Block FGMRES",
-                up + "Linear solver/Type = Block FGMRES\n",
+                up + "Linear solver/Solver = Block FGMRES\n",
                 lower_3d + upper_3d);
   test_bending();
   test_torsion();

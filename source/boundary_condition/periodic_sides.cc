@@ -2,7 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/base/plain_message.h>
+#include <isochor/base/mpi_sums.h>
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/periodic_vertices.h>
@@ -212,7 +212,7 @@ namespace isochor
                 values[dim + a] =
                   pairs[k].total[a] + unknowns.local_element(entry);
               }
-          Utilities::MPI::sum(values, step.grid.communicator(), values);
+          sum_over_ranks(values, step.grid.communicator());
           const std::string names = pairs[k].first + " and " + pairs[k].second;
           for (unsigned int a = 0; a < dim; ++a)
             statistics.set(std::string("Force ") + "xyz"[a] + " through " +

@@ -5,6 +5,7 @@
 
 // Loads on a rigid side, what it tells in the statistics, and its state.
 
+#include <isochor/base/mpi_sums.h>
 #include <isochor/boundary_condition/rigid_side.h>
 
 #include <algorithm>
@@ -163,7 +164,7 @@ namespace isochor
             motion[3 + d] = turn[d];
           }
       }
-    Utilities::MPI::sum(motion, step.grid.communicator(), motion);
+    sum_over_ranks(motion, step.grid.communicator());
     const auto set = [&](const std::string &quantity,
                          const unsigned int d,
                          const std::string &unit,

@@ -298,9 +298,9 @@ namespace isochor
       }
     setup.constrain(step, constraints);
     constraints.resolve(n_components);
-    std::array<int, 2> any{{constraints.constrained != previous ||
+    std::vector<int> any = {constraints.constrained != previous ||
                               !constraints.followers.same_structure(old),
-                            !constraints.conflicts.empty()}};
+                            !constraints.conflicts.empty()};
     Utilities::MPI::max(any, scene.grid.communicator(), any);
     const bool changed = any[0] != 0;
     if (any[1] != 0)
