@@ -66,3 +66,12 @@ file(READ ${place}/plugins/last_step_of_fall last_step)
 if(NOT last_step MATCHES " -0?[.]5(5000|49999)[0-9]* |-5[.](50000|49999)[0-9]*e-01 ")
   message(FATAL_ERROR "the fall with backward Euler gives ${last_step}")
 endif()
+
+run(COMMAND ${place}/usr/bin/isochor ${DOC}/plugins/lever.prm --quiet
+  --output-directory lever IN ${place}/plugins)
+run(COMMAND tail -n 1 lever/statistics.txt IN ${place}/plugins
+  OUTPUT ${place}/plugins/last_step_of_lever)
+file(READ ${place}/plugins/last_step_of_lever last_step)
+if(NOT last_step MATCHES " 7(38000|37999)[.0-9]* | 7[.]3(8000|7999)[0-9]*e[+]05 ")
+  message(FATAL_ERROR "the scene with a lever gives ${last_step}")
+endif()

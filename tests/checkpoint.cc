@@ -158,6 +158,37 @@ test_kept_grid(const MPI_Comm comm)
 
 
 
+/** Walls, a rigid side and periodic sides remember where they are, on a grid
+ * that is put back every third step. */
+void
+test_linear_equations(const MPI_Comm comm)
+{
+  std::vector<std::pair<std::string, std::string>> scene = {
+    {"Grid reset/Steps between resets", "3"},
+    {"Boundary conditions/Displacement", ""},
+    {"Boundary conditions/Walls", "bottom: n >= -0.002*(1+x)"},
+    {"Boundary conditions/Rigid sides",
+     "top: x = 0, force y = -200*t, moment = 20*t"}};
+  for (const std::string periodic : {"", "left: right, x = 0.001*t"})
+    {
+      scene.emplace_back("Boundary conditions/Periodic sides", periodic);
+      const std::string a = "checkpoint-linear-a", b = "checkpoint-linear-b",
+                        name =
+                          "linear equations" +
+                          std::string(periodic.empty() ? "" : ", periodic");
+      const Result whole = run(comm, a, scene);
+      report(name + ", uninterrupted", whole.error.empty(), whole.error);
+      crash_after_step = 5;
+      expect_error(name + ", interrupted", run(comm, b, scene), "crash");
+      crash_after_step = numbers::invalid_unsigned_int;
+      auto again       = scene;
+      again.emplace_back("Checkpoint/Resume", "true");
+      compare(name + ", resumed", run(comm, b, again), b, whole, a);
+    }
+}
+
+
+
 /** A body falls on a wall below it and touches it, one side after the other,
  * before and after the interruption: distances and contact must go on. */
 void
@@ -424,6 +455,7 @@ main(int argc, char **argv)
   test_changed_settings(comm);
   test_kept_grid(comm);
   test_contact(comm);
+  test_linear_equations(comm);
   test_split_points(comm);
   test_adaptive_grid(comm);
 

@@ -96,6 +96,8 @@ namespace isochor
     void
     evaluate(const StepContext<dim> &step,
              const NodalField       &unknowns,
+             const MixedSystem<dim> &system,
+             const NodalConstraints &constraints,
              Statistics             &statistics) const override;
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override;
@@ -355,7 +357,9 @@ namespace isochor
   void
   BodySurfaceConditions<dim>::evaluate(const StepContext<dim> &step,
                                        const NodalField       &unknowns,
-                                       Statistics             &statistics) const
+                                       const MixedSystem<dim> & /*system*/,
+                                       const NodalConstraints & /*constraints*/,
+                                       Statistics &statistics) const
   {
     for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
       {

@@ -146,11 +146,12 @@ namespace isochor
 
   template <int dim>
   void
-  InertiaTerm<dim>::project(const StepContext<dim> &step,
-                            const NodalField       &load,
-                            const NodalTies        &ties,
-                            NodalField             &solution,
-                            const bool              with_domains) const
+  InertiaTerm<dim>::project(const StepContext<dim>    &step,
+                            const NodalField          &load,
+                            const Followers           &followers,
+                            const std::vector<double> &given,
+                            NodalField                &solution,
+                            const bool                 with_domains) const
   {
     const auto solve = [&](const bool by_domains) {
       solution.zero_out_ghost_values();
@@ -158,7 +159,8 @@ namespace isochor
         if (const double m = mass.lumped.local_element(i / dim);
             !held[i] && m > 0)
           solution.local_element(i) = load.local_element(i) / m;
-      return mass.solve(step, load, held, ties, solution, by_domains);
+      return mass.solve(
+        step, load, held, followers, given, solution, by_domains);
     };
     // the points' own mass conserves angular momentum best; where it is
     // singular and the load not in its range, that of their domains takes its
@@ -195,63 +197,6 @@ namespace isochor
       prescribe(whole_step, conditions, constraints);
     if (in_trial())
       set_trial_increments(step, constraints);
-  }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::prescribe(
-    const StepContext<dim>                                     &step,
-    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-    const NodalConstraints                                     &constraints)
-  {
-    const unsigned int nc    = step.n_components;
-    const double       dt    = step.step_size();
-    const auto         place = [&](const double part) {
-      StepContext<dim> until = step;
-      until.time             = step.old_time + part * dt;
-      NodalConstraints places;
-      places.reinit(step.nodes.n_local() * nc);
-      for (const auto &condition : conditions)
-        condition->constrain(until, places);
-      return places;
-    };
-    // differences only: a jump of the prescribed place at the start of the step
-    // is in all of them
-    const NodalConstraints start = place(0), middle = place(0.5),
-                           end = place(1);
-    held.assign(step.nodes.n_local() * dim, 0);
-    stopped.clear();
-    if (kept_part > 0)
-      {
-        step.nodes.initialize(projected, dim);
-        project(step, momentum, constraints.ties, projected);
-      }
-    step.nodes.initialize(velocity, dim);
-    step.nodes.initialize(acceleration, dim);
-    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          const unsigned int entry = node * nc + d, i = node * dim + d;
-          held[i] =
-            (constraints.constrained[entry] == NodalConstraints::prescribed);
-          if (constraints.constrained[entry] == NodalConstraints::is_free)
-            continue;
-          const double first = middle.increment[entry] - start.increment[entry],
-                       second = end.increment[entry] - middle.increment[entry];
-          const auto [v, a]   = parabola_at_start(first, second, dt);
-          if (!held[i])
-            stopped.push_back({i, v + a * dt, a});
-          else if (node < step.nodes.n_owned())
-            {
-              acceleration.local_element(i) = a;
-              velocity.local_element(i)     = v;
-            }
-        }
-    project(step, momentum, constraints.ties, velocity);
-    project(step, force, constraints.ties, acceleration, by_stresses);
-    prescribed = true;
   }
 
 
@@ -360,6 +305,7 @@ namespace isochor
         new_acceleration.local_element(node.entry) =
           from_stresses && !in_trial() ? 0. : node.acceleration;
       }
+    stop_at_walls();
   }
 
 

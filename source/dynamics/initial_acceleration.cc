@@ -39,23 +39,6 @@ namespace isochor
 
   template <int dim>
   void
-  InertiaTerm<dim>::set_trial_increments(const StepContext<dim> &step,
-                                         NodalConstraints &constraints) const
-  {
-    const unsigned int nc = step.n_components;
-    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
-      for (unsigned int d = 0; d < dim; ++d)
-        if (constraints.constrained[node * nc + d])
-          constraints.increment[node * nc + d] =
-            trial_size *
-            (velocity.local_element(node * dim + d) +
-             trial_size / 2 * acceleration.local_element(node * dim + d));
-  }
-
-
-
-  template <int dim>
-  void
   InertiaTerm<dim>::finish_trial(
     const StepContext<dim>                                     &step,
     const NodalField                                           &unknowns,
@@ -105,6 +88,12 @@ namespace isochor
                              std::abs(product.local_element(i) -
                                       momentum.local_element(i)));
       }
+    for (unsigned int k = 0; k < given_velocity.size(); ++k)
+      if (const unsigned int i = followers.entry[k];
+          i < step.nodes.n_owned() * dim && given_velocity[k] != 0.)
+        impulse = std::max(impulse,
+                           std::abs(product.local_element(i) -
+                                    momentum.local_element(i)));
     const MPI_Comm comm = step.grid.communicator();
     return Utilities::MPI::max(impulse, comm) >
            1e-8 * Utilities::MPI::max(scale, comm);
@@ -122,9 +111,6 @@ namespace isochor
     const StepContext<2> &,
     const std::vector<std::unique_ptr<BoundaryCondition<2>>> &);
   template void
-  InertiaTerm<2>::set_trial_increments(const StepContext<2> &,
-                                       NodalConstraints &) const;
-  template void
   InertiaTerm<2>::finish_trial(
     const StepContext<2> &,
     const NodalField &,
@@ -141,9 +127,6 @@ namespace isochor
   InertiaTerm<3>::end_trial(
     const StepContext<3> &,
     const std::vector<std::unique_ptr<BoundaryCondition<3>>> &);
-  template void
-  InertiaTerm<3>::set_trial_increments(const StepContext<3> &,
-                                       NodalConstraints &) const;
   template void
   InertiaTerm<3>::finish_trial(
     const StepContext<3> &,

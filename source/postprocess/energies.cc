@@ -373,10 +373,15 @@ namespace isochor
             if (result.system.equation(i) != numbers::invalid_unsigned_int)
               continue;
             const unsigned int entry = step.nodes.vertex(node) * dim + a;
-            const double       R     = result.system.residual.local_element(i);
-            const auto         old_R = reactions.find(entry);
+            // of what follows others: of the motion that is prescribed for it
+            const bool   follows = result.system.follows(i);
+            const double moved =
+              follows ? result.system.prescribed_value(i) : u;
+            const double R     = follows ? result.system.follower_force(i) :
+                                           result.system.residual.local_element(i);
+            const auto   old_R = reactions.find(entry);
             work +=
-              (R + (old_R == reactions.end() ? R : old_R->second)) / 2 * u;
+              (R + (old_R == reactions.end() ? R : old_R->second)) / 2 * moved;
             new_reactions[entry] = R;
           }
       reactions.swap(new_reactions);

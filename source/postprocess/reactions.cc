@@ -93,10 +93,9 @@ namespace isochor
               for (unsigned int a = 0; a < dim; ++a)
                 {
                   const unsigned int entry = node * step.n_components + a;
-                  if (result.system.equation(entry) ==
-                      numbers::invalid_unsigned_int)
+                  if (result.system.is_held(entry))
                     {
-                      force[a] += result.system.residual.local_element(entry);
+                      force[a] += result.system.reaction().local_element(entry);
                       held = true;
                     }
                 }

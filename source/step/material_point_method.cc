@@ -263,7 +263,11 @@ namespace isochor
       for (const auto &condition : scene.boundary_conditions)
         {
           statistics.set_owner(condition->instance);
-          condition->evaluate(step, unknowns, statistics);
+          condition->evaluate(step,
+                              unknowns,
+                              equilibrium.mixed_system(),
+                              equilibrium.nodal_constraints(),
+                              statistics);
         }
       statistics.set_owner("");
       scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);

@@ -10,6 +10,7 @@
 #include <isochor/dynamics/time_integrator.h>
 #include <isochor/equations/equation_term.h>
 
+#include <array>
 #include <memory>
 
 namespace isochor
@@ -212,11 +213,43 @@ namespace isochor
 
     /** M x = load at the entries not held, from the lumped solution. */
     void
-    project(const StepContext<dim> &step,
-            const NodalField       &load,
-            const NodalTies        &ties,
-            NodalField             &solution,
-            const bool              with_domains = false) const;
+    project(const StepContext<dim>    &step,
+            const NodalField          &load,
+            const Followers           &followers,
+            const std::vector<double> &given,
+            NodalField                &solution,
+            const bool                 with_domains = false) const;
+
+    /** The followers of displacements, in fields with dim entries per node. */
+    static Followers
+    displacement_followers(const NodalConstraints &constraints,
+                           const unsigned int      n_components);
+    /** What the @p conditions and @p ties demand of the unknowns a @p part of
+     * the step after its start, without what holds in contact only; that is in
+     * @p contact. */
+    NodalConstraints
+    constraints_at(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      const NodalTies                                            &ties,
+      const double                                                part,
+      NodalConstraints &contact) const;
+    /** Add to given_acceleration what comes from the velocities of equations
+     * that change, see BoundaryCondition::convective_acceleration(). */
+    void
+    add_convective_acceleration(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      const NodalConstraints                                     &constraints);
+    /** Note the walls that equations of @p constraints stand for, at the start,
+     * the middle and the end of the step. */
+    void
+    note_stopping_walls(const std::array<NodalConstraints, 3> &constraints,
+                        const unsigned int                     n_components,
+                        const double                           dt);
+    /** Let new_velocity and new_acceleration have the motion of these walls. */
+    void
+    stop_at_walls();
 
     std::unique_ptr<TimeIntegrator> integrator;
     const NewmarkFamily             trial_integrator{0.5, 1., 0.};
@@ -241,7 +274,18 @@ namespace isochor
       double       velocity, acceleration;
     };
     std::vector<Stopped> stopped;
-    bool                 prescribed = false;
+    /** The same for a wall that holds a combination Σ a_j x_j. */
+    struct StoppedAlong
+    {
+      std::vector<std::pair<unsigned int, double>> direction;
+      double                                       velocity, acceleration;
+    };
+    std::vector<StoppedAlong> stopped_along;
+    /** Of velocities and accelerations. */
+    Followers followers;
+    /** What is given to them by prescribed motions, see MassMatrix::solve(). */
+    std::vector<double> given_velocity, given_acceleration;
+    bool                prescribed = false;
 
     /** What assemble() works with. */
     NodalField                inertial_acceleration;

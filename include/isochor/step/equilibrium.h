@@ -157,6 +157,9 @@ namespace isochor
     find_root();
     ResidualNorms
     assemble(const bool with_matrix);
+    /** Equations between unknowns whose coefficients change with these. */
+    void
+    relinearise();
     /** Find what of the prescribed increments is still to come; whether there
      * is anything on this rank. */
     bool
