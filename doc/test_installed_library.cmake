@@ -45,6 +45,19 @@ if(NOT EXISTS ${place}/plugins/output/deal_ii.vtu)
   message(FATAL_ERROR "deal.II's DataOut has not written the nodal unknowns")
 endif()
 
+# both probes: Lame's closed form in annulus.prm, within 0.2 %
+run(COMMAND ${place}/usr/bin/isochor ${DOC}/plugins/annulus.prm --quiet
+  --output-directory tube IN ${place}/plugins)
+file(READ ${place}/plugins/tube/statistics.txt statistics)
+if(NOT statistics MATCHES "other side: Displacement y of inner wall")
+  message(FATAL_ERROR "no column of the second post-processor: ${statistics}")
+endif()
+string(REGEX MATCHALL "(9[.]5[2-4][0-9]*e-04|0[.]00095[2-4][0-9]*)" walls "${statistics}")
+list(LENGTH walls n)
+if(NOT n EQUAL 2)
+  message(FATAL_ERROR "the tube in an annulus gives ${statistics}")
+endif()
+
 run(COMMAND ${place}/usr/bin/isochor ${DOC}/plugins/backward_euler.prm --quiet
   --output-directory fall IN ${place}/plugins)
 run(COMMAND tail -n 1 fall/statistics.txt IN ${place}/plugins
@@ -52,4 +65,13 @@ run(COMMAND tail -n 1 fall/statistics.txt IN ${place}/plugins
 file(READ ${place}/plugins/last_step_of_fall last_step)
 if(NOT last_step MATCHES " -0?[.]5(5000|49999)[0-9]* |-5[.](50000|49999)[0-9]*e-01 ")
   message(FATAL_ERROR "the fall with backward Euler gives ${last_step}")
+endif()
+
+run(COMMAND ${place}/usr/bin/isochor ${DOC}/plugins/lever.prm --quiet
+  --output-directory lever IN ${place}/plugins)
+run(COMMAND tail -n 1 lever/statistics.txt IN ${place}/plugins
+  OUTPUT ${place}/plugins/last_step_of_lever)
+file(READ ${place}/plugins/last_step_of_lever last_step)
+if(NOT last_step MATCHES " 7(38000|37999)[.0-9]* | 7[.]3(8000|7999)[0-9]*e[+]05 ")
+  message(FATAL_ERROR "the scene with a lever gives ${last_step}")
 endif()

@@ -52,11 +52,12 @@ test_scene(const std::string              &what,
   std::ofstream("scene.prm") << text;
   std::shared_ptr<void> problem;
   Program               program;
-  program.declare = [](auto &prm, const auto dim, const auto n_materials) {
+  program.declare = [](auto &prm, const auto dim, const auto &statements) {
+    const auto sections = SceneSections::find(statements);
     if (dim == 2)
-      MaterialPointMethod<2>::declare_parameters(prm, n_materials);
+      MaterialPointMethod<2>::declare_parameters(prm, sections);
     else
-      MaterialPointMethod<3>::declare_parameters(prm, n_materials);
+      MaterialPointMethod<3>::declare_parameters(prm, sections);
   };
   program.execute = [&](auto &prm, const auto dim, const bool validate_only) {
     if (dim == 2)

@@ -7,8 +7,6 @@
 // bit: statistics, all that the points carry, and the files of fields. Broken
 // checkpoints and those of other problems must not be taken.
 
-#include <isochor/base/parameter_file.h>
-#include <isochor/step/material_point_method.h>
 
 #include <cmath>
 #include <fstream>
@@ -16,11 +14,12 @@
 #include <iterator>
 #include <sstream>
 
+#include "checkpoint_scene.h"
+
 using namespace isochor;
 
 namespace
 {
-  constexpr unsigned int dim = 2;
 
   /** Ends a run in the middle, after the outputs of a step and before its
    * checkpoint. */
@@ -46,106 +45,6 @@ namespace
   template <int dim>
   class OtherNewcomer : public BoundaryCondition<dim>
   {};
-
-  // A block flies and turns through the grid under gravity and deforms: its
-  // points change cells and ranks in every step.
-  const char *const scene = R"(
-    subsection Grid
-      set Type         = box
-      set Upper corner = 4, 4
-      set Subdivisions = 20, 20
-    end
-    subsection Material points
-      set Points per cell = 3
-      set Region          = (x-1.2)*(2.2-x)*if(y>1,1,0)*if(y<2.4,1,0)
-    end
-    subsection Material
-      set Young modulus = 1e4
-      set Poisson ratio = 0.4
-      set Density       = 100
-    end
-    subsection Dynamics
-      set Inertia          = true
-      set Initial velocity = 3 - 2*(y-1.7), 1 + 2*(x-1.7)
-    end
-    subsection Time
-      set End time        = 0.16
-      set Step size       = 0.02
-      set Output interval = 0.04
-    end
-    subsection Boundary conditions
-      set Gravity = 0, -9.81
-    end
-    subsection Postprocess
-      set Point probes = centre: 1.7, 1.7
-    end
-    subsection Output
-      set Terminal = quiet
-    end
-    subsection Checkpoint
-      set Interval = 2
-    end)";
-
-
-
-  struct Result
-  {
-    std::string         error;
-    std::vector<double> points; ///< of this rank, in the handler's order
-  };
-
-
-
-  Result
-  run(const MPI_Comm                                         &comm,
-      const std::string                                      &directory,
-      const std::vector<std::pair<std::string, std::string>> &settings = {})
-  {
-    ParameterHandler prm;
-    MaterialPointMethod<dim>::declare_parameters(prm);
-    prm.parse_input_from_string(scene);
-    prm.enter_subsection("Output");
-    prm.set("Directory", directory);
-    prm.leave_subsection();
-    // MUMPS on several ranks adds in the order in which messages come: two runs
-    // differ by rounding, interrupted or not
-    if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-      {
-        prm.enter_subsection("Linear solver");
-        prm.set("Solver", "Amesos");
-        prm.leave_subsection();
-      }
-    for (const auto &setting : settings)
-      apply_parameters(
-        {parse_override(setting.first + "=" + setting.second, "test")}, prm);
-    create_output_directory(directory, comm);
-
-    Result                   result;
-    MaterialPointMethod<dim> problem(comm);
-    try
-      {
-        problem.parse_parameters(prm);
-        problem.run();
-      }
-    catch (const ExceptionBase &exception)
-      {
-        std::ostringstream text;
-        exception.print_info(text);
-        result.error = Utilities::trim(text.str());
-      }
-    const auto &handler = problem.material_points().handler();
-    for (const auto &particle : handler)
-      {
-        result.points.push_back(particle.get_id());
-        for (unsigned int d = 0; d < dim; ++d)
-          result.points.push_back(particle.get_location()[d]);
-        for (const double value : particle.get_properties())
-          result.points.push_back(value);
-      }
-    return result;
-  }
-
-
 
   std::string
   contents(const std::string &file_name)
@@ -254,6 +153,37 @@ test_kept_grid(const MPI_Comm comm)
       auto again       = lazy;
       again.emplace_back("Checkpoint/Resume", "true");
       compare("kept grid, resumed, " + type, run(comm, b, again), b, whole, a);
+    }
+}
+
+
+
+/** Walls, a rigid side and periodic sides remember where they are, on a grid
+ * that is put back every third step. */
+void
+test_linear_equations(const MPI_Comm comm)
+{
+  std::vector<std::pair<std::string, std::string>> scene = {
+    {"Grid reset/Steps between resets", "3"},
+    {"Boundary conditions/Displacement", ""},
+    {"Boundary conditions/Walls", "bottom: n >= -0.002*(1+x)"},
+    {"Boundary conditions/Rigid sides",
+     "top: x = 0, force y = -200*t, moment = 20*t"}};
+  for (const std::string periodic : {"", "left: right, x = 0.001*t"})
+    {
+      scene.emplace_back("Boundary conditions/Periodic sides", periodic);
+      const std::string a = "checkpoint-linear-a", b = "checkpoint-linear-b",
+                        name =
+                          "linear equations" +
+                          std::string(periodic.empty() ? "" : ", periodic");
+      const Result whole = run(comm, a, scene);
+      report(name + ", uninterrupted", whole.error.empty(), whole.error);
+      crash_after_step = 5;
+      expect_error(name + ", interrupted", run(comm, b, scene), "crash");
+      crash_after_step = numbers::invalid_unsigned_int;
+      auto again       = scene;
+      again.emplace_back("Checkpoint/Resume", "true");
+      compare(name + ", resumed", run(comm, b, again), b, whole, a);
     }
 }
 
@@ -525,6 +455,7 @@ main(int argc, char **argv)
   test_changed_settings(comm);
   test_kept_grid(comm);
   test_contact(comm);
+  test_linear_equations(comm);
   test_split_points(comm);
   test_adaptive_grid(comm);
 

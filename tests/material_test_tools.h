@@ -84,6 +84,7 @@ namespace isochor
       StressResponse<dim>       response;
       StressStatus              status;
       std::optional<double>     pressure; ///< of u-p, given to the law
+      double                    hoop_increment = 1; ///< in axisymmetry
 
       explicit Point(const MaterialModel<dim> &m)
         : material(m)
@@ -100,10 +101,11 @@ namespace isochor
       {
         Kinematics<dim> kinematics;
         kinematics.set_increment(F_increment);
-        kinematics.F        = F_increment * F;
-        kinematics.J        = determinant(kinematics.F);
-        kinematics.pressure = pressure;
-        status              = material.evaluate(kinematics,
+        kinematics.F              = F_increment * F;
+        kinematics.J              = determinant(kinematics.F);
+        kinematics.pressure       = pressure;
+        kinematics.hoop_increment = hoop_increment;
+        status                    = material.evaluate(kinematics,
                                    history_n.data(),
                                    history.data(),
                                    response);

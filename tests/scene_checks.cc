@@ -10,73 +10,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scene.h"
+#include "scene_messages.h"
 
 using namespace isochor;
 
 namespace
 {
-  /** A scene without a mistake. */
-  const std::string good =
-    "Grid/Subdivisions = 4, 4\n"
-    "Boundary conditions/Displacement = bottom: x = 0, y = 0\n"
-    "Boundary conditions/Gravity = 0, -1\n";
-
-  /** The warnings and the error of a scene, in one line. */
-  template <int dim>
-  std::string
-  messages(const std::string &settings,
-           const bool         validate    = true,
-           const unsigned int n_materials = 1)
-  {
-    ParameterHandler prm;
-    MaterialPointMethod<dim>::declare_parameters(prm, n_materials);
-    test::set_parameters(prm,
-                         "Output/Directory = scene_checks\n"
-                         "Output/Terminal = quiet\n"
-                         "Postprocess/Write grid = false\n"
-                         "Postprocess/Write material points = false\n" +
-                           settings);
-    MaterialPointMethod<dim> problem(MPI_COMM_WORLD);
-    std::string              text;
-    std::ostringstream       errors; // where warnings are printed, too
-    std::streambuf *const    original = std::cerr.rdbuf(errors.rdbuf());
-    try
-      {
-        problem.parse_parameters(prm);
-        validate ? problem.validate() : problem.run();
-      }
-    catch (const std::exception &exc)
-      {
-        text = std::string("ERROR ") + exc.what() + ' ';
-      }
-    std::cerr.rdbuf(original);
-    for (const auto &warning : problem.all_warnings().all())
-      text += "WARNING " + warning.subject + " | " + warning.text + ' ';
-    return test::one_line(text);
-  }
-
-  /** The message has all @p words, and there is none but this one. */
-  void
-  expect(const std::string              &what,
-         const std::string              &message,
-         const std::vector<std::string> &words)
-  {
-    std::string missing;
-    for (const std::string &word : words)
-      if (message.find(word) == std::string::npos)
-        missing += " <" + word + ">";
-    unsigned int n = 0;
-    for (const std::string word : {"WARNING", "ERROR"})
-      for (auto place = message.find(word); place != std::string::npos;
-           place      = message.find(word, place + 1))
-        ++n;
-    test::check(what,
-                missing.empty() && n == (words.empty() ? 0 : 1),
-                std::to_string(n) + " messages, missing" + missing + ": " +
-                  message);
-  }
-
   /** A law that wants to remember more than there is room for. */
   template <int dim>
   class Hoarder : public MaterialModel<dim>

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/adaptation/grid_adaptation.h>
+#include <isochor/equations/nodal_unknowns.h>
 
 #include <algorithm>
 #include <cmath>
@@ -229,29 +230,25 @@ namespace isochor
                                    found - names.begin());
       }
     std::array<double, max_history> history;
+    const NodalUnknowns<dim>        nodal(step, unknowns);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const auto     stencil  = points.stencil(step.grid.geometry(), k, q);
-          Tensor<2, dim> F        = unit_symmetric_tensor<dim>();
-          double         pressure = 0;
-          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            {
-              const unsigned int entry =
-                step.nodes.node(stencil.vertex[I]) * step.n_components;
-              for (unsigned int a = 0; a < dim; ++a)
-                F[a] += unknowns.local_element(entry + a) * stencil.gradient[I];
-              if (step.mixed())
-                pressure +=
-                  stencil.shape[I] * unknowns.local_element(entry + dim);
-            }
-          const auto end = step.kernel.final_state(
-            points, q, F, step.mixed(), pressure, history.data());
+          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          const auto end =
+            step.kernel.final_state(points,
+                                    q,
+                                    nodal.deformation_at(stencil),
+                                    nodal.hoop_at(stencil, points, q),
+                                    step.mixed(),
+                                    nodal.pressure_at(stencil),
+                                    history.data());
           const unsigned int m = points.material[q];
           state.cell.push_back(points.cell[k]);
           state.shape.push_back(points.shape[q]);
-          state.volume.push_back(determinant(end.F) * points.volume[q]);
+          state.volume.push_back(end.J * points.volume[q] *
+                                 points.thickness(q));
           state.stress.push_back(end.cauchy_stress);
           state.material.push_back(m);
           state.shear_modulus.push_back(

@@ -39,6 +39,8 @@ namespace isochor
     std::vector<double> sums(n_vertices * (n + 1), 0.); // and from how many
     for (unsigned int i = 0; i < last_motion.vertices.size(); ++i)
       {
+        if (last_motion.vertices[i] >= n_vertices)
+          continue; // a control node
         double *row = &sums[last_motion.vertices[i] * (n + 1)];
         std::copy_n(&last_motion.unknowns[i * n], n, row);
         row[n] = 1;

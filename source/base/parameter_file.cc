@@ -408,16 +408,54 @@ namespace isochor
 
 
 
+  std::vector<NamedSection>
+  named_subsections(const std::vector<ParameterStatement> &statements,
+                    const std::string                     &kind)
+  {
+    std::vector<NamedSection>          sections;
+    std::map<std::string, std::string> origins;
+    for (const ParameterStatement &statement : statements)
+      {
+        const std::string &section = statement.path.front();
+        if (section.rfind(kind + ":", 0) != 0)
+          continue;
+        if (section.size() < kind.size() + 3 || section[kind.size() + 1] != ' ')
+          throw ParameterError(statement.origin + ": the subsection <" +
+                               section + "> needs a name: <" + kind +
+                               ": name>");
+        if (origins.emplace(section, statement.origin).second)
+          sections.push_back({section, ""});
+        if (statement.path == Path{section, "Type"})
+          for (NamedSection &known : sections)
+            if (known.section == section)
+              known.type = statement.value;
+      }
+    for (const NamedSection &known : sections)
+      if (known.type.empty())
+        throw ParameterError(origins.at(known.section) + ": the subsection <" +
+                             known.section + "> needs a parameter <" +
+                             known.section +
+                             "/Type> that says what it describes");
+    return sections;
+  }
+
+
+
   void
   apply_parameters(const std::vector<ParameterStatement> &statements,
                    ParameterHandler                      &prm)
   {
     const ParameterList declarations(prm);
+    // A value that a later one replaces need not be allowed: a scene in 3D may
+    // include one in 2D and give its own corners.
+    std::map<ParameterList::Path, const ParameterStatement *> last;
+    for (const ParameterStatement &statement : statements)
+      last[statement.path] = &statement;
     for (const ParameterStatement &statement : statements)
       {
         check_replaced(statement);
         check_declared(statement, declarations);
-        if (!statement.is_subsection)
+        if (!statement.is_subsection && last.at(statement.path) == &statement)
           set_parameter(statement,
                         declarations.entries.at(statement.path).pattern,
                         prm);

@@ -50,8 +50,9 @@ namespace isochor
 
 
   void
-  Statistics::set(const std::string &column, const double value)
+  Statistics::set(const std::string &name, const double value)
   {
+    const std::string column = prefix + name;
     if (std::find(columns.begin(), columns.end(), column) == columns.end())
       columns.push_back(column);
     row[column] = value;

@@ -16,15 +16,16 @@ namespace isochor
       "Type",
       "CPDI",
       Patterns::Selection(PluginRegistry<BodyQuadrature<dim>>::names()),
-      "How the body is integrated. 'CPDI': each point is a simplex that "
-      "deforms with the body; the most accurate, and about twice the cost of "
-      "assembly. 'points': a "
+      "How the body is integrated. 'CPDI': each point has a small triangle "
+      "(tetrahedron) that deforms with the body; the most accurate, at "
+      "about twice the cost of assembly. 'points': a "
       "sum over the material points, the plain Material Point Method, whose "
       "stresses don't converge when points cross cells; the cheapest where "
-      "they don't. 'cell-filled': the points of interior cells share the "
-      "cell's measure; for material that flows far. 'cell-filled + boundary': "
-      "those of cells at the surface also share what the body fills of the "
-      "cell.");
+      "they don't. 'cell-filled': the points of cells inside the body share "
+      "the volume of their cell; for material that flows far. 'cell-filled "
+      "+ boundary': "
+      "those of cells at the surface also share the part of their cell that "
+      "the body fills.");
     PluginRegistry<BodyQuadrature<dim>>::declare_parameters(prm);
     prm.leave_subsection();
   }

@@ -52,7 +52,8 @@ namespace isochor
     {
       const std::vector<double> corner_shares = build_stencils(points, locator);
       occupancy.update(points, kernel, false);
-      collect_overlapped_cells(points, corner_shares, occupancy, kernel);
+      collect_overlapped_cells(
+        points, locator.geometry(), corner_shares, occupancy, kernel);
     }
 
   private:
@@ -61,10 +62,11 @@ namespace isochor
     build_stencils(PointArrays<dim>        &points,
                    const PointLocator<dim> &locator) const;
     void
-    collect_overlapped_cells(PointArrays<dim>          &points,
-                             const std::vector<double> &corner_shares,
-                             const CellOccupancy<dim>  &occupancy,
-                             const MixedKernel<dim>    &kernel) const;
+    collect_overlapped_cells(PointArrays<dim>           &points,
+                             const SimplexGeometry<dim> &geometry,
+                             const std::vector<double>  &corner_shares,
+                             const CellOccupancy<dim>   &occupancy,
+                             const MixedKernel<dim>     &kernel) const;
   };
 
 
@@ -304,22 +306,33 @@ namespace isochor
 
   template <int dim>
   void
-  CPDI<dim>::collect_overlapped_cells(PointArrays<dim>          &points,
-                                      const std::vector<double> &corner_shares,
-                                      const CellOccupancy<dim>  &occupancy,
-                                      const MixedKernel<dim>    &kernel) const
+  CPDI<dim>::collect_overlapped_cells(PointArrays<dim>           &points,
+                                      const SimplexGeometry<dim> &geometry,
+                                      const std::vector<double>  &corner_shares,
+                                      const CellOccupancy<dim>   &occupancy,
+                                      const MixedKernel<dim>     &kernel) const
   {
     // a corner stands for its part of the domain
-    std::map<unsigned int, double> volume_over_G;
+    std::map<unsigned int, CellCompliance> compliance;
     for (unsigned int i = 0; i < corner_shares.size(); ++i)
       {
         const auto &[q, cell] = points.corner_cells[i];
         if (corner_shares[i] > 0 && occupancy.is_closed(cell))
-          volume_over_G[cell] +=
-            corner_shares[i] * points.weight[q] / (dim + 1) /
-            kernel.materials[points.material[q]]->shear_modulus();
+          kernel.add_compliance(points,
+                                q,
+                                corner_shares[i] * points.measure(q) /
+                                  (dim + 1),
+                                compliance[cell]);
       }
-    points.overlapped_cells.assign(volume_over_G.begin(), volume_over_G.end());
+    points.overlapped_cells.clear();
+    for (const auto &[cell, sum] : compliance)
+      {
+        OverlappedCell<dim> overlapped{cell, sum, {}};
+        for (unsigned int v = 0; v <= dim; ++v)
+          overlapped.corners[v] =
+            geometry.vertices()[geometry.vertex_indices(cell)[v]];
+        points.overlapped_cells.push_back(overlapped);
+      }
   }
 
 

@@ -30,6 +30,7 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm) override
     {
+      conditions.section = this->section;
       conditions.parse_parameters(prm);
     }
 
@@ -95,6 +96,8 @@ namespace isochor
     void
     evaluate(const StepContext<dim> &step,
              const NodalField       &unknowns,
+             const MixedSystem<dim> &system,
+             const NodalConstraints &constraints,
              Statistics             &statistics) const override;
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override;
@@ -187,13 +190,12 @@ namespace isochor
     for (const auto &surface : conditions.surfaces)
       if (surface.traction.empty() && surface.pressure.empty() &&
           !surface.is_fixed())
-        step.warnings.add("no condition on <" + surface.place.name +
-                            "> of <Surfaces of body>",
-                          "The surface <" + surface.place.name +
-                            "> of the parameter <Boundary conditions/Surfaces "
-                            "of body> has no effect: name it in <Traction on "
-                            "body>, <Pressure on body> or <Displacement of "
-                            "body> of that section, or leave it out.");
+        step.warnings.add(
+          "no condition on <" + surface.place.name + "> of <Surfaces of body>",
+          "The surface <" + surface.place.name + "> of the parameter <" +
+            this->parameter("Surfaces of body") +
+            "> has no effect: name it in <Traction on body>, <Pressure on body> or <Displacement of "
+            "body> of that section, or leave it out.");
   }
 
 
@@ -255,7 +257,8 @@ namespace isochor
             "> of <" + place.parameter +
             "> consists of; what it does acts on this part. If the body's "
             "surface does not lie on faces of the grid there, give the body's "
-            "mesh in <Boundary conditions/Mesh of body surfaces>.");
+            "mesh in <" +
+            this->parameter("Mesh of body surfaces") + ">.");
       }
   }
 
@@ -354,7 +357,9 @@ namespace isochor
   void
   BodySurfaceConditions<dim>::evaluate(const StepContext<dim> &step,
                                        const NodalField       &unknowns,
-                                       Statistics             &statistics) const
+                                       const MixedSystem<dim> & /*system*/,
+                                       const NodalConstraints & /*constraints*/,
+                                       Statistics &statistics) const
   {
     for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
       {

@@ -124,17 +124,32 @@ namespace isochor
                     const unsigned int      component,
                     const double            push)
   {
-    const Side<dim> side  = side_of(step.grid, boundary);
-    const double    along = push * side.inwards[component];
-    if (along <= 0.5 * side.cell_size)
+    warn_of_body_left_behind(step,
+                             boundary,
+                             "Boundary conditions/Displacement = " + boundary +
+                               ": " + "xyz"[component] + " = ...",
+                             push *
+                               side_of(step.grid, boundary).inwards[component]);
+  }
+
+
+
+  template <int dim>
+  void
+  warn_of_body_left_behind(const StepContext<dim> &step,
+                           const std::string      &boundary,
+                           const std::string      &condition,
+                           const double            along)
+  {
+    const double size = side_of(step.grid, boundary).cell_size;
+    if (along <= 0.5 * size)
       return;
     step.warnings.add(
       "a boundary that leaves the body behind",
-      "Until t = " + rounded(step.old_time) +
-        " <Boundary conditions/Displacement = " + boundary + ": " +
-        "xyz"[component] + " = ...> has pushed the body by " + rounded(along) +
+      "Until t = " + rounded(step.old_time) + " <" + condition +
+        "> has pushed the body by " + rounded(along) +
         " m away from the boundary <" + boundary +
-        ">, more than half of a cell (" + rounded(side.cell_size) +
+        ">, more than half of a cell (" + rounded(size) +
         " m), but the grid is put back after each step, and the boundary with "
         "it: it loses the body. Let the grid follow (<Grid/Stretch>), keep it "
         "(<Grid reset/Steps between resets>), or move the body's own surface "
@@ -175,4 +190,14 @@ namespace isochor
                     const std::string &,
                     const unsigned int,
                     const double);
+  template void
+  warn_of_body_left_behind(const StepContext<2> &,
+                           const std::string &,
+                           const std::string &,
+                           const double);
+  template void
+  warn_of_body_left_behind(const StepContext<3> &,
+                           const std::string &,
+                           const std::string &,
+                           const double);
 } // namespace isochor

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/boundary_condition/contact_search.h>
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
@@ -24,14 +25,8 @@ namespace isochor
    * condition on a moving side of the body.
    *
    * A one-sided condition, u >= or <= a formula, is contact with a frictionless
-   * wall that stands in the distance u(x, t) from where the node was generated:
-   * a set of nodes is held, Newton's method converges with it, and
-   * check_contact() changes it until no held node pulls and no free one
-   * penetrates: the active set method (Hintermüller, Ito & Kunisch 2003), with
-   * the safeguard of Júdice & Pires (Computers Ops Res. 21 (1994) 587-596): if
-   * changing all nodes that object does not make them fewer, they are changed
-   * one by one, which can't cycle in a linear problem with a positive definite
-   * matrix. The set is kept from step to step.
+   * wall that stands in the distance u(x, t) from where the node was generated,
+   * see ContactSearch. The set of nodes in contact is kept from step to step.
    *
    * A node that has not yet touched the wall remembers its distance. One that
    * has starts each step on a reset grid at the wall; on a grid that is kept
@@ -163,7 +158,7 @@ namespace isochor
       for (auto &condition : conditions)
         if (condition.side != 0)
           {
-            update_gaps(condition, step, unknowns);
+            find_gaps(condition, step, unknowns);
             for (WallNode &node : condition.wall)
               node.was_released = node.released;
           }
@@ -175,16 +170,14 @@ namespace isochor
       for (auto &condition : conditions)
         for (WallNode &node : condition.wall)
           node.released = node.was_released;
-      n_sets          = 0;
-      fewest_objected = std::numeric_limits<unsigned int>::max();
-      n_patience      = most_patience;
+      search.start();
     }
 
     std::string
     check_contact(const StepContext<dim> &step,
                   const NodalField       &unknowns,
-                  const NodalField       &reaction,
-                  const NodalTies        &ties,
+                  const MixedSystem<dim> &system,
+                  const NodalConstraints &constraints,
                   const typename BoundaryCondition<dim>::ContactTolerance
                     &tolerance) override;
 
@@ -195,8 +188,7 @@ namespace isochor
       state.precision(std::numeric_limits<double>::max_digits10);
       for (const auto &condition : conditions)
         for (const WallNode &node : condition.wall)
-          state << node.released << ' ' << node.touched << ' ' << node.gap
-                << ' ';
+          node.save(state);
       return state.str();
     }
 
@@ -206,23 +198,10 @@ namespace isochor
       std::istringstream state(text);
       for (auto &condition : conditions)
         for (WallNode &node : condition.wall)
-          {
-            state >> node.released >> node.touched >> node.gap;
-            node.was_released = node.released;
-          }
+          node.load(state);
     }
 
   private:
-    /** A node at a one-sided boundary; the same on all ranks. */
-    struct WallNode
-    {
-      bool released     = false; ///< it has left the wall
-      bool was_released = false; ///< when the last step was accepted
-      bool touched      = true;  ///< it has been at the wall
-      /** Its place minus the wall's, at the start of the step (m). */
-      double gap = 0;
-    };
-
     struct Condition
     {
       std::string  boundary;
@@ -377,13 +356,11 @@ namespace isochor
     }
 
     void
-    update_gaps(Condition              &condition,
-                const StepContext<dim> &step,
-                const NodalField       &unknowns) const
+    find_gaps(Condition              &condition,
+              const StepContext<dim> &step,
+              const NodalField       &unknowns) const
     {
-      // the owner of a node knows
-      constexpr double    unknown = std::numeric_limits<double>::lowest();
-      std::vector<double> gaps(condition.vertices.size(), unknown);
+      std::vector<double> gaps(condition.vertices.size(), gap_unknown);
       for (unsigned int i = 0; i < gaps.size(); ++i)
         {
           const unsigned int node = step.nodes.node(condition.vertices[i]);
@@ -392,18 +369,10 @@ namespace isochor
                                              condition.component) -
                       increment(condition, i, step);
         }
-      Utilities::MPI::max(gaps, step.grid.communicator(), gaps);
-      for (unsigned int i = 0; i < gaps.size(); ++i)
-        {
-          WallNode  &node       = condition.wall[i];
-          const bool is_at_wall = gaps[i] == unknown || !node.released;
-          node.gap              = is_at_wall ? 0. : gaps[i];
-          node.touched          = node.touched || is_at_wall;
-        }
+      update_gaps(gaps, step.grid.communicator(), condition.wall);
     }
 
-    /** 1 for nodes that pull at the wall, 2 for those that went through it, by
-     * conditions and vertices one after the other. Collective. */
+    /** By conditions and vertices one after the other. Collective. */
     std::vector<unsigned int>
     find_objections(
       const StepContext<dim>                                  &step,
@@ -412,14 +381,9 @@ namespace isochor
       const NodalTies                                         &ties,
       const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const;
 
-    /** Sets with which the search is given up, and how often it may not get
-     * better before nodes are changed one by one. */
-    static constexpr unsigned int most_sets = 60, most_patience = 4;
-
     std::vector<Condition>  conditions;
     std::vector<Point<dim>> reference;
-    /** Of the search for the set of a step. */
-    unsigned int n_sets = 0, fewest_objected = 0, n_patience = 0;
+    ContactSearch           search;
   };
 
 
@@ -433,38 +397,30 @@ namespace isochor
     const NodalTies                                         &ties,
     const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const
   {
-    double largest = 0;
-    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
-      for (unsigned int a = 0; a < dim; ++a)
-        largest = std::max(largest,
-                           std::abs(unknowns.local_element(
-                             node * step.n_components + a)));
     const double penetration =
-      tolerance.relative *
-      Utilities::MPI::max(largest, step.grid.communicator());
-
-    std::vector<unsigned char> is_tied(step.nodes.n_local(), 0);
-    for (const unsigned int node : ties.node)
-      is_tied[node] = 1;
-
+      tolerance.relative * largest_increment(step, unknowns);
+    const std::vector<unsigned char> is_tied =
+      tied_nodes(ties, step.nodes.n_local());
     std::vector<unsigned int> objections;
     for (const auto &condition : conditions)
       for (unsigned int i = 0; i < condition.wall.size(); ++i)
         {
-          objections.push_back(0);
+          objections.push_back(Objection::none);
           const unsigned int node = step.nodes.node(condition.vertices[i]);
           if (node >= step.nodes.n_owned())
             continue;
           const unsigned int entry =
             node * step.n_components + condition.component;
           if (!condition.wall[i].released)
-            objections.back() =
-              condition.side * reaction.local_element(entry) < -tolerance.force;
+            objections.back() = condition.side * reaction.local_element(entry) <
+                                    -tolerance.force ?
+                                  Objection::pulls :
+                                  Objection::none;
           else if (!is_tied[node] &&
                    condition.side * (unknowns.local_element(entry) -
                                      increment(condition, i, step)) <
                      -penetration)
-            objections.back() = 2;
+            objections.back() = Objection::penetrates;
         }
     Utilities::MPI::max(objections, step.grid.communicator(), objections);
     return objections;
@@ -477,65 +433,33 @@ namespace isochor
   PrescribedDisplacement<dim>::check_contact(
     const StepContext<dim>                                  &step,
     const NodalField                                        &unknowns,
-    const NodalField                                        &reaction,
-    const NodalTies                                         &ties,
+    const MixedSystem<dim>                                  &system,
+    const NodalConstraints                                  &constraints,
     const typename BoundaryCondition<dim>::ContactTolerance &tolerance)
   {
     if (std::none_of(conditions.begin(),
                      conditions.end(),
                      [](const auto &condition) { return condition.side != 0; }))
       return {};
-    const auto objections =
-      find_objections(step, unknowns, reaction, ties, tolerance);
-    const unsigned int n_pull =
-      std::count(objections.begin(), objections.end(), 1);
-    const unsigned int n_penetrate =
-      std::count(objections.begin(), objections.end(), 2);
-    const unsigned int n_object = n_pull + n_penetrate;
-    if (n_object == 0)
-      return {};
-    if (++n_sets > most_sets)
-      {
-        std::string names;
-        std::size_t k = 0;
-        for (const auto &condition : conditions)
-          {
-            const auto begin = objections.begin() + k;
-            k += condition.wall.size();
-            if (std::any_of(begin,
-                            objections.begin() + k,
-                            [](const unsigned int o) { return o != 0; }))
-              names += (names.empty() ? "" : ", ") + condition.boundary;
-          }
-        return "the contact of <Boundary conditions/Displacement> on <" +
-               names + "> does not settle: with the last of " +
-               std::to_string(most_sets) + " sets of held nodes " +
-               std::to_string(n_pull) + " pull at their wall and " +
-               std::to_string(n_penetrate) + " went through it";
-      }
-
-    bool all_at_once = true;
-    if (n_object < fewest_objected)
-      {
-        fewest_objected = n_object;
-        n_patience      = most_patience;
-      }
-    else if (n_patience > 0)
-      --n_patience;
-    else
-      all_at_once = false;
-    std::size_t last = objections.size() - 1;
-    while (objections[last] == 0)
-      --last;
-    std::size_t k = 0;
+    const auto objections = find_objections(
+      step, unknowns, system.residual, constraints.ties, tolerance);
+    std::vector<WallNode *> nodes;
+    std::string             names;
     for (auto &condition : conditions)
-      for (WallNode &node : condition.wall)
-        {
-          if (objections[k] != 0 && (all_at_once || k == last))
-            node.released = !node.released;
-          ++k;
-        }
-    return {};
+      {
+        bool objects = false;
+        for (WallNode &node : condition.wall)
+          {
+            objects = objects || objections[nodes.size()] != Objection::none;
+            nodes.push_back(&node);
+          }
+        if (objects)
+          names += (names.empty() ? "" : ", ") + condition.boundary;
+      }
+    return search.change(objections,
+                         nodes,
+                         "Boundary conditions/Displacement",
+                         names);
   }
 
   ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition,

@@ -27,7 +27,7 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm) override
     {
-      const std::string name = "Boundary conditions/Gravity";
+      const std::string name = this->parameter("Gravity");
       if (prm.get("Gravity").empty())
         return;
       for (const auto &item : split_formulas(prm.get("Gravity"), name))
@@ -56,9 +56,9 @@ namespace isochor
           const std::string section =
             m == 0 ? "Material" : "Material " + std::to_string(m + 1);
           step.warnings.add("weight without density",
-                            "The parameter <Boundary conditions/Gravity> has "
-                            "no effect on points of <" +
-                              section + ">, as <" + section +
+                            "The parameter <" + this->parameter("Gravity") +
+                              "> has no effect on points of <" + section +
+                              ">, as <" + section +
                               "/Density> is 0. Give it a density (kg/m^3).");
         }
     }
@@ -69,9 +69,13 @@ namespace isochor
     {
       if (gravity.empty())
         return;
-      Tensor<1, dim> g;
-      for (unsigned int a = 0; a < dim; ++a)
-        g[a] = gravity[a](Point<dim>(), step.time);
+      const Tensor<1, dim> g = body_acceleration(step.time);
+      AssertThrow(!step.kernel.axisymmetric || g[0] == 0.,
+                  ExcMessage("The first component of <" +
+                             this->parameter("Gravity") +
+                             "> must be 0 with <Formulation/Geometry = "
+                             "axisymmetric>: gravity has to act along the "
+                             "axis."));
       const auto &points = step.points;
       for (unsigned int k = 0; k < points.cell.size(); ++k)
         for (unsigned int q = points.cell_start[k];
@@ -85,6 +89,15 @@ namespace isochor
                   step.nodes.node(stencil.vertex[I]) * step.n_components + a) +=
                   stencil.shape[I] * points.mass[q] * g[a];
           }
+    }
+
+    Tensor<1, dim>
+    body_acceleration(const double time) const override
+    {
+      Tensor<1, dim> g;
+      for (unsigned int a = 0; a < gravity.size(); ++a)
+        g[a] = gravity[a](Point<dim>(), time);
+      return g;
     }
 
   private:

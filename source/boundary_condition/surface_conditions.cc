@@ -26,16 +26,21 @@ namespace isochor
       Patterns::Anything(),
       "Parts of the body's surface at t = 0: 'name: place; name: place'. The "
       "place is the name of a boundary of the grid that the body touches, or "
-      "a condition in x, y(, z) at the centres of the free faces of the cells "
-      "that the body fills. Boundary points mark the surface and follow the "
-      "body. Of faces that the body covers in part only this part belongs to "
+      "a condition in x, y(, z) at the centres of the free faces of the "
+      "cells that the body fills (or of those of <Mesh of body surfaces>). "
+      "Boundary points mark the surface and follow the body. If the grid is "
+      "moved or refined, its faces lie elsewhere, and a condition must "
+      "still hold at their centres; with a mesh it does. Of faces that the "
+      "body covers in part only this part belongs to "
       "its surface.");
-    prm.declare_entry("Boundary points per face",
-                      "3",
-                      Patterns::Integer(1),
-                      "Gauss points in 2D, any number; in 3D 1, 3, 4, 6, 7, 9, "
-                      "12, 15, 16, ... From 2 (2D) or 3 (3D) on, a traction "
-                      "linear on a face is integrated exactly.");
+    prm.declare_entry(
+      "Boundary points per face",
+      "3",
+      Patterns::Integer(1),
+      "Number of boundary points on each face at t = 0, which are Gauss "
+      "points: any number in 2D; 1, 3, 4, 6, 7, 9, 12, 15, 16, ... in 3D. "
+      "From 2 (2D) or 3 (3D) on, a traction linear on a face is integrated "
+      "exactly.");
     prm.declare_entry("Mesh of body surfaces",
                       "",
                       Patterns::Anything(),
@@ -61,13 +66,15 @@ namespace isochor
                       "the body, formulas in the reference position x, y(, z) "
                       "and t: 'surface: x = formula, y = formula; surface: "
                       "...'. Components not named are free.");
-    prm.declare_entry("Penalty of body displacement",
-                      "1e3",
-                      Patterns::Double(0),
-                      "Stiffness by which prescribed displacements of the body "
-                      "are imposed, in units of shear modulus over cell size. "
-                      "Where materials meet, the shear modulus is the mean by "
-                      "volume around the point's nodes.");
+    prm.declare_entry(
+      "Penalty of body displacement",
+      "1e3",
+      Patterns::Double(0),
+      "Displacements of the body are prescribed by springs, so that it "
+      "follows up to a small gap. This is their stiffness per area, in "
+      "units of shear modulus over cell size. "
+      "Where materials meet, the shear modulus is the mean, by volume, of "
+      "those around the point's nodes.");
   }
 
 
@@ -76,7 +83,7 @@ namespace isochor
   void
   SurfaceConditions<dim>::parse_parameters(ParameterHandler &prm)
   {
-    const std::string name = "Boundary conditions/Surfaces of body";
+    const std::string name = section + "/Surfaces of body";
     for (const auto &entry :
          split_named_list(prm.get("Surfaces of body"), name))
       {
@@ -93,8 +100,8 @@ namespace isochor
     parse_displacements(prm);
     parse_tractions(prm);
     AssertThrow(penalty > 0,
-                ExcMessage("The parameter <Boundary conditions/Penalty of body "
-                           "displacement> must be positive."));
+                ExcMessage("The parameter <" + section +
+                           "/Penalty of body displacement> must be positive."));
   }
 
 
@@ -112,9 +119,9 @@ namespace isochor
         known += (known.empty() ? "" : ", ") + surface.place.name;
       }
     AssertThrow(false,
-                ExcMessage("The parameter <Boundary conditions/" + parameter +
-                           "> names the surface <" + name +
-                           ">. <Boundary conditions/Surfaces of body> lists: " +
+                ExcMessage("The parameter <" + section + "/" + parameter +
+                           "> names the surface <" + name + ">. <" + section +
+                           "/Surfaces of body> lists: " +
                            (known.empty() ? "none" : known) + "."));
     return surfaces.front();
   }
@@ -125,7 +132,7 @@ namespace isochor
   void
   SurfaceConditions<dim>::parse_tractions(ParameterHandler &prm)
   {
-    const std::string name = "Boundary conditions/Traction";
+    const std::string name = section + "/Traction";
     for (const auto &entry : split_named_list(prm.get("Traction"), name))
       {
         SurfaceCondition<dim> surface;
@@ -156,7 +163,7 @@ namespace isochor
   {
     for (const std::string parameter : {"Traction on body", "Pressure on body"})
       {
-        const std::string name    = "Boundary conditions/" + parameter;
+        const std::string name    = section + "/" + parameter;
         const bool        is_dead = parameter == "Traction on body";
         for (const auto &entry : split_named_list(prm.get(parameter), name))
           {
@@ -186,7 +193,7 @@ namespace isochor
   SurfaceConditions<dim>::parse_displacements(ParameterHandler &prm)
   {
     const std::string parameter = "Displacement of body";
-    const std::string name      = "Boundary conditions/" + parameter;
+    const std::string name      = section + "/" + parameter;
     const std::string axes      = std::string("xyz").substr(0, dim);
     for (const auto &entry : split_named_list(prm.get(parameter), name))
       for (const auto &item : split_formulas(entry.second, name))
@@ -230,8 +237,8 @@ namespace isochor
         if (boundary == grid.boundary_names().end())
           continue;
         AssertThrow(body_mesh.empty(),
-                    ExcMessage("With <Boundary conditions/Mesh of body "
-                               "surfaces> the surface <" +
+                    ExcMessage("With <" + section +
+                               "/Mesh of body surfaces> the surface <" +
                                place.name +
                                "> needs a condition in the coordinates, not "
                                "the name of a boundary of the grid."));

@@ -81,10 +81,24 @@ namespace isochor
 
   template <int dim>
   double
-  SurfaceForces<dim>::stiffness(const unsigned int b) const
+  SurfaceForces<dim>::area(const StepContext<dim> &step,
+                           const unsigned int      b) const
+  {
+    const double length = points.reference_area(b).norm();
+    return step.kernel.axisymmetric ?
+             2 * numbers::PI * points.reference_location(b)[0] * length :
+             length;
+  }
+
+
+
+  template <int dim>
+  double
+  SurfaceForces<dim>::stiffness(const StepContext<dim> &step,
+                                const unsigned int      b) const
   {
     return conditions.penalty * points.shear_modulus(b) /
-           points.size_of_cells(b) * points.reference_area(b).norm();
+           points.size_of_cells(b) * area(step, b);
   }
 
 
@@ -109,7 +123,7 @@ namespace isochor
   {
     const auto          &prescribed = condition_at(b).displacement;
     const Tensor<1, dim> u          = displacement(step, unknowns, b);
-    const double         k          = stiffness(b);
+    const double         k          = stiffness(step, b);
     Tensor<1, dim>       force;
     for (unsigned int a = 0; a < dim; ++a)
       if (!prescribed[a].empty())
@@ -190,7 +204,7 @@ namespace isochor
         element.residual[I * nc + a] -= N[I] * force[a];
     if (!with_matrix)
       return;
-    const double k = stiffness(b);
+    const double k = stiffness(step, b);
     for (unsigned int I = 0; I < nodes.n_nodes; ++I)
       for (unsigned int J = 0; J < nodes.n_nodes; ++J)
         for (unsigned int a = 0; a < dim; ++a)
@@ -219,8 +233,15 @@ namespace isochor
     const Tensor<2, dim> F = F_increment * points.F(b);
     if (!(determinant(F) > 0) || !(determinant(F_increment) > 0))
       return EvaluationStatus::inverted_point;
-    const Tensor<1, dim> a =
-      determinant(F) * (points.reference_area(b) * invert(F));
+    Tensor<1, dim> a = determinant(F) * (points.reference_area(b) * invert(F));
+    // a ring of the radius at the end of the step
+    double radius = 0;
+    if (step.kernel.axisymmetric)
+      {
+        radius =
+          (points.reference_location(b) + displacement(step, unknowns, b))[0];
+        a *= 2 * numbers::PI * radius;
+      }
 
     const unsigned int nc = step.n_components, n_dofs = nodes.n_nodes * nc;
     for (unsigned int I = 0; I < nodes.n_nodes; ++I)
@@ -238,6 +259,10 @@ namespace isochor
             for (unsigned int e = 0; e < dim; ++e)
               element.matrix[(I * nc + d) * n_dofs + J * nc + e] +=
                 p * N[I] * (g[e] * a[d] - g[d] * a[e]);
+        for (unsigned int I = 0; I < nodes.n_nodes && radius > 0; ++I)
+          for (unsigned int d = 0; d < dim; ++d)
+            element.matrix[(I * nc + d) * n_dofs + J * nc] +=
+              p * N[I] * a[d] * N[J] / radius;
       }
     return EvaluationStatus::success;
   }
@@ -254,7 +279,7 @@ namespace isochor
         const auto &traction = condition_at(b).traction;
         if (traction.empty())
           continue;
-        const double     A     = points.reference_area(b).norm();
+        const double     A     = area(step, b);
         const Point<dim> X     = points.reference_location(b);
         const auto       nodes = points.stencil(b);
         for (unsigned int a = 0; a < dim; ++a)

@@ -35,14 +35,14 @@ namespace isochor
   DiscreteExtension<dim>::declare_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Cut cells");
-    prm.declare_entry("Extension",
-                      "auto",
-                      Patterns::Selection("auto|always|never"),
-                      "Whether nodes that hardly any material touches follow "
-                      "the cells next to them, which bounds the condition "
-                      "number however small the part of a cell is that the "
-                      "body fills. auto: with every 'Quadrature/Type' but "
-                      "'points'.");
+    prm.declare_entry(
+      "Extension",
+      "auto",
+      Patterns::Selection("auto|always|never"),
+      "Whether nodes that hardly any material touches follow a cell nearby "
+      "that is better filled, so that the matrix stays well conditioned "
+      "however small the part of a cell is that the body fills. auto: with "
+      "every 'Quadrature/Type' but 'points'.");
     prm.declare_entry("Smallest support",
                       "0.01",
                       Patterns::Double(0, 0.5),
@@ -100,7 +100,7 @@ namespace isochor
     for (const unsigned int v : vertices)
       if (grid.vertex_owner(v) != rank)
         questions[grid.vertex_owner(v)].push_back(v);
-      else if (!is_supported(v))
+      else if (may_be_tied(v))
         ties.emplace(v, find_tie(v));
     if (Utilities::MPI::n_mpi_processes(grid.communicator()) > 1)
       add_ties_of_others(questions, ties);
@@ -194,6 +194,16 @@ namespace isochor
 
 
   template <int dim>
+  void
+  DiscreteExtension<dim>::exempt(const std::vector<unsigned int> &vertices)
+  {
+    exempted.clear();
+    exempted.insert(vertices.begin(), vertices.end());
+  }
+
+
+
+  template <int dim>
   typename DiscreteExtension<dim>::Tie
   DiscreteExtension<dim>::find_tie(const unsigned int vertex) const
   {
@@ -275,7 +285,7 @@ namespace isochor
     std::map<unsigned int, std::vector<Tie>> answers;
     for (const auto &question : Utilities::MPI::some_to_some(comm, questions))
       for (const unsigned int v : question.second)
-        if (!is_supported(v))
+        if (may_be_tied(v))
           {
             // the node is this rank's, whether it touches it or not
             const auto tie = ties.count(v) ? ties.at(v) : find_tie(v);
@@ -324,7 +334,8 @@ namespace isochor
         {
           Tensor<1, dim> force;
           for (unsigned int a = 0; a < dim; ++a)
-            force[a] = system.tie_force(k, a);
+            force[a] = system.tie_force(
+              step.nodes.node(found[k].vertex) * step.n_components + a);
           sums[0] += 1;
           sums[2] += std::abs(work(step, unknowns, found[k], force));
         }
@@ -380,7 +391,7 @@ namespace isochor
              q < step.points.cell_start[k + 1];
              ++q)
           work +=
-            step.points.weight[q] * strain * strain *
+            step.points.measure(q) * strain * strain *
             step.kernel.materials[step.points.material[q]]->shear_modulus();
       }
     return work;

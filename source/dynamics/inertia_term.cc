@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/dynamics/inertia_term.h>
@@ -17,11 +18,6 @@ namespace isochor
   InertiaTerm<dim>::declare_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Dynamics");
-    prm.declare_entry("Inertia",
-                      "false",
-                      Patterns::Bool(),
-                      "Whether the body has inertia, or is in equilibrium at "
-                      "all times.");
     TimeIntegrator::declare_schemes(prm);
     prm.declare_entry("Transfer",
                       "PIC",
@@ -51,26 +47,24 @@ namespace isochor
 
 
   template <int dim>
-  bool
+  void
   InertiaTerm<dim>::parse_parameters(ParameterHandler          &prm,
                                      const BodyQuadrature<dim> &quadrature)
   {
     prm.enter_subsection("Dynamics");
-    const bool dynamic      = prm.get_bool("Inertia");
     integrator              = TimeIntegrator::create(prm);
     kept_part               = prm.get("Transfer") == "FLIP" ? 1 : 0;
     initial_velocity        = prm.get("Initial velocity");
     const std::string start = prm.get("Acceleration");
     prm.leave_subsection();
     from_stresses = start != "carried" && !quadrature.forces_jump();
-    AssertThrow(!dynamic || from_stresses || start != "from stresses",
+    AssertThrow(!is_active() || from_stresses || start != "from stresses",
                 ExcMessage("<Dynamics/Acceleration = from stresses> needs "
                            "<Quadrature/Type = CPDI>: with other quadratures "
                            "forces jump when points change cells."));
-    AssertThrow(dynamic || initial_velocity.empty(),
+    AssertThrow(is_active() || initial_velocity.empty(),
                 ExcMessage("The parameter <Dynamics/Initial velocity> needs "
                            "<Dynamics/Inertia = true>."));
-    return dynamic;
   }
 
 
@@ -83,6 +77,8 @@ namespace isochor
     MaterialPoints<dim>                                        &points,
     const bool                                                  is_first)
   {
+    if (!is_active())
+      return;
     by_stresses = from_stresses && !is_first;
     mass.reinit(step, by_stresses);
     mass.collect(step, step.points.velocity, momentum);
@@ -122,13 +118,20 @@ namespace isochor
                         ArrayView<double> properties) {
       const auto   stencil = step.points.stencil(step.grid.geometry(), k, q);
       const auto   stress  = load_symmetric<dim>(&properties[l.stress]);
-      const double V = step.points.weight[q] * determinant(step.points.F[q]);
+      const double V = step.points.measure(q) * determinant(step.points.F[q]) *
+                       step.kernel.hoop_stretch(&properties[l.history]);
       for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-        for (unsigned int a = 0; a < dim; ++a)
-          for (unsigned int b = 0; b < dim; ++b)
-            loads.local_element(
-              step.nodes.node(stencil.vertex[I]) * step.n_components + a) -=
-              V * stress[a][b] * stencil.gradient[I][b];
+        {
+          const unsigned int entry =
+            step.nodes.node(stencil.vertex[I]) * step.n_components;
+          for (unsigned int a = 0; a < dim; ++a)
+            for (unsigned int b = 0; b < dim; ++b)
+              loads.local_element(entry + a) -=
+                V * stress[a][b] * stencil.gradient[I][b];
+          if (step.kernel.axisymmetric)
+            loads.local_element(entry) -=
+              V * stress[2][2] * stencil.shape[I] / step.points.radius[q];
+        }
     });
     loads.compress(VectorOperation::add);
     // the points have what a_n differs by from the acceleration of the forces
@@ -143,11 +146,12 @@ namespace isochor
 
   template <int dim>
   void
-  InertiaTerm<dim>::project(const StepContext<dim> &step,
-                            const NodalField       &load,
-                            const NodalTies        &ties,
-                            NodalField             &solution,
-                            const bool              with_domains) const
+  InertiaTerm<dim>::project(const StepContext<dim>    &step,
+                            const NodalField          &load,
+                            const Followers           &followers,
+                            const std::vector<double> &given,
+                            NodalField                &solution,
+                            const bool                 with_domains) const
   {
     const auto solve = [&](const bool by_domains) {
       solution.zero_out_ghost_values();
@@ -155,7 +159,8 @@ namespace isochor
         if (const double m = mass.lumped.local_element(i / dim);
             !held[i] && m > 0)
           solution.local_element(i) = load.local_element(i) / m;
-      return mass.solve(step, load, held, ties, solution, by_domains);
+      return mass.solve(
+        step, load, held, followers, given, solution, by_domains);
     };
     // the points' own mass conserves angular momentum best; where it is
     // singular and the load not in its range, that of their domains takes its
@@ -177,159 +182,21 @@ namespace isochor
 
   template <int dim>
   void
-  InertiaTerm<dim>::prescribe(
+  InertiaTerm<dim>::constrain(
     const StepContext<dim>                                     &step,
+    const double                                                end,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-    const NodalConstraints                                     &constraints)
+    const bool                                                  changed,
+    NodalConstraints                                           &constraints)
   {
-    const unsigned int nc    = step.n_components;
-    const double       dt    = step.step_size();
-    const auto         place = [&](const double part) {
-      StepContext<dim> until = step;
-      until.time             = step.old_time + part * dt;
-      NodalConstraints places;
-      places.reinit(step.nodes.n_local() * nc);
-      for (const auto &condition : conditions)
-        condition->constrain(until, places);
-      return places;
-    };
-    // differences only: a jump of the prescribed place at the start of the step
-    // is in all of them
-    const NodalConstraints start = place(0), middle = place(0.5),
-                           end = place(1);
-    held.assign(step.nodes.n_local() * dim, 0);
-    stopped.clear();
-    if (kept_part > 0)
-      {
-        step.nodes.initialize(projected, dim);
-        project(step, momentum, constraints.ties, projected);
-      }
-    step.nodes.initialize(velocity, dim);
-    step.nodes.initialize(acceleration, dim);
-    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          const unsigned int entry = node * nc + d, i = node * dim + d;
-          held[i] =
-            (constraints.constrained[entry] == NodalConstraints::prescribed);
-          if (constraints.constrained[entry] == NodalConstraints::is_free)
-            continue;
-          const double first = middle.increment[entry] - start.increment[entry],
-                       second = end.increment[entry] - middle.increment[entry];
-          const auto [v, a]   = parabola_at_start(first, second, dt);
-          if (!held[i])
-            stopped.push_back({i, v + a * dt, a});
-          else if (node < step.nodes.n_owned())
-            {
-              acceleration.local_element(i) = a;
-              velocity.local_element(i)     = v;
-            }
-        }
-    project(step, momentum, constraints.ties, velocity);
-    project(step, force, constraints.ties, acceleration, by_stresses);
-    prescribed = true;
-  }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::start_trial(
-    const StepContext<dim>                                     &step,
-    const double                                                trial_step,
-    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
-  {
-    trial_size = trial_step;
-    for (const auto &condition : conditions)
-      condition->set_trial(step, trial_step);
-  }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::end_trial(
-    const StepContext<dim>                                     &step,
-    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
-  {
-    trial_size = 0;
-    for (const auto &condition : conditions)
-      condition->set_trial(step, 0.);
-  }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::set_trial_increments(const StepContext<dim> &step,
-                                         NodalConstraints &constraints) const
-  {
-    const unsigned int nc = step.n_components;
-    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
-      for (unsigned int d = 0; d < dim; ++d)
-        if (constraints.constrained[node * nc + d])
-          constraints.increment[node * nc + d] =
-            trial_size *
-            (velocity.local_element(node * dim + d) +
-             trial_size / 2 * acceleration.local_element(node * dim + d));
-  }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::finish_trial(
-    const StepContext<dim>                                     &step,
-    const NodalField                                           &unknowns,
-    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-    PointArrays<dim>                                           &points)
-  {
-    unsigned int by_surface = 0;
-    for (const auto &condition : conditions)
-      if (condition->starts_suddenly(step, velocity))
-        by_surface = 1;
-    const bool impulse =
-      starts_suddenly(step) ||
-      Utilities::MPI::max(by_surface, step.grid.communicator()) != 0;
-    finish_step(step, unknowns);
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
-      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
-           ++q)
-        {
-          const Tensor<1, dim> a =
-            point(step,
-                  points.stencil(step.grid.geometry(), k, q),
-                  points.velocity[q])
-              .second;
-          points.acceleration[q] += a / 2;
-          if (impulse)
-            points.velocity[q] += trial_size / 4 * a;
-        }
-  }
-
-
-
-  template <int dim>
-  bool
-  InertiaTerm<dim>::starts_suddenly(const StepContext<dim> &step) const
-  {
-    // the impulse on held nodes, against what would stop the body
-    NodalField product;
-    mass.vmult(step, velocity, product);
-    double impulse = 0, scale = 0;
-    for (unsigned int i = 0; i < step.nodes.n_owned() * dim; ++i)
-      {
-        scale = std::max({scale,
-                          std::abs(product.local_element(i)),
-                          std::abs(momentum.local_element(i))});
-        if (held[i] && velocity.local_element(i) != 0.)
-          impulse = std::max(impulse,
-                             std::abs(product.local_element(i) -
-                                      momentum.local_element(i)));
-      }
-    const MPI_Comm comm = step.grid.communicator();
-    return Utilities::MPI::max(impulse, comm) >
-           1e-8 * Utilities::MPI::max(scale, comm);
+    if (!is_active())
+      return;
+    StepContext<dim> whole_step = step;
+    whole_step.time             = end; // also in a trial
+    if (changed || !prescribed)
+      prescribe(whole_step, conditions, constraints);
+    if (in_trial())
+      set_trial_increments(step, constraints);
   }
 
 
@@ -339,6 +206,8 @@ namespace isochor
   InertiaTerm<dim>::collect_elements(const StepContext<dim> &step,
                                      ElementNodes           &elements)
   {
+    if (!is_active())
+      return;
     for (unsigned int e = 0; e < mass.n_elements(step); ++e)
       {
         mass.element_nodes(step, e, nodes);
@@ -357,6 +226,8 @@ namespace isochor
                              const bool              with_matrix,
                              MixedSystem<dim>       &system)
   {
+    if (!is_active())
+      return EvaluationStatus::success;
     const unsigned int nc        = step.n_components;
     const double       dt        = step_size(step);
     const double       stiffness = scheme().stiffness(dt);
@@ -409,6 +280,8 @@ namespace isochor
   InertiaTerm<dim>::finish_step(const StepContext<dim> &step,
                                 const NodalField       &unknowns)
   {
+    if (!is_active())
+      return;
     const double dt = step_size(step);
     step.nodes.initialize(new_velocity, dim);
     step.nodes.initialize(new_acceleration, dim);
@@ -432,6 +305,7 @@ namespace isochor
         new_acceleration.local_element(node.entry) =
           from_stresses && !in_trial() ? 0. : node.acceleration;
       }
+    stop_at_walls();
   }
 
 
@@ -456,6 +330,28 @@ namespace isochor
           }
       }
     return {v, a};
+  }
+
+
+
+  template <int dim>
+  double
+  InertiaTerm<dim>::move_point(
+    const StepContext<dim>                   &step,
+    const typename PointArrays<dim>::Stencil &stencil,
+    const unsigned int                        q,
+    const PointLayout                        &layout,
+    const ArrayView<double>                  &properties) const
+  {
+    if (!is_active())
+      return 0;
+    const auto motion = point(step, stencil, step.points.velocity[q]);
+    for (unsigned int a = 0; a < dim; ++a)
+      {
+        properties[layout.velocity + a]     = motion.first[a];
+        properties[layout.acceleration + a] = motion.second[a];
+      }
+    return properties[layout.mass] / 2 * motion.first.norm_square();
   }
 
 

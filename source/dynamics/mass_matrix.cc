@@ -246,24 +246,21 @@ namespace isochor
 
   template <int dim>
   void
-  MassMatrix<dim>::hand_on(const StepContext<dim>           &step,
-                           const std::vector<unsigned char> &held,
-                           const NodalTies                  &ties,
-                           NodalField                       &load) const
+  MassMatrix<dim>::hand_on(const StepContext<dim> &step,
+                           const Followers        &followers,
+                           NodalField             &load) const
   {
-    for (unsigned int k = 0; k < ties.size(); ++k)
-      if (ties.node[k] < step.nodes.n_owned())
-        for (unsigned int a = 0; a < dim; ++a)
-          {
-            const unsigned int entry = ties.node[k] * dim + a;
-            if (held[entry])
-              continue;
-            const double value        = load.local_element(entry);
-            load.local_element(entry) = 0.;
-            for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
-              load.local_element(ties.master[i] * dim + a) +=
-                ties.weight[i] * value;
-          }
+    for (unsigned int k = 0; k < followers.size(); ++k)
+      if (const unsigned int entry = followers.entry[k];
+          entry < step.nodes.n_owned() * dim)
+        {
+          const double value        = load.local_element(entry);
+          load.local_element(entry) = 0.;
+          for (std::size_t i = followers.start[k]; i < followers.start[k + 1];
+               ++i)
+            load.local_element(followers.master[i]) +=
+              followers.weight[i] * value;
+        }
     load.compress(VectorOperation::add);
   }
 
@@ -271,22 +268,17 @@ namespace isochor
 
   template <int dim>
   void
-  MassMatrix<dim>::interpolate(const std::vector<unsigned char> &held,
-                               const NodalTies                  &ties,
-                               NodalField                       &field) const
+  MassMatrix<dim>::interpolate(const Followers           &followers,
+                               const std::vector<double> &given,
+                               NodalField                &field) const
   {
     field.update_ghost_values();
-    for (unsigned int k = 0; k < ties.size(); ++k)
-      for (unsigned int a = 0; a < dim; ++a)
-        {
-          if (held[ties.node[k] * dim + a])
-            continue;
-          double value = 0;
-          for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
-            value +=
-              ties.weight[i] * field.local_element(ties.master[i] * dim + a);
-          field.local_element(ties.node[k] * dim + a) = value;
-        }
+    for (unsigned int k = 0; k < followers.size(); ++k)
+      field.local_element(followers.entry[k]) =
+        (given.empty() ? 0. : given[k]) +
+        followers.sum(k, [&field](const unsigned int entry) {
+          return field.local_element(entry);
+        });
   }
 
 
@@ -296,7 +288,8 @@ namespace isochor
   MassMatrix<dim>::solve(const StepContext<dim>           &step,
                          const NodalField                 &load,
                          const std::vector<unsigned char> &held,
-                         const NodalTies                  &ties,
+                         const Followers                  &followers,
+                         const std::vector<double>        &given,
                          NodalField                       &solution,
                          const bool                        with_domains) const
   {
@@ -309,16 +302,16 @@ namespace isochor
       scale.local_element(i) =
         diagonal.local_element(i / dim) +
         (with_domains ? diagonal_of_domains.local_element(i / dim) : 0.);
-    for (unsigned int k = 0; k < ties.size(); ++k)
-      if (ties.node[k] < step.nodes.n_owned())
-        for (unsigned int a = 0; a < dim; ++a)
-          if (const unsigned int entry = ties.node[k] * dim + a; !held[entry])
-            {
-              for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
-                scale.local_element(ties.master[i] * dim + a) +=
-                  ties.weight[i] * ties.weight[i] * scale.local_element(entry);
-              scale.local_element(entry) = 0.;
-            }
+    for (unsigned int k = 0; k < followers.size(); ++k)
+      if (const unsigned int entry = followers.entry[k]; entry < n)
+        {
+          for (std::size_t i = followers.start[k]; i < followers.start[k + 1];
+               ++i)
+            scale.local_element(followers.master[i]) +=
+              followers.weight[i] * followers.weight[i] *
+              scale.local_element(entry);
+          scale.local_element(entry) = 0.;
+        }
     scale.compress(VectorOperation::add);
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -330,13 +323,12 @@ namespace isochor
 
     struct ScaledMatrix
     {
-      const MassMatrix<dim>            &mass;
-      const StepContext<dim>           &step;
-      const std::vector<unsigned char> &held;
-      const NodalTies                  &ties;
-      const NodalField                 &scale;
-      const bool                        with_domains;
-      mutable NodalField                scaled;
+      const MassMatrix<dim>  &mass;
+      const StepContext<dim> &step;
+      const Followers        &followers;
+      const NodalField       &scale;
+      const bool              with_domains;
+      mutable NodalField      scaled;
 
       void
       vmult(NodalField &result, const NodalField &x) const
@@ -344,28 +336,28 @@ namespace isochor
         scaled.zero_out_ghost_values();
         scaled = x;
         scaled.scale(scale);
-        mass.interpolate(held, ties, scaled);
+        mass.interpolate(followers, {}, scaled);
         result = 0.;
         mass.add_product(step, scaled, result);
         if (with_domains)
           mass.add_product_of_domains(step, scaled, result);
         result.compress(VectorOperation::add);
-        mass.hand_on(step, held, ties, result);
+        mass.hand_on(step, followers, result);
         result.scale(scale);
       }
     };
 
-    interpolate(held, ties, solution);
+    interpolate(followers, given, solution);
     step.nodes.initialize(residual, dim);
     add_product(step, solution, residual);
     if (with_domains)
       add_product_of_domains(step, solution, residual);
     residual.compress(VectorOperation::add);
     residual.sadd(-1., 1., load);
-    hand_on(step, held, ties, residual);
+    hand_on(step, followers, residual);
     residual.scale(scale);
     correction = load;
-    hand_on(step, held, ties, correction);
+    hand_on(step, followers, correction);
     correction.scale(scale);
     const double size = correction.l2_norm();
     correction        = 0.;
@@ -373,7 +365,7 @@ namespace isochor
       return 0.;
 
     const double goal = std::max(size, residual.l2_norm());
-    ScaledMatrix matrix{*this, step, held, ties, scale, with_domains, scale};
+    ScaledMatrix matrix{*this, step, followers, scale, with_domains, scale};
     IterationNumberControl control(200, 1e-14 * goal, false, false);
     SolverCG<NodalField>   cg(control);
     try
@@ -388,7 +380,7 @@ namespace isochor
     correction.scale(scale);
     solution.zero_out_ghost_values();
     solution += correction;
-    interpolate(held, ties, solution);
+    interpolate(followers, given, solution);
     return control.last_value() / goal;
   }
 

@@ -34,7 +34,7 @@ namespace isochor
 
     const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
     if (last_mesh != grid.mesh_number())
-      node_at_vertex.assign(grid.triangulation().n_vertices(),
+      node_at_vertex.assign(control_vertex(control.size()),
                             numbers::invalid_unsigned_int);
     else
       for (const unsigned int vertex : vertices)
@@ -52,8 +52,8 @@ namespace isochor
     // ask the owners for the global numbers of the ghosts
     std::map<unsigned int, std::vector<unsigned int>> questions;
     for (const unsigned int vertex : touched)
-      if (grid.vertex_owner(vertex) != rank)
-        questions[grid.vertex_owner(vertex)].push_back(vertex);
+      if (owner(vertex) != rank)
+        questions[owner(vertex)].push_back(vertex);
     std::vector<std::pair<types::global_dof_index, unsigned int>> ghost_nodes;
     if (Utilities::MPI::n_mpi_processes(comm) > 1)
       {
@@ -94,10 +94,10 @@ namespace isochor
     std::vector<unsigned int>                         owned;
     std::map<unsigned int, std::vector<unsigned int>> foreign;
     for (const unsigned int vertex : touched)
-      if (grid.vertex_owner(vertex) == rank)
+      if (owner(vertex) == rank)
         owned.push_back(vertex);
       else
-        foreign[grid.vertex_owner(vertex)].push_back(vertex);
+        foreign[owner(vertex)].push_back(vertex);
     for (const auto &received : Utilities::MPI::some_to_some(comm, foreign))
       owned.insert(owned.end(), received.second.begin(), received.second.end());
     std::sort(owned.begin(), owned.end());

@@ -30,7 +30,7 @@ namespace isochor
                         points.stencil_vertex.begin(),
                         points.stencil_vertex.end());
         for (const auto &cell : points.overlapped_cells)
-          touch(cell.first);
+          touch(cell.cell);
       }
     else
       for (const unsigned int cell : points.cell)
@@ -58,7 +58,7 @@ namespace isochor
           add(&points.stencil_vertex[points.stencil_start[q]],
               points.stencil_start[q + 1] - points.stencil_start[q]);
         for (const auto &cell : points.overlapped_cells)
-          add(grid.geometry().vertex_indices(cell.first).data(), dim + 1);
+          add(grid.geometry().vertex_indices(cell.cell).data(), dim + 1);
       }
     else
       for (const unsigned int cell : points.cell)
@@ -119,15 +119,24 @@ namespace isochor
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
           element.gradient[I] = stencil.gradient[I];
         nodal.gather(stencil.n_nodes, stencil.vertex, element);
-        const EvaluationStatus status = step.kernel.evaluate(
-          element,
-          points,
-          q,
-          q + 1,
-          [&](const unsigned int, const unsigned int I) {
-            return stencil.shape[I];
-          },
-          with_matrix);
+        const EvaluationStatus status =
+          step.kernel.has_constant_gradients() ?
+            step.kernel.evaluate(
+              element,
+              points,
+              q,
+              q + 1,
+              [&](const unsigned int, const unsigned int I) {
+                return stencil.shape[I];
+              },
+              with_matrix) :
+            step.kernel.evaluate_points(
+              element,
+              points,
+              q,
+              q + 1,
+              [&](const unsigned int) { return stencil; },
+              with_matrix);
         if (status != EvaluationStatus::success)
           return status;
         system.add_element(first_element + q,
@@ -154,15 +163,15 @@ namespace isochor
     element.matrix.fill(0.);
     for (unsigned int k = 0; k < points.overlapped_cells.size(); ++k)
       {
-        const auto &vertices =
-          grid.geometry().vertex_indices(points.overlapped_cells[k].first);
-        for (unsigned int I = 0; I <= dim; ++I)
-          element.pressure[I] = nodal.pressure(vertices[I]);
+        const OverlappedCell<dim> &cell = points.overlapped_cells[k];
+        const auto &vertices = grid.geometry().vertex_indices(cell.cell);
+        nodal.gather(dim + 1, vertices.data(), element);
         element.residual.fill(0.);
         if (with_matrix)
           element.matrix.fill(0.);
         step.kernel.add_pressure_projection(element,
-                                            points.overlapped_cells[k].second,
+                                            cell.compliance,
+                                            cell.corners,
                                             with_matrix);
         system.add_element(first_element + k,
                            element.residual.data(),
@@ -200,19 +209,28 @@ namespace isochor
         const unsigned int begin = points.cell_start[k],
                            end   = points.cell_start[k + 1];
         const EvaluationStatus status =
-          kernel.evaluate(element, points, begin, end, shape, with_matrix);
+          kernel.has_constant_gradients() ?
+            kernel.evaluate(element, points, begin, end, shape, with_matrix) :
+            kernel.evaluate_points(
+              element,
+              points,
+              begin,
+              end,
+              [&](const unsigned int q) {
+                return points.stencil(geometry, k, q);
+              },
+              with_matrix);
         if (status != EvaluationStatus::success)
           return status;
         if constexpr (n_components == dim + 1)
           if (kernel.ppp_coefficient > 0)
             {
-              double volume_over_G = 0;
+              CellCompliance compliance;
               for (unsigned int q = begin; q < end; ++q)
-                volume_over_G +=
-                  points.weight[q] /
-                  kernel.materials[points.material[q]]->shear_modulus();
+                kernel.add_compliance(points, q, points.measure(q), compliance);
               kernel.add_pressure_projection(element,
-                                             volume_over_G,
+                                             compliance,
+                                             points.corners(geometry, k),
                                              with_matrix);
             }
         system.add_element(first_element + k,
@@ -235,7 +253,7 @@ namespace isochor
            ++q)
         {
           const auto   stencil = points.stencil(grid.geometry(), k, q);
-          const double V       = points.weight[q];
+          const double V       = points.measure(q);
           const MaterialModel<dim> &material =
             *step.kernel.materials[points.material[q]];
           // in the u form the rounding of J is multiplied by K
@@ -249,6 +267,9 @@ namespace isochor
               for (unsigned int a = 0; a < dim; ++a)
                 scale.local_element(entry + a) +=
                   V * modulus * stencil.gradient[I].norm();
+              if (step.kernel.axisymmetric)
+                scale.local_element(entry) +=
+                  V * modulus * stencil.shape[I] / points.radius[q];
               if (step.mixed())
                 scale.local_element(entry + dim) += V * stencil.shape[I];
             }

@@ -35,14 +35,17 @@ namespace isochor
                            const NodalConstraints &constraints,
                            const bool              symmetric)
   {
-    const MPI_Comm comm    = nodes.grid.communicator();
-    const bool     changed = nodes_changed || n_components != n_components_ ||
-                         system.symmetric != symmetric ||
-                         !(elements == elements_) ||
-                         constrained != constraints.constrained ||
-                         !(tied.nodal_ties() == constraints.ties);
+    const MPI_Comm comm = nodes.grid.communicator();
+    const bool     changed =
+      nodes_changed || n_components != n_components_ ||
+      system.symmetric != symmetric || !(elements == elements_) ||
+      constrained != constraints.constrained ||
+      !tied.followers().same_structure(constraints.followers);
     if (Utilities::MPI::max(static_cast<unsigned int>(changed), comm) == 0)
-      return false;
+      {
+        update_followers(constraints);
+        return false;
+      }
 
     n_components     = n_components_;
     elements         = elements_;
@@ -54,8 +57,14 @@ namespace isochor
     nodes.initialize(residual, n_components);
     nodes.initialize(lifting, n_components);
 
-    tied.reinit(elements, constraints, n_components, nodes.n_local());
-    any_ties = Utilities::MPI::max(tied.empty() ? 0 : 1, comm) != 0;
+    tied.reinit(elements, constraints.followers, n_components, nodes.n_local());
+    constraint_forces.reinit(constraints, n_components);
+    const int kind = !constraints.equations.empty() ? 2 : tied.empty() ? 0 : 1;
+    const int kind_of_any = Utilities::MPI::max(kind, comm);
+    any_followers         = kind_of_any > 0;
+    any_equations         = kind_of_any > 1;
+    if (any_equations)
+      nodes.initialize(reactions, n_components);
     number_equations();
     collect_neighbours();
     build_rows();
@@ -69,6 +78,17 @@ namespace isochor
 
   template <int dim>
   void
+  MixedSystem<dim>::update_followers(const NodalConstraints &constraints)
+  {
+    tied.update(constraints.followers);
+    if (any_equations)
+      constraint_forces.reinit(constraints, n_components);
+  }
+
+
+
+  template <int dim>
+  void
   MixedSystem<dim>::number_equations()
   {
     const unsigned int n_owned = nodes.n_owned() * n_components;
@@ -76,8 +96,7 @@ namespace isochor
 
     // free unknowns of the owned nodes, one after the other over the ranks
     const auto is_free = [this](const unsigned int entry) {
-      return !constrained[entry] &&
-             !tied.is_tied(entry / n_components, entry % n_components);
+      return constrained[entry] == NodalConstraints::is_free;
     };
     types::global_dof_index n_owned_free = 0;
     for (unsigned int i = 0; i < n_owned; ++i)
@@ -110,7 +129,7 @@ namespace isochor
     system.node.resize(n);
     system.component.resize(n);
     system.position.resize(n * dim);
-    const auto &vertices = nodes.grid.triangulation().get_vertices();
+    system.rotation_arm.clear();
     for (unsigned int eq = 0; eq < n; ++eq)
       {
         const unsigned int entry     = sorted[eq].second;
@@ -120,9 +139,15 @@ namespace isochor
         system.component[eq]         = component;
         system.field[eq] = component < dim ? SparseSystem::Field::displacement :
                                              SparseSystem::Field::pressure;
-        const Point<dim> &x = vertices[nodes.vertex(entry / n_components)];
+        const Point<dim> x = nodes.position(entry / n_components);
         for (unsigned int d = 0; d < dim; ++d)
           system.position[eq * dim + d] = x[d];
+        if (const ControlNode<dim> *control =
+              nodes.control_node(entry / n_components))
+          {
+            system.rotation_arm.resize(n, -1.);
+            system.rotation_arm[eq] = control->rotation_arm;
+          }
       }
 
     node_first_free.assign(nodes.n_local() + 1, 0);
@@ -250,9 +275,11 @@ namespace isochor
       {
         const unsigned int *const node = &elements.node[elements.start[e]];
         const unsigned int        n = elements.start[e + 1] - elements.start[e];
+        const unsigned int        n_own =
+          this->elements.start[e + 1] - this->elements.start[e];
         for (unsigned int I = 0; I < n; ++I)
           {
-            if (n_free(node[I]) < n_components)
+            if (I < n_own && n_free(node[I]) < n_components)
               element_is_constrained[e] = 1;
             for (unsigned int J = (system.symmetric ? I : 0); J < n; ++J)
               {
@@ -395,8 +422,8 @@ namespace isochor
                                 const double      *element_matrix,
                                 const NodalField  &pending)
   {
-    const unsigned int *node    = &elements.node[elements.start[e]];
-    unsigned int        n_nodes = elements.start[e + 1] - elements.start[e];
+    const unsigned int *const node = &elements.node[elements.start[e]];
+    const unsigned int n_nodes     = elements.start[e + 1] - elements.start[e];
 
     double *const nodal_residual = residual.begin();
     for (unsigned int I = 0; I < n_nodes; ++I)
@@ -406,6 +433,20 @@ namespace isochor
     if (element_matrix == nullptr)
       return;
 
+    if (element_is_constrained[e])
+      add_lifting(node, n_nodes, element_matrix, pending);
+    add_matrix(e, element_matrix);
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::add_matrix(const unsigned int e,
+                               const double      *element_matrix)
+  {
+    const unsigned int *node    = &elements.node[elements.start[e]];
+    unsigned int        n_nodes = elements.start[e + 1] - elements.start[e];
     if (tied.touches(e))
       {
         element_matrix =
@@ -432,7 +473,18 @@ namespace isochor
           else
             add_block(node[I], node[J], *offset++, block, n_dofs, 1);
         }
+  }
 
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::add_lifting(const unsigned int *const node,
+                                const unsigned int        n_nodes,
+                                const double *const       matrix,
+                                const NodalField         &pending)
+  {
+    const unsigned int n_dofs = n_nodes * n_components;
     for (unsigned int s = 0; s < n_dofs; ++s)
       {
         const unsigned int entry =
@@ -443,9 +495,8 @@ namespace isochor
         for (unsigned int r = 0; r < n_dofs; ++r)
           lifting.local_element(node[r / n_components] * n_components +
                                 r % n_components) +=
-            value * (system.symmetric && s < r ?
-                       element_matrix[s * n_dofs + r] :
-                       element_matrix[r * n_dofs + s]);
+            value * (system.symmetric && s < r ? matrix[s * n_dofs + r] :
+                                                 matrix[r * n_dofs + s]);
       }
   }
 
@@ -458,10 +509,18 @@ namespace isochor
     residual.compress(VectorOperation::add);
     lifting.compress(VectorOperation::add);
     residual.add(-1., external_force);
-    if (!any_ties)
+    if (any_equations)
+      {
+        reactions = residual;
+        reactions.zero_out_ghost_values();
+        constraint_forces.find(nodes.n_owned(), reactions);
+      }
+    if (!any_followers)
       return;
-    tied.hand_on_forces(nodes.n_owned(), residual);
+    tied.hand_on(nodes.n_owned(), residual, true);
     residual.compress(VectorOperation::add);
+    tied.hand_on(nodes.n_owned(), lifting, false);
+    lifting.compress(VectorOperation::add);
   }
 
 
@@ -505,7 +564,42 @@ namespace isochor
       if (equations[i] != invalid)
         field.local_element(i) = values[next++];
     field.update_ghost_values();
-    interpolate_ties(field);
+    const Followers &followers = tied.followers();
+    for (unsigned int k = 0; k < followers.size(); ++k)
+      field.local_element(followers.entry[k]) +=
+        followers.sum(k, [&](const unsigned int entry) {
+          return equations[entry] == invalid ? 0. : field.local_element(entry);
+        });
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::interpolate_followers(NodalField &field) const
+  {
+    const Followers &followers = tied.followers();
+    for (unsigned int k = 0; k < followers.size(); ++k)
+      if (followers.value[k] == 0. && !followers.has(k, Followers::changes))
+        field.local_element(followers.entry[k]) =
+          followers.sum(k, [&](const unsigned int entry) {
+            return field.local_element(entry);
+          });
+  }
+
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::project_changing(NodalField &field) const
+  {
+    const Followers &followers = tied.followers();
+    for (unsigned int k = 0; k < followers.size(); ++k)
+      if (followers.has(k, Followers::changes))
+        field.local_element(followers.entry[k]) =
+          followers.value[k] + followers.sum(k, [&](const unsigned int entry) {
+            return field.local_element(entry);
+          });
   }
 
 

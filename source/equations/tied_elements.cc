@@ -9,25 +9,23 @@
 namespace isochor
 {
   void
-  TiedElements::reinit(const ElementNodes     &elements,
-                       const NodalConstraints &constraints,
-                       const unsigned int      n_components_,
-                       const unsigned int      n_nodes)
+  TiedElements::reinit(const ElementNodes &elements,
+                       const Followers    &followers,
+                       const unsigned int  n_components_,
+                       const unsigned int  n_nodes)
   {
-    ties         = constraints.ties;
+    all          = followers;
     n_components = n_components_;
-    forces.assign(ties.size() * n_components, 0.);
+    forces.assign(all.size(), 0.);
     if (empty())
       return;
 
-    tie_of_node.assign(n_nodes, none);
-    prescribed.resize(ties.size() * n_components);
-    for (unsigned int k = 0; k < ties.size(); ++k)
+    follower_at.assign(n_nodes * n_components, none);
+    std::vector<unsigned char> node_follows(n_nodes, 0);
+    for (unsigned int k = 0; k < all.size(); ++k)
       {
-        tie_of_node[ties.node[k]] = k;
-        for (unsigned int a = 0; a < n_components; ++a)
-          prescribed[k * n_components + a] =
-            constraints.constrained[ties.node[k] * n_components + a];
+        follower_at[all.entry[k]]                 = k;
+        node_follows[all.entry[k] / n_components] = 1;
       }
 
     extended_elements.clear();
@@ -39,15 +37,24 @@ namespace isochor
                    end   = elements.node.begin() + elements.start[e + 1];
         nodes.assign(begin, end);
         for (auto node = begin; node != end; ++node)
-          if (tie_of_node[*node] != none)
-            {
-              const unsigned int k = tie_of_node[*node];
-              element_is_tied[e]   = 1;
-              for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
-                if (std::find(nodes.begin(), nodes.end(), ties.master[i]) ==
-                    nodes.end())
-                  nodes.push_back(ties.master[i]);
-            }
+          {
+            if (!node_follows[*node])
+              continue;
+            element_is_tied[e] = 1;
+            for (unsigned int a = 0; a < n_components; ++a)
+              {
+                const unsigned int k = follower_at[*node * n_components + a];
+                if (k == none)
+                  continue;
+                for (std::size_t i = all.start[k]; i < all.start[k + 1]; ++i)
+                  {
+                    const unsigned int master = all.master[i] / n_components;
+                    if (std::find(nodes.begin(), nodes.end(), master) ==
+                        nodes.end())
+                      nodes.push_back(master);
+                  }
+              }
+          }
         extended_elements.add(nodes.begin(), nodes.end());
       }
   }
@@ -70,17 +77,16 @@ namespace isochor
     for (unsigned int I = 0; I < n_nodes; ++I)
       for (unsigned int a = 0; a < n_components; ++a)
         {
-          if (is_tied(begin[I], a))
-            {
-              const unsigned int k = tie_of_node[begin[I]];
-              for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
-                {
-                  const unsigned int J =
-                    std::find(begin, end, ties.master[i]) - begin;
-                  row_column.push_back(J * n_components + a);
-                  row_weight.push_back(ties.weight[i]);
-                }
-            }
+          const unsigned int k = follower_at[begin[I] * n_components + a];
+          if (k != none)
+            for (std::size_t i = all.start[k]; i < all.start[k + 1]; ++i)
+              {
+                const unsigned int node = all.master[i] / n_components;
+                const unsigned int J    = std::find(begin, end, node) - begin;
+                row_column.push_back(J * n_components +
+                                     all.master[i] % n_components);
+                row_weight.push_back(all.weight[i]);
+              }
           else
             {
               row_column.push_back(I * n_components + a);
@@ -110,40 +116,19 @@ namespace isochor
 
 
   void
-  TiedElements::hand_on_forces(const unsigned int n_owned_nodes,
-                               NodalField        &force)
+  TiedElements::hand_on(const unsigned int n_owned_nodes,
+                        NodalField        &force,
+                        const bool         remember)
   {
-    for (unsigned int k = 0; k < ties.size(); ++k)
-      if (ties.node[k] < n_owned_nodes)
-        for (unsigned int a = 0; a < n_components; ++a)
-          {
-            if (prescribed[k * n_components + a])
-              continue;
-            const unsigned int entry     = ties.node[k] * n_components + a;
-            const double       value     = force.local_element(entry);
-            forces[k * n_components + a] = value;
-            force.local_element(entry)   = 0.;
-            for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
-              force.local_element(ties.master[i] * n_components + a) +=
-                ties.weight[i] * value;
-          }
-  }
-
-
-
-  void
-  TiedElements::interpolate(NodalField &field) const
-  {
-    for (unsigned int k = 0; k < ties.size(); ++k)
-      for (unsigned int a = 0; a < n_components; ++a)
+    for (unsigned int k = 0; k < all.size(); ++k)
+      if (all.entry[k] < n_owned_nodes * n_components)
         {
-          if (prescribed[k * n_components + a])
-            continue;
-          double value = 0;
-          for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
-            value += ties.weight[i] *
-                     field.local_element(ties.master[i] * n_components + a);
-          field.local_element(ties.node[k] * n_components + a) = value;
+          const double value = force.local_element(all.entry[k]);
+          if (remember)
+            forces[k] = value;
+          force.local_element(all.entry[k]) = 0.;
+          for (std::size_t i = all.start[k]; i < all.start[k + 1]; ++i)
+            force.local_element(all.master[i]) += all.weight[i] * value;
         }
   }
 } // namespace isochor

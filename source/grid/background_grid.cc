@@ -6,38 +6,13 @@
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <isochor/base/expression.h>
 #include <isochor/grid/background_grid.h>
-#include <isochor/grid/mesh_reader.h>
-#include <isochor/grid/structured_grid.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 namespace isochor
 {
-  namespace
-  {
-    template <int dim>
-    Point<dim>
-    parse_point(const std::string &text, const std::string &parameter)
-    {
-      const auto coordinates =
-        Utilities::string_to_double(Utilities::split_string_list(text));
-      AssertThrow(coordinates.size() == dim,
-                  ExcMessage("The parameter <" + parameter + "> must have " +
-                             std::to_string(dim) + " coordinates, not <" +
-                             text + ">."));
-      Point<dim> p;
-      for (unsigned int d = 0; d < dim; ++d)
-        p[d] = coordinates[d];
-      return p;
-    }
-  } // namespace
-
-
-
   template <int dim>
   BackgroundGrid<dim>::BackgroundGrid(const MPI_Comm comm)
     : comm(comm)
@@ -65,70 +40,8 @@ namespace isochor
   BackgroundGrid<dim>::declare_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Grid");
-    prm.declare_entry(
-      "Type",
-      "box",
-      Patterns::Selection("box|trapezoid|gmsh|adaptive"),
-      "How the background grid is made. Boxes and trapezoids "
-      "are structured simplex meshes with the boundaries left "
-      "and right (least and largest x), bottom and top (y) "
-      "and, in 3D, front and back (z); of a trapezoid its "
-      "sides as they are before it is distorted. A gmsh file "
-      "brings its physical groups as boundary names. An adaptive "
-      "grid is refined from coarse quadrilaterals or "
-      "hexahedra, see 'Coarse cells', as the section 'Adaptive "
-      "grid' says.");
-    prm.declare_entry("Coarse cells",
-                      "box",
-                      Patterns::Selection("box|trapezoid|gmsh"),
-                      "What an adaptive grid is refined from: the "
-                      "'Subdivisions' of a box or a trapezoid, or the "
-                      "quadrilaterals (2D) or hexahedra (3D) of a gmsh file.");
-    prm.declare_entry("Lower corner",
-                      dim == 2 ? "0, 0" : "0, 0, 0",
-                      Patterns::List(Patterns::Double(), dim, dim),
-                      "Of a box (m).");
-    prm.declare_entry("Upper corner",
-                      dim == 2 ? "1, 1" : "1, 1, 1",
-                      Patterns::List(Patterns::Double(), dim, dim),
-                      "Of a box (m).");
-    prm.declare_entry("Corners",
-                      "0, 0; 1, 0; 1, 1; 0, 1",
-                      Patterns::Anything(),
-                      "The four corners of a trapezoid, counter-clockwise from "
-                      "bottom left (m). In 3D it is extruded from z = 0 to "
-                      "'Depth'.");
-    prm.declare_entry("Depth",
-                      "1",
-                      Patterns::Double(0),
-                      "Extrusion of a trapezoid in 3D (m).");
-    prm.declare_entry("Subdivisions",
-                      dim == 2 ? "8, 8" : "8, 8, 8",
-                      Patterns::List(Patterns::Integer(1), dim, dim),
-                      "Cells per direction of a box or trapezoid; each is "
-                      "split into 2 triangles or 6 tetrahedra.");
-    prm.declare_entry("Diagonals",
-                      "/",
-                      Patterns::Selection("/|\\|backslash|alternating"),
-                      "Direction of the diagonals of a structured mesh.");
-    prm.declare_entry(
-      "Offset",
-      dim == 2 ? "0, 0" : "0, 0, 0",
-      Patterns::List(Patterns::Double(-0.9, 0.9), dim, dim),
-      "By how much of a cell the inner grid lines (planes) of a "
-      "box or trapezoid are moved along each axis; its sides "
-      "stay. What changes with it is decided by the place of "
-      "the grid: see the option --grid-offsets.");
-    prm.declare_entry("File", "", Patterns::Anything(), "A gmsh .msh file.");
-    prm.declare_entry(
-      "Stretch",
-      "",
-      Patterns::Anything(),
-      "A grid that follows a prescribed motion: 'axis: coordinate -> "
-      "displacement(t), coordinate -> displacement(t), ...', for example "
-      "'y: 0 -> 0, 0.1 -> 1e-3*t'. The grid planes at the given coordinates "
-      "move as told, those between them are interpolated linearly. Empty: the "
-      "grid rests.");
+    GridSource<dim>::declare_sources(prm);
+    GridStretch<dim>::declare_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -139,64 +52,8 @@ namespace isochor
   BackgroundGrid<dim>::parse_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Grid");
-    parameters.type = prm.get("Type");
-    parameters.coarse_type =
-      parameters.type == "adaptive" ? prm.get("Coarse cells") : parameters.type;
-    parameters.lower =
-      parse_point<dim>(prm.get("Lower corner"), "Grid/Lower corner");
-    parameters.upper =
-      parse_point<dim>(prm.get("Upper corner"), "Grid/Upper corner");
-    for (unsigned int d = 0; d < dim; ++d)
-      AssertThrow(parameters.coarse_type != "box" ||
-                    parameters.upper[d] > parameters.lower[d],
-                  ExcMessage("The parameter <Grid/Upper corner> must exceed "
-                             "<Grid/Lower corner> in every coordinate."));
-    for (const auto &corner :
-         Utilities::split_string_list(prm.get("Corners"), ';'))
-      parameters.corners.push_back(parse_point<2>(corner, "Grid/Corners"));
-    AssertThrow(parameters.corners.size() == 4,
-                ExcMessage("The parameter <Grid/Corners> must list 4 points."));
-    parameters.depth     = prm.get_double("Depth");
-    parameters.diagonals = prm.get("Diagonals");
-    parameters.file      = prm.get("File");
-    for (const int n : Utilities::string_to_int(
-           Utilities::split_string_list(prm.get("Subdivisions"))))
-      parameters.subdivisions.push_back(n);
-    parameters.offset = Utilities::string_to_double(
-      Utilities::split_string_list(prm.get("Offset")));
-
-    for (const auto &motion :
-         split_named_list(prm.get("Stretch"), "Grid/Stretch"))
-      {
-        const std::string axes = "xyz";
-        AssertThrow(parameters.stretch_axis == -1 && motion.first.size() == 1 &&
-                      axes.substr(0, dim).find(motion.first) !=
-                        std::string::npos,
-                    ExcMessage("The parameter <Grid/Stretch> must name one "
-                               "axis of " +
-                               axes.substr(0, dim) + ", not <" + motion.first +
-                               ">."));
-        parameters.stretch_axis = axes.find(motion.first);
-        for (const auto &plane : split_formulas(motion.second, "Grid/Stretch"))
-          {
-            const auto arrow = plane.find("->");
-            AssertThrow(arrow != std::string::npos,
-                        ExcMessage("The entry <" + plane +
-                                   "> of the parameter <Grid/Stretch> must "
-                                   "have the form <coordinate -> "
-                                   "displacement>."));
-            stretch_planes.push_back(Utilities::string_to_double(
-              Utilities::trim(plane.substr(0, arrow))));
-            plane_displacement.emplace_back(plane.substr(arrow + 2),
-                                            "Grid/Stretch",
-                                            FormulaVariables::time);
-            AssertThrow(stretch_planes.size() < 2 ||
-                          stretch_planes.back() >
-                            stretch_planes[stretch_planes.size() - 2],
-                        ExcMessage("The coordinates of <Grid/Stretch> must "
-                                   "ascend."));
-          }
-      }
+    grid_source = GridSource<dim>::create(prm.get("Type"), prm);
+    stretch.parse_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -206,9 +63,10 @@ namespace isochor
   void
   BackgroundGrid<dim>::create()
   {
-    if (parameters.type == "adaptive")
+    if (grid_source->is_adaptive())
       {
-        forest = std::make_unique<AdaptiveGrid<dim>>(make_coarse_grid());
+        forest = std::make_unique<AdaptiveGrid<dim>>(
+          grid_source->coarse_cells(groups));
         const auto leaves = forest->leaves();
         change(leaves,
                partition_leaves(std::vector<double>(leaves.size(), 1.),
@@ -221,13 +79,89 @@ namespace isochor
         GridTools::partition_triangulation(
           Utilities::MPI::n_mpi_processes(comm), *tria);
     });
-    if (parameters.type == "gmsh")
-      read_gmsh();
-    else
-      create_structured();
+    groups = grid_source->make_mesh(*tria);
     read_mesh_data();
     if (is_moving())
       set_vertices(vertices_at_time(0.));
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<Triangulation<dim>>
+  BackgroundGrid<dim>::change(const std::vector<Leaf<dim>>    &leaves,
+                              const std::vector<unsigned int> &owners,
+                              const double                     time)
+  {
+    std::vector<unsigned int> new_leaves;
+    for (const Leaf<dim> &leaf : forest->leaves())
+      new_leaves.push_back(find_leaf<dim>(leaves, leaf.tree, leaf.corner));
+    new_cells.clear();
+    if (cached_geometry)
+      for (unsigned int cell = 0; cell < cached_geometry->n_cells(); ++cell)
+        new_cells.push_back(new_leaves[forest->leaf_of_cell(cell)]);
+    const SimplexMesh<dim> mesh = forest->set_leaves(leaves, owners);
+    for (unsigned int &cell : new_cells)
+      cell = forest->first_cell(cell);
+    std::vector<CellData<dim>> cells;
+    cells.reserve(mesh.cells.size());
+    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+      {
+        cells.emplace_back(dim + 1);
+        std::copy(mesh.cells[c].begin(),
+                  mesh.cells[c].end(),
+                  cells.back().vertices.begin());
+        cells.back().material_id = forest->material_of_cell(c);
+      }
+    SubCellData boundary;
+    for (const auto &face : mesh.boundary)
+      if constexpr (dim == 2)
+        {
+          boundary.boundary_lines.emplace_back(2);
+          auto &line = boundary.boundary_lines.back();
+          std::copy(face.vertices.begin(),
+                    face.vertices.end(),
+                    line.vertices.begin());
+          line.boundary_id = face.id;
+        }
+      else
+        {
+          boundary.boundary_quads.emplace_back(3);
+          auto &triangle = boundary.boundary_quads.back();
+          std::copy(face.vertices.begin(),
+                    face.vertices.end(),
+                    triangle.vertices.begin());
+          triangle.boundary_id = face.id;
+        }
+
+    auto tria_with_mesh = new_triangulation();
+    tria_with_mesh->signals.create.connect([this, &tria_with_mesh]() {
+      for (const auto &cell : tria_with_mesh->active_cell_iterators())
+        cell->set_subdomain_id(
+          forest->leaf_owner(forest->leaf_of_cell(cell->active_cell_index())));
+    });
+    tria_with_mesh->create_triangulation(mesh.vertices, cells, boundary);
+    tria_with_mesh.swap(tria);
+    read_mesh_data();
+    if (is_moving())
+      set_vertices(vertices_at_time(time));
+    return tria_with_mesh;
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::read_mesh_data()
+  {
+    ++n_meshes;
+    reference_vertices = tria->get_vertices();
+    if (cached_geometry)
+      cached_geometry->replace(*tria);
+    else
+      cached_geometry = std::make_unique<SimplexGeometry<dim>>(*tria);
+    assign_owners();
+    collect_boundary();
   }
 
 
@@ -267,41 +201,10 @@ namespace isochor
 
 
   template <int dim>
-  Point<dim>
-  BackgroundGrid<dim>::place_at_time(const Point<dim> &reference,
-                                     const double      time) const
-  {
-    // piecewise linear in the coordinate along the axis, constant outside
-    const unsigned int axis         = parameters.stretch_axis;
-    const auto        &planes       = stretch_planes;
-    const double       y            = reference[axis];
-    const auto         displacement = [&](const unsigned int plane) {
-      return plane_displacement[plane](Point<1>(planes[plane]), time);
-    };
-    const unsigned int above =
-      std::upper_bound(planes.begin(), planes.end(), y) - planes.begin();
-    Point<dim> place = reference;
-    if (above == 0)
-      place[axis] += displacement(0);
-    else if (above == planes.size())
-      place[axis] += displacement(above - 1);
-    else
-      {
-        const double s =
-          (y - planes[above - 1]) / (planes[above] - planes[above - 1]);
-        place[axis] +=
-          (1 - s) * displacement(above - 1) + s * displacement(above);
-      }
-    return place;
-  }
-
-
-
-  template <int dim>
   bool
   BackgroundGrid<dim>::is_moving() const
   {
-    return parameters.stretch_axis >= 0;
+    return stretch.is_moving();
   }
 
 
@@ -313,7 +216,7 @@ namespace isochor
     std::vector<Point<dim>> positions = reference_vertices;
     if (is_moving())
       for (auto &position : positions)
-        position = place_at_time(position, time);
+        position = stretch.place(position, time);
     return positions;
   }
 
@@ -337,11 +240,11 @@ namespace isochor
   BackgroundGrid<dim>::boundary_id(const std::string &name,
                                    const std::string &parameter) const
   {
-    const auto found = names.find(name);
-    if (found == names.end())
+    const auto found = groups.faces.find(name);
+    if (found == groups.faces.end())
       {
         std::string known;
-        for (const auto &entry : names)
+        for (const auto &entry : groups.faces)
           known += (known.empty() ? "" : ", ") + entry.first;
         AssertThrow(false,
                     ExcMessage("The parameter <" + parameter +
@@ -358,7 +261,7 @@ namespace isochor
   const std::map<std::string, types::material_id> &
   BackgroundGrid<dim>::group_ids() const
   {
-    return group_names;
+    return groups.cells;
   }
 
 
@@ -396,7 +299,7 @@ namespace isochor
             id    = face.id;
           }
       }
-    for (const auto &name : names)
+    for (const auto &name : groups.faces)
       if (name.second == id)
         return name.first;
     return "a boundary without a name";
@@ -408,7 +311,7 @@ namespace isochor
   const std::map<std::string, types::boundary_id> &
   BackgroundGrid<dim>::boundary_names() const
   {
-    return names;
+    return groups.faces;
   }
 
 

@@ -113,23 +113,24 @@ namespace isochor
   {
     const unsigned int dim = A.dim, n_modes = (dim == 2 ? 3 : dim);
     Epetra_MultiVector modes(displacements.owned_map, n_modes, true);
-    // all rows of a node have its position, also those without an equation
-    std::vector<const double *> position(displacements.is_owned.size());
+    // all rows of a node have its motions, also those without an equation
+    std::vector<unsigned int> equation(displacements.is_owned.size(),
+                                       numbers::invalid_unsigned_int);
     for (std::size_t i = 0; i < displacements.row_of.size(); ++i)
       {
         const unsigned int row = displacements.row_of[i];
         if (row != numbers::invalid_unsigned_int)
           for (unsigned int k = 0; k < dim; ++k)
-            position[row - row % dim + k] = &A.position[dim * i];
+            equation[row - row % dim + k] = i;
       }
-    int owned = 0;
-    for (std::size_t row = 0; row < position.size(); ++row)
+    const double origin[3] = {0, 0, 0};
+    int          owned     = 0;
+    for (std::size_t row = 0; row < equation.size(); ++row)
       if (displacements.is_owned[row])
         {
-          const unsigned int c = row % dim;
-          modes[c][owned]      = 1.;
-          if (dim == 2)
-            modes[2][owned] = (c == 0 ? -position[row][1] : position[row][0]);
+          for (unsigned int mode = 0; mode < n_modes; ++mode)
+            modes[mode][owned] =
+              A.rigid_motion(equation[row], row % dim, mode, origin);
           ++owned;
         }
     return modes;

@@ -23,12 +23,11 @@ namespace isochor
       "0",
       Patterns::Integer(0),
       "Material points seeded per cell: 1, 3, 4, 6, 7, 9, 12, "
-      "15, 16, ... in 2D, 1, 4, 8, 14, 27, 35, ... in 3D. Where "
-      "points own parts of the body (<Quadrature/Type> CPDI, "
-      "the default, or cell-filled + boundary), the cells must "
-      "be divisible: 1, 3, 4, 6, 9, 12, 16, 24, ...; 3D: 1, 4, "
-      "8, 24, 27, .... 0 stands for 4 (3D: 8) there and 3 (3D: "
-      "4) else.");
+      "15, 16, ... in 2D, 1, 4, 8, 14, 27, 35, ... in 3D. Where each point "
+      "owns a part of the cell (<Quadrature/Type> CPDI, the default, or "
+      "cell-filled + boundary), numbers into which a cell can be divided: "
+      "1, 3, 4, 6, 9, 12, 16, 24, ...; 3D: 1, 4, 8, 24, 27, .... 0 stands "
+      "for 4 (3D: 8) with these two and 3 (3D: 4) with the others.");
     prm.declare_entry("Points per cell in zones",
                       "",
                       Patterns::Anything(),

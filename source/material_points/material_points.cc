@@ -80,7 +80,8 @@ namespace isochor
     const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
     const bool                                              dynamic,
     const std::string                                      &initial_velocity,
-    const bool                                              with_domains)
+    const bool                                              with_domains,
+    const bool                                              axisymmetric)
   {
     unsigned int n_history = 0;
     for (const auto &material : materials)
@@ -88,6 +89,7 @@ namespace isochor
         std::max<unsigned int>(n_history, material->history_names().size());
     point_layout =
       PointLayout(dim, n_history, dynamic, with_domains, grid.is_adaptive());
+    point_layout.axisymmetric = axisymmetric;
     groups.clear();
     particles.initialize(grid.triangulation(),
                          grid.mapping(),
@@ -120,6 +122,8 @@ namespace isochor
         properties[point_layout.volume] = seed.volume;
         properties[point_layout.mass] =
           seed.volume * materials[material]->density();
+        if (point_layout.axisymmetric)
+          properties[point_layout.mass] *= 2 * numbers::PI * seed.location[0];
         properties[point_layout.material] = material;
         for (unsigned int d = 0; d < dim; ++d)
           properties[point_layout.F + d * dim + d] = 1.;
@@ -229,6 +233,7 @@ namespace isochor
     arrays.weight.resize(n);
     arrays.pressure.resize(n);
     arrays.F.resize(n);
+    arrays.radius.resize(point_layout.axisymmetric ? n : 0);
     arrays.material.resize(n);
     arrays.history.resize(n * std::size_t(point_layout.n_history));
     arrays.velocity.resize(point_layout.dynamic ? n : 0);
@@ -269,8 +274,10 @@ namespace isochor
     const PointLayout &l = point_layout;
     for_each_in_arrays([&](const unsigned int q,
                            const unsigned int /*cell*/,
-                           const Point<dim> & /*location*/,
-                           const double *properties) {
+                           const Point<dim> &location,
+                           const double     *properties) {
+      if (l.axisymmetric)
+        arrays.radius[q] = location[0];
       arrays.pressure[q] = properties[l.pressure];
       arrays.F[q]        = deformation_gradient<dim>(properties, l);
       std::copy_n(properties + l.history,

@@ -78,20 +78,15 @@ namespace isochor
     const double asked    = prm.get_integer("Points per cell");
     const double per_cell = asked > 0 ? asked : (1 << dim);
     prm.leave_subsection();
-    prm.enter_subsection("Grid");
-    const bool adaptive = prm.get("Type") == "adaptive";
-    prm.leave_subsection();
-    if (largest_share == 0 && adaptive)
-      // no point of the rules for seeding is split in its own cell, all are
-      // where cells have been halved
-      largest_share = 1.5 / per_cell;
-    else if (largest_share > 0)
-      // else parts of new parts would be split at once
-      AssertThrow(largest_share >= 0.1,
-                  ExcMessage(
-                    "<Material points/Split at share of cell> must be 0 "
-                    "or at least 0.1: more than ten points per cell are "
-                    "a matter of seeding."));
+    // else parts of new parts would be split at once
+    AssertThrow(largest_share == 0 || largest_share >= 0.1,
+                ExcMessage("<Material points/Split at share of cell> must be 0 "
+                           "or at least 0.1: more than ten points per cell are "
+                           "a matter of seeding."));
+    // no point of the rules for seeding is split in its own cell, all are
+    // where cells have been halved
+    share_on_adaptive_grids =
+      largest_share > 0 ? largest_share : 1.5 / per_cell;
   }
 
 
@@ -102,12 +97,14 @@ namespace isochor
                                const BackgroundGrid<dim> &grid,
                                const PointLocator<dim>   &locator) const
   {
-    if (largest_share == 0)
+    const double share =
+      grid.is_adaptive() ? share_on_adaptive_grids : largest_share;
+    if (share == 0)
       return;
     // parts may still be too large; bounded, since each round divides by four
     for (unsigned int round = 0; round < 8; ++round)
       {
-        const std::vector<NewPoint> parts = split(points, locator);
+        const std::vector<NewPoint> parts = split(points, locator, share);
         if (Utilities::MPI::sum(parts.size(), grid.communicator()) == 0)
           return;
         insert(points, grid, parts);
@@ -180,7 +177,8 @@ namespace isochor
   template <int dim>
   std::vector<typename PointRefinement<dim>::NewPoint>
   PointRefinement<dim>::split(MaterialPoints<dim>     &points,
-                              const PointLocator<dim> &locator) const
+                              const PointLocator<dim> &locator,
+                              const double             share) const
   {
     const PointLayout    &l = points.layout();
     std::vector<NewPoint> parts;
@@ -191,7 +189,7 @@ namespace isochor
         const ArrayView<double> values = particle.get_properties();
         const Tensor<2, dim>    F = deformation_gradient<dim>(values.data(), l);
         const double            volume = values[l.volume] * determinant(F);
-        if (!(volume > largest_share * locator.geometry().measure(cell)))
+        if (!(volume > share * locator.geometry().measure(cell)))
           continue;
 
         CornerVectors<dim> domain;

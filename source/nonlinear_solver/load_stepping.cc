@@ -18,11 +18,12 @@ namespace isochor
                       Patterns::Double(0),
                       "Time (s), in statics the load parameter t, at which the "
                       "run ends.");
-    prm.declare_entry("Step size",
-                      "1",
-                      Patterns::Double(0),
-                      "Of the first step (s), or, if it is changed, of the "
-                      "first after a restart.");
+    prm.declare_entry(
+      "Step size",
+      "1",
+      Patterns::Double(0),
+      "Size of the first step (s) or, if this parameter is changed, of the "
+      "first one after a restart.");
     prm.declare_entry(
       "Minimum step size",
       "0",
@@ -34,15 +35,16 @@ namespace isochor
       "0",
       Patterns::Double(0),
       "Steps that go well grow up to this (s). 0: 'Step size'.");
-    prm.declare_entry("Growth factor",
-                      "1.5",
-                      Patterns::Double(1),
-                      "By which a step grows after one that went well.");
-    prm.declare_entry("Iterations of an easy step",
-                      "5",
-                      Patterns::Integer(1),
-                      "A step with at most so many factorisations went "
-                      "well.");
+    prm.declare_entry(
+      "Growth factor",
+      "1.5",
+      Patterns::Double(1),
+      "Factor by which the size of steps grows after one that went well.");
+    prm.declare_entry(
+      "Iterations of an easy step",
+      "5",
+      Patterns::Integer(1),
+      "A step went well if it took at most so many factorisations.");
     prm.declare_entry("Output interval",
                       "0",
                       Patterns::Double(0),

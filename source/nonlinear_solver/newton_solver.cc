@@ -24,31 +24,34 @@ namespace isochor
                       "this fraction of the external forces and reactions, and "
                       "the residual of the pressure equation below this "
                       "fraction of its largest value in the step.");
-    prm.declare_entry("Predictor",
-                      "extrapolation",
-                      Patterns::Selection("none|extrapolation"),
-                      "Where a step starts: from rest, or with the nodal "
-                      "velocities of the last step. If Newton's method fails "
-                      "from there, it starts again from rest.");
-    prm.declare_entry("Maximum iterations",
-                      "15",
-                      Patterns::Integer(1),
-                      "More (with a new factorisation each) are a failure; the "
-                      "step is then cut back.");
-    prm.declare_entry("Reuse factorisation",
-                      "0.1",
-                      Patterns::Double(0, 1),
-                      "A factorisation is kept over iterations and steps as "
-                      "long as each iteration reduces the residual to this "
-                      "fraction or less. It changes the way to the solution, "
-                      "not the solution. 0: Newton's method proper, a new "
-                      "factorisation for each iteration. Iterative linear "
-                      "solvers get each matrix.");
-    prm.declare_entry("Maximum backtracks",
-                      "4",
-                      Patterns::Integer(0),
-                      "Times the line search may halve a correction that "
-                      "enlarges the residual or inverts a point.");
+    prm.declare_entry(
+      "Predictor",
+      "extrapolation",
+      Patterns::Selection("none|extrapolation"),
+      "Where Newton's method starts in a step: from zero increments, or "
+      "with those of the last step, in proportion to the size of the steps. "
+      "If it fails from there, it starts again from zero.");
+    prm.declare_entry(
+      "Maximum iterations",
+      "15",
+      Patterns::Integer(1),
+      "A step that needs more iterations (those with a new factorisation "
+      "count) has failed and is cut back.");
+    prm.declare_entry(
+      "Reuse factorisation",
+      "0.1",
+      Patterns::Double(0, 1),
+      "A factorisation is kept over iterations and steps as "
+      "long as each iteration reduces the residual to this "
+      "fraction or less. This changes the way to the solution, not the "
+      "solution. 0: a new factorisation for each iteration, Newton's method "
+      "proper. Iterative linear solvers always get the present matrix.");
+    prm.declare_entry(
+      "Maximum backtracks",
+      "4",
+      Patterns::Integer(0),
+      "How many times a correction may be halved that enlarges the residual "
+      "or turns a point inside out (the line search).");
     prm.declare_entry("Inexact",
                       "true",
                       Patterns::Bool(),
@@ -294,8 +297,8 @@ namespace isochor
     bool matrix_is_current = true, expect_need = true;
     while (!finished(gauge, norms, report))
       {
-        // an old matrix is worth a try where it, or the quadratic convergence
-        // of the last iteration, promises to do
+        // an old matrix is worth a try if the last iteration converged so fast
+        // that it, or quadratic convergence, can be expected to be enough
         const bool reuse = reuse_ratio > 0 && last_ratio <= reuse_ratio &&
                            !problem.is_iterative() &&
                            problem.has_factorisation();

@@ -49,8 +49,10 @@ namespace isochor
       const PointArrays<dim> &points = result.step.points;
       double                  volume = 0;
       for (unsigned int q = 0; q < points.weight.size(); ++q)
-        volume += points.weight[q] * determinant(points.F[q]);
-      statistics.set("Volume in the grid (m^" + std::to_string(dim) + ")",
+        volume += points.measure(q) * determinant(points.F[q]) *
+                  result.step.kernel.hoop_stretch(
+                    &points.history[q * std::size_t(points.n_history)]);
+      statistics.set("Volume in the grid " + unit(result),
                      Utilities::MPI::sum(volume,
                                          result.step.grid.communicator()));
     }
@@ -70,11 +72,18 @@ namespace isochor
       for (const auto &particle : handler)
         {
           const double *values = particle.get_properties().data();
-          const double  J = determinant(deformation_gradient<dim>(values, l));
-          min_J           = std::min(min_J, J);
-          max_J           = std::max(max_J, J);
+          const double  hoop =
+            result.step.kernel.hoop_stretch(values + l.history);
+          const double J =
+            determinant(deformation_gradient<dim>(values, l)) * hoop;
+          min_J = std::min(min_J, J);
+          max_J = std::max(max_J, J);
           sums[0] += 1;
           sums[1] += J * values[l.volume];
+          if (l.axisymmetric)
+            sums[1] +=
+              J * values[l.volume] *
+              (2 * numbers::PI * particle.get_location()[0] / hoop - 1);
           sums[2] += values[l.mass];
           if (l.dynamic)
             for (unsigned int a = 0; a < dim; ++a)
@@ -83,8 +92,7 @@ namespace isochor
         }
       sum_over_ranks(sums, comm);
       statistics.set("Number of material points", sums[0]);
-      statistics.set("Material volume (m^" + std::to_string(dim) + ")",
-                     sums[1]);
+      statistics.set("Material volume " + unit(result), sums[1]);
       statistics.set("Mass (kg)", sums[2]);
       statistics.set("Smallest J", Utilities::MPI::min(min_J, comm));
       statistics.set("Largest J", Utilities::MPI::max(max_J, comm));
@@ -93,6 +101,12 @@ namespace isochor
     }
 
   private:
+    static std::string
+    unit(const StepResult<dim> &result)
+    {
+      return dim == 3 || result.step.kernel.axisymmetric ? "(m^3)" : "(m^2)";
+    }
+
     bool enabled = true;
   };
 

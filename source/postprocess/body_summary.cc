@@ -15,13 +15,17 @@ namespace isochor
   std::string
   body_summary(const MaterialPoints<dim> &points, const MPI_Comm comm)
   {
-    double                  mass = 0;
+    const PointLayout      &l    = points.layout();
+    double                  mass = 0, ring = 0;
     std::array<double, dim> lower, upper;
     lower.fill(std::numeric_limits<double>::max());
     upper.fill(std::numeric_limits<double>::lowest());
     for (const auto &point : points.handler())
       {
-        mass += point.get_properties()[points.layout().mass];
+        const auto properties = point.get_properties();
+        mass += properties[l.mass];
+        ring += 2 * numbers::PI * properties[l.volume] *
+                (point.get_location()[0] - properties[l.displacement]);
         for (unsigned int d = 0; d < dim; ++d)
           {
             lower[d] = std::min(lower[d], point.get_location()[d]);
@@ -30,9 +34,11 @@ namespace isochor
       }
 
     std::ostringstream text;
-    text << "Body: " << points.total_reference_volume()
-         << (dim == 2 ? " m^2, " : " m^3, ") << Utilities::MPI::sum(mass, comm)
-         << " kg, points in ";
+    text << "Body: "
+         << (l.axisymmetric ? Utilities::MPI::sum(ring, comm) :
+                              points.total_reference_volume())
+         << (dim == 2 && !l.axisymmetric ? " m^2, " : " m^3, ")
+         << Utilities::MPI::sum(mass, comm) << " kg, points in ";
     for (unsigned int d = 0; d < dim; ++d)
       text << (d == 0 ? "[" : " x [") << Utilities::MPI::min(lower[d], comm)
            << ", " << Utilities::MPI::max(upper[d], comm) << "]";

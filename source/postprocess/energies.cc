@@ -193,13 +193,15 @@ namespace isochor
               *step.kernel.materials[points.material[q]];
             const double *const old_history =
               points.history.data() + q * std::size_t(points.n_history);
-            const double V      = points.volume[q];
+            const double V      = points.volume[q] * points.thickness(q);
+            const double hoop   = nodal.hoop_at(stencil, points, q);
             const double half_K = material.inverse_bulk_modulus() / 2;
 
             const auto state =
               step.kernel.final_state(points,
                                       q,
                                       gradient + unit_symmetric_tensor<dim>(),
+                                      hoop,
                                       step.mixed(),
                                       nodal.pressure_at(stencil),
                                       history.data());
@@ -218,25 +220,26 @@ namespace isochor
               material.deviatoric_energy(points.F[q], old_history) +
               half_K * points.pressure[q] * points.pressure[q];
             sums[old_strain] += V * old_stored;
-            if (material.history_names().empty())
+            if (!material.dissipates())
               continue;
             const auto old_state =
               step.kernel.final_state(points,
                                       q,
                                       unit_symmetric_tensor<dim>(),
+                                      1.,
                                       step.mixed(),
                                       points.pressure[q],
                                       history.data());
             const Tensor<2, dim> new_gradient =
               gradient * invert(gradient + unit_symmetric_tensor<dim>());
-            sums[plastic] +=
-              V * (power(old_state, gradient) / 2 +
-                   power(state, new_gradient) / 2 - (stored - old_stored));
+            sums[plastic] += V * (power(old_state, gradient, hoop - 1) / 2 +
+                                  power(state, new_gradient, 1 - 1 / hoop) / 2 -
+                                  (stored - old_stored));
           }
       return sums;
     }
 
-    /** Σ_e p·S_e p / 2 of this rank's cells. */
+    /** Σ_e Φ_e of the stabilisation, of this rank's cells. */
     double
     stabilisation_energy(const StepResult<dim> &result) const
     {
@@ -246,31 +249,33 @@ namespace isochor
       if (!step.mixed() || !(step.kernel.ppp_coefficient > 0))
         return energy;
       const NodalUnknowns<dim> nodal(step, result.unknowns);
-      const auto add = [&](const unsigned int cell, const double V_over_G) {
+      const auto               add = [&](const unsigned int                     cell,
+                           const CellCompliance                  &compliance,
+                           const std::array<Point<dim>, dim + 1> &corners) {
         Element<dim, dim + 1, dim + 1> element;
-        element.residual.fill(0.);
-        const auto &vertices = step.grid.geometry().vertex_indices(cell);
-        for (unsigned int I = 0; I <= dim; ++I)
-          element.pressure[I] = nodal.pressure(vertices[I]);
-        step.kernel.add_pressure_projection(element, V_over_G, false);
-        for (unsigned int I = 0; I <= dim; ++I)
-          energy -=
-            element.pressure[I] / 2 * element.residual[I * (dim + 1) + dim];
+        nodal.gather(dim + 1,
+                     step.grid.geometry().vertex_indices(cell).data(),
+                     element);
+        energy +=
+          step.kernel.pressure_projection_energy(element, compliance, corners);
       };
       if (points.has_stencils())
         for (const auto &cell : points.overlapped_cells)
-          add(cell.first, cell.second);
+          add(cell.cell, cell.compliance, cell.corners);
       else
         for (unsigned int k = 0; k < points.cell.size(); ++k)
           {
-            double V_over_G = 0;
+            CellCompliance compliance;
             for (unsigned int q = points.cell_start[k];
                  q < points.cell_start[k + 1];
                  ++q)
-              V_over_G +=
-                points.weight[q] /
-                step.kernel.materials[points.material[q]]->shear_modulus();
-            add(points.cell[k], V_over_G);
+              step.kernel.add_compliance(points,
+                                         q,
+                                         points.measure(q),
+                                         compliance);
+            add(points.cell[k],
+                compliance,
+                points.corners(step.grid.geometry(), k));
           }
       return energy;
     }
@@ -325,16 +330,17 @@ namespace isochor
                                text.str());
     }
 
-    /** τ : @p gradient. */
+    /** τ : @p gradient, with @p hoop its component out of the plane. */
     static double
     power(const typename MixedKernel<dim>::PointState &state,
-          const Tensor<2, dim>                        &gradient)
+          const Tensor<2, dim>                        &gradient,
+          const double                                 hoop)
     {
-      double sum = 0;
+      double sum = state.cauchy_stress[2][2] * hoop;
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = 0; j < dim; ++j)
           sum += state.cauchy_stress[i][j] * gradient[i][j];
-      return sum * determinant(state.F);
+      return sum * state.J;
     }
 
     /** Of the step, this rank's part. */
@@ -367,10 +373,15 @@ namespace isochor
             if (result.system.equation(i) != numbers::invalid_unsigned_int)
               continue;
             const unsigned int entry = step.nodes.vertex(node) * dim + a;
-            const double       R     = result.system.residual.local_element(i);
-            const auto         old_R = reactions.find(entry);
+            // of what follows others: of the motion that is prescribed for it
+            const bool   follows = result.system.follows(i);
+            const double moved =
+              follows ? result.system.prescribed_value(i) : u;
+            const double R     = follows ? result.system.follower_force(i) :
+                                           result.system.residual.local_element(i);
+            const auto   old_R = reactions.find(entry);
             work +=
-              (R + (old_R == reactions.end() ? R : old_R->second)) / 2 * u;
+              (R + (old_R == reactions.end() ? R : old_R->second)) / 2 * moved;
             new_reactions[entry] = R;
           }
       reactions.swap(new_reactions);

@@ -128,9 +128,23 @@ namespace isochor
 
 
 
-  OutputSeries::OutputSeries(const std::string &name)
-    : name(name)
-  {}
+  OutputSeries::OutputSeries(const std::string &name,
+                             const std::string &instance,
+                             const unsigned int interval)
+    : name(instance.empty() ? name : name + "-" + instance)
+    , interval(interval)
+  {
+    std::replace(this->name.begin(), this->name.end(), ' ', '_');
+    std::replace(this->name.begin(), this->name.end(), '/', '_');
+  }
+
+
+
+  bool
+  OutputSeries::takes_next(const bool is_last)
+  {
+    return ++n_due % interval == 0 || is_last;
+  }
 
 
 
@@ -205,6 +219,7 @@ namespace isochor
   {
     std::ostringstream state;
     state.precision(std::numeric_limits<double>::max_digits10);
+    state << n_due << ' ';
     for (const double time : times)
       state << time << ' ';
     return state.str();
@@ -217,6 +232,7 @@ namespace isochor
   {
     times.clear();
     std::istringstream state(text);
+    state >> n_due;
     for (double time; state >> time;)
       times.push_back(time);
   }

@@ -25,20 +25,30 @@ namespace isochor
                         Patterns::Bool(),
                         "Whether the cells with material and the nodal "
                         "solution are written at the output times, as grid.pvd "
-                        "and what it lists.");
+                        "and what it lists; in a section 'Postprocess: name' "
+                        "as grid-name.pvd.");
+      prm.declare_entry("Output times per grid",
+                        "1",
+                        Patterns::Integer(1),
+                        "Write the grid at every second, third, ... output "
+                        "time only, and at the end.");
     }
 
     void
     parse_parameters(ParameterHandler &prm) override
     {
       enabled = prm.get_bool("Write grid");
+      series  = OutputSeries("grid",
+                            this->instance,
+                            prm.get_integer("Output times per grid"));
     }
 
     void
     evaluate_nodes(const StepResult<dim> &result,
                    Statistics & /*statistics*/) override
     {
-      if (!enabled || !result.time.next_output_due())
+      if (!enabled || !result.time.next_output_due() ||
+          !series.takes_next(result.time.next_time() >= result.time.end_time()))
         return;
       const StepContext<dim> &step    = result.step;
       FieldPatches<dim, dim>  patches = grid_fields(step, result.unknowns);

@@ -91,6 +91,8 @@ namespace isochor
     void
     copy_point(const double      *properties,
                const PointLayout &layout,
+               const double       hoop,
+               const double       thickness,
                const Rows        &rows,
                Table<2, float>   &data)
     {
@@ -114,10 +116,10 @@ namespace isochor
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
           data(rows.F + 3 * i + j, 0) =
-            (i < dim && j < dim) ? F[i][j] : (i == j ? 1. : 0.);
-      const double J       = determinant(F);
+            (i < dim && j < dim) ? F[i][j] : (i == j ? hoop : 0.);
+      const double J       = determinant(F) * hoop;
       data(rows.J, 0)      = J;
-      data(rows.volume, 0) = J * properties[layout.volume];
+      data(rows.volume, 0) = J * properties[layout.volume] * thickness;
 
       for (unsigned int i = 0; i < rows.n_history; ++i)
         data(rows.first_history + i, 0) =
@@ -144,9 +146,15 @@ namespace isochor
       {
         const Point<dim> &x = particle.get_location();
         auto &patch = patches.add_patch(ArrayView<const Point<dim>>(&x, 1));
-        patch.data(rows.id, 0) = particle.get_id();
-        copy_point<dim>(particle.get_properties().data(),
+        patch.data(rows.id, 0)         = particle.get_id();
+        const double *const properties = particle.get_properties().data();
+        const double        hoop =
+          kernel.hoop_stretch(properties + points.layout().history);
+        copy_point<dim>(properties,
                         points.layout(),
+                        hoop,
+                        kernel.axisymmetric ? 2 * numbers::PI * x[0] / hoop :
+                                              1.,
                         rows,
                         patch.data);
       }

@@ -23,20 +23,30 @@ namespace isochor
                         "true",
                         Patterns::Bool(),
                         "Whether the material points are written at the output "
-                        "times, as points.pvd and what it lists.");
+                        "times, as points.pvd and what it lists; in a section "
+                        "'Postprocess: name' as points-name.pvd.");
+      prm.declare_entry("Output times per points",
+                        "1",
+                        Patterns::Integer(1),
+                        "Write the material points at every second, third, ... "
+                        "output time only, and at the end.");
     }
 
     void
     parse_parameters(ParameterHandler &prm) override
     {
       enabled = prm.get_bool("Write material points");
+      series  = OutputSeries("points",
+                            this->instance,
+                            prm.get_integer("Output times per points"));
     }
 
     void
     evaluate_points(const StepResult<dim> &result,
                     Statistics & /*statistics*/) override
     {
-      if (!enabled || !result.time.output_due())
+      if (!enabled || !result.time.output_due() ||
+          !series.takes_next(result.time.finished()))
         return;
       FieldPatches<0, dim> patches =
         point_fields(result.points, result.step.kernel);

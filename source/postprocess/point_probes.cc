@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/expression.h>
 #include <isochor/base/mpi_sums.h>
+#include <isochor/equations/nodal_unknowns.h>
 #include <isochor/postprocess/postprocessor.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm) override
     {
-      const std::string name = "Postprocess/Point probes";
+      const std::string name = this->parameter("Point probes");
       for (const auto &entry : split_named_list(prm.get("Point probes"), name))
         {
           const auto x =
@@ -63,27 +64,35 @@ namespace isochor
     evaluate_nodes(const StepResult<dim> &result,
                    Statistics            &statistics) override
     {
+      if (probes.empty())
+        return;
+      const NodalField touched = touched_nodes(result.step);
       for (Probe &probe : probes)
         {
           if (probe.is_new)
             place_in_moved_body(result, probe);
-          const std::array<double, dim + 2> values = interpolate(result, probe);
-          AssertThrow(values[dim + 1] > 0,
-                      ExcMessage("The point probe <" + probe.name +
-                                 "> lies in no cell that holds material. Check "
-                                 "<Postprocess/Point probes>."));
+          Values     values;
+          const bool in_body =
+            result.time.step > 0 || lies_in_body(result, probe);
+          if (!interpolate(result, probe, touched, in_body, values))
+            {
+              AssertThrow(in_body,
+                          ExcMessage("The point probe <" + probe.name +
+                                     "> lies in no cell that holds material. "
+                                     "Check <" +
+                                     this->parameter("Point probes") + ">."));
+              extrapolate(result, probe, values);
+            }
           for (unsigned int a = 0; a < dim; ++a)
             {
-              const double increment = values[a] / values[dim + 1];
-              probe.displacement[a] += increment;
-              probe.location[a] += increment;
+              probe.displacement[a] += values[a];
+              probe.location[a] += values[a];
               statistics.set(std::string("Displacement ") + "xyz"[a] + " of " +
                                probe.name + " (m)",
                              probe.displacement[a]);
             }
           if (result.step.mixed())
-            statistics.set("Pressure at " + probe.name + " (Pa)",
-                           values[dim] / values[dim + 1]);
+            statistics.set("Pressure at " + probe.name + " (Pa)", values[dim]);
         }
     }
 
@@ -190,13 +199,20 @@ namespace isochor
                                  result.step.grid.communicator()) == 1;
     }
 
+    /** Displacement increment (m) and pressure (Pa) at a probe. */
+    using Values = std::array<double, dim + 1>;
+
     /** How many points act on each node. One without points may be a node of a
      * cell that holds a point all the same: a point with a domain acts through
-     * its corners. Its unknowns mean nothing. */
+     * its corners. Its unknowns mean nothing. Empty if there is none of these.
+     * Collective. */
     static NodalField
     touched_nodes(const StepContext<dim> &step)
     {
       NodalField touched;
+      if (Utilities::MPI::max(step.points.has_stencils() ? 1 : 0,
+                              step.grid.communicator()) == 0)
+        return touched;
       step.nodes.initialize(touched, 1);
       for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
         for (unsigned int q = step.points.cell_start[k];
@@ -213,35 +229,52 @@ namespace isochor
       return touched;
     }
 
+    /** Among several ranks that hold something at a probe, the values of that
+     * one whose @p misfit is smallest, the first of them if several are alike.
+     * False if none holds anything. Collective. */
+    static bool
+    take_best(const MPI_Comm comm,
+              const double   misfit,
+              const bool     holds,
+              Values        &values)
+    {
+      const double       least  = Utilities::MPI::min(misfit, comm);
+      const unsigned int rank   = Utilities::MPI::this_mpi_process(comm);
+      const unsigned int winner = Utilities::MPI::min(
+        holds && misfit == least ? rank : numbers::invalid_unsigned_int, comm);
+      if (rank != winner)
+        values.fill(0.);
+      sum_over_ranks(values, comm);
+      return winner != numbers::invalid_unsigned_int;
+    }
+
     /**
-     * Displacement increment, pressure and the number of ranks that found the
-     * probe in an occupied cell, summed over them. Among the cells around the
-     * probe the occupied one that fits best is taken, with its shape functions
-     * extrapolated if it must be: a probe may lie on the surface of the body, a
-     * corner even beyond the cells that hold material points.
+     * Interpolate in that cell around the probe whose nodes all move with the
+     * body and that fits best, its shape functions extrapolated if it must be:
+     * a probe @p in_body may lie on the surface, which may be beyond the last
+     * cell that holds a material point. False if there is no such cell.
+     * Collective.
      */
-    std::array<double, dim + 2>
-    interpolate(const StepResult<dim> &result, const Probe &probe) const
+    static bool
+    interpolate(const StepResult<dim> &result,
+                const Probe           &probe,
+                const NodalField      &touched,
+                const bool             in_body,
+                Values                &values)
     {
       const StepContext<dim>     &step     = result.step;
       const SimplexGeometry<dim> &geometry = step.grid.geometry();
-      unsigned int                best     = numbers::invalid_unsigned_int;
-      // a point of the surface may lie beyond the last cell that holds a
-      // material point, as boundary points do; one outside of the body is an
-      // error at the start
-      double best_fit =
-        result.time.step == 0 && !lies_in_body(result, probe) ? -1e-2 : -1;
-      const NodalField touched = touched_nodes(step);
+      const auto moves_with_body           = [&](const unsigned int vertex) {
+        const unsigned int node = step.nodes.node(vertex);
+        return node != numbers::invalid_unsigned_int &&
+               (touched.size() == 0 || touched.local_element(node) > 0.);
+      };
+      unsigned int best     = numbers::invalid_unsigned_int;
+      double       best_fit = in_body ? -1 : -1e-2;
       for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         {
           const auto &vertices = geometry.vertex_indices(step.points.cell[k]);
-          if (std::any_of(vertices.begin(),
-                          vertices.end(),
-                          [&](const unsigned int v) {
-                            const unsigned int node = step.nodes.node(v);
-                            return node == numbers::invalid_unsigned_int ||
-                                   touched.local_element(node) == 0.;
-                          }))
+          if (!std::all_of(vertices.begin(), vertices.end(), moves_with_body))
             continue;
           const auto lambda =
             step.points.barycentric(geometry, k, probe.location);
@@ -252,35 +285,73 @@ namespace isochor
               best_fit = fit;
             }
         }
-      // several ranks may hold a cell at a face: the one that fits best, or
-      // the first of them
-      const MPI_Comm     comm = step.grid.communicator();
-      const double       fit  = Utilities::MPI::max(best_fit, comm);
-      const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
-      const unsigned int winner =
-        Utilities::MPI::min(best != numbers::invalid_unsigned_int &&
-                                best_fit == fit ?
-                              rank :
-                              numbers::invalid_unsigned_int,
-                            comm);
-
-      std::array<double, dim + 2> values{};
-      if (rank == winner)
+      values.fill(0.);
+      const bool found = best != numbers::invalid_unsigned_int;
+      if (found)
         {
           const auto lambda =
             step.points.barycentric(geometry, best, probe.location);
+          const auto &vertices =
+            geometry.vertex_indices(step.points.cell[best]);
+          const NodalUnknowns<dim> nodal(step, result.unknowns);
           for (unsigned int I = 0; I <= dim; ++I)
             {
-              const unsigned int node = step.nodes.node(
-                geometry.vertex_indices(step.points.cell[best])[I]);
-              for (unsigned int a = 0; a < step.n_components; ++a)
-                values[a] += lambda[I] * result.unknowns.local_element(
-                                           node * step.n_components + a);
+              const Tensor<1, dim> increment = nodal.increment(vertices[I]);
+              for (unsigned int a = 0; a < dim; ++a)
+                values[a] += lambda[I] * increment[a];
+              if (step.mixed())
+                values[dim] += lambda[I] * nodal.pressure(vertices[I]);
             }
-          values[dim + 1] = 1;
         }
-      sum_over_ranks(values, comm);
-      return values;
+      return take_best(step.grid.communicator(), -best_fit, found, values);
+    }
+
+    /** Where no cell around the probe moves with the body, as where a surface
+     * is much distorted, it moves as the nearest material point and what is
+     * around it: Δu_p + ∇Δu_p (x - x_p). Collective. */
+    static void
+    extrapolate(const StepResult<dim> &result,
+                const Probe           &probe,
+                Values                &values)
+    {
+      const StepContext<dim>     &step     = result.step;
+      const SimplexGeometry<dim> &geometry = step.grid.geometry();
+      const auto place_of = [&](const unsigned int k, const unsigned int q) {
+        Point<dim> x;
+        for (unsigned int v = 0; v <= dim; ++v)
+          x += step.points.shape[q][v] * step.points.corner(geometry, k, v);
+        return x;
+      };
+      double       nearest = std::numeric_limits<double>::max();
+      unsigned int cell = 0, point = 0;
+      for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+        for (unsigned int q = step.points.cell_start[k];
+             q < step.points.cell_start[k + 1];
+             ++q)
+          {
+            const double distance = probe.location.distance(place_of(k, q));
+            if (distance < nearest)
+              {
+                nearest = distance;
+                cell    = k;
+                point   = q;
+              }
+          }
+      values.fill(0.);
+      const bool found = nearest < std::numeric_limits<double>::max();
+      if (found)
+        {
+          const NodalUnknowns<dim> nodal(step, result.unknowns);
+          const auto stencil = step.points.stencil(geometry, cell, point);
+          const Tensor<1, dim> increment =
+            nodal.increment_at(stencil) +
+            nodal.gradient_at(stencil) *
+              (probe.location - place_of(cell, point));
+          for (unsigned int a = 0; a < dim; ++a)
+            values[a] = increment[a];
+          values[dim] = nodal.pressure_at(stencil);
+        }
+      take_best(step.grid.communicator(), nearest, found, values);
     }
 
     std::vector<Probe> probes;

@@ -46,7 +46,7 @@ namespace isochor
       for (const std::string &name : names)
         {
           const types::boundary_id id =
-            grid.boundary_id(name, "Postprocess/Reactions");
+            grid.boundary_id(name, this->parameter("Reactions"));
           vertices.emplace_back();
           for (const BoundaryFace &face : grid.boundary_faces())
             if (face.id == id)
@@ -67,7 +67,7 @@ namespace isochor
     void
     check_scene(const StepContext<dim> &step) const override
     {
-      const std::string parameter = "Postprocess/Reactions";
+      const std::string parameter = this->parameter("Reactions");
       for (const std::string &name : names)
         warn_if_untouched(step,
                           parameter,
@@ -93,10 +93,9 @@ namespace isochor
               for (unsigned int a = 0; a < dim; ++a)
                 {
                   const unsigned int entry = node * step.n_components + a;
-                  if (result.system.equation(entry) ==
-                      numbers::invalid_unsigned_int)
+                  if (result.system.is_held(entry))
                     {
-                      force[a] += result.system.residual.local_element(entry);
+                      force[a] += result.system.reaction().local_element(entry);
                       held = true;
                     }
                 }
@@ -112,20 +111,21 @@ namespace isochor
     }
 
   private:
-    static void
+    void
     warn_if_free(const StepContext<dim> &step,
                  const std::string      &name,
                  const bool              touched,
-                 const bool              held)
+                 const bool              held) const
     {
       const MPI_Comm comm = step.grid.communicator();
       if (Utilities::MPI::max(static_cast<int>(touched), comm) != 0 &&
           Utilities::MPI::max(static_cast<int>(held), comm) == 0)
-        step.warnings.add("no reaction on <" + name + ">",
-                          "The reaction on <" + name +
-                            "> of the parameter <Postprocess/Reactions> is 0: "
-                            "no displacement of nodes that the material "
-                            "touches is prescribed there.");
+        step.warnings.add(
+          "no reaction on <" + name + ">",
+          "The reaction on <" + name + "> of the parameter <" +
+            this->parameter("Reactions") +
+            "> is 0: no displacement of nodes that the material "
+            "touches is prescribed there.");
     }
 
     std::vector<std::string>            names;

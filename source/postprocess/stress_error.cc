@@ -29,7 +29,9 @@ namespace isochor
         Patterns::Anything(),
         "Known components of the Cauchy stress (Pa), formulas in the place "
         "x, y(, z) of a point at t = 0 and in t: 'yy: formula; xx: formula'. "
-        "Their relative L2 errors go into the statistics.");
+        "The root mean square over the body of the difference, relative to "
+        "that of the formula, goes into the statistics. It is infinite for "
+        "a formula that is zero everywhere.");
     }
 
     void
@@ -73,7 +75,9 @@ namespace isochor
                   for (unsigned int b = 0; b < dim; ++b)
                     F[a][b] = properties[l.F + a * dim + b];
                 }
-              const double V     = determinant(F) * properties[l.volume];
+              double V = determinant(F) * properties[l.volume];
+              if (l.axisymmetric)
+                V *= particle.get_location()[0]; // of the ring, over 2 pi
               const double exact = reference.stress(origin, result.step.time);
               const double error =
                 properties[l.stress + reference.component] - exact;

@@ -5,9 +5,12 @@
 
 #include <isochor/base/parameter_file.h>
 #include <isochor/base/plain_message.h>
+#include <isochor/base/plugin_registry.h>
 #include <isochor/base/shared_libraries.h>
+#include <isochor/grid/grid_source.h>
 #include <isochor/program/command_line.h>
 #include <isochor/program/command_line_options.h>
+#include <isochor/program/documented_parameters.h>
 #include <isochor/program/grid_offsets.h>
 
 #include <algorithm>
@@ -114,7 +117,7 @@ namespace isochor
       const unsigned int dim = find_dimension(statements);
       declare_dimension(prm);
       declare_shared_libraries(prm);
-      program.declare(prm, dim, n_numbered_subsections(statements, "Material"));
+      program.declare(prm, dim, statements);
       apply_parameters(statements, prm);
       return dim;
     }
@@ -141,10 +144,12 @@ namespace isochor
           prm.set("Directory", part);
           prm.leave_subsection();
           prm.enter_subsection("Grid");
-          AssertThrow(prm.get("Type") == "box" ||
-                        prm.get("Type") == "trapezoid",
+          // plugins are the same in 2D and 3D
+          AssertThrow(PluginRegistry<GridSource<2>>::parameters(prm.get("Type"))
+                          .count("Offset") > 0,
                       ExcMessage("The option --grid-offsets moves the lines of "
-                                 "a box or a trapezoid, but <Grid/Type> is <" +
+                                 "a lattice, such as a box or a trapezoid, but "
+                                 "<Grid/Type> is <" +
                                  prm.get("Type") + ">."));
           prm.set("Offset", grid_offset(k, dim));
           prm.leave_subsection();
@@ -202,9 +207,7 @@ namespace isochor
       if (options.print_parameters)
         {
           if (is_root)
-            prm.print_parameters(std::cout,
-                                 ParameterHandler::PRM |
-                                   ParameterHandler::KeepDeclarationOrder);
+            print_documented_parameters(prm, std::cout);
           return;
         }
       prm.assert_that_entries_have_been_set();

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/equations/constraint_conflicts.h>
 #include <isochor/step/equilibrium.h>
 #include <isochor/step/scene_checks.h>
 #include <isochor/transfer/pressure_mapping.h>
@@ -52,9 +53,7 @@ namespace isochor
   void
   Equilibrium<dim>::initialize()
   {
-    terms = {&body};
-    if (scene.dynamic)
-      terms.push_back(&scene.inertia);
+    terms = {&body, &scene.inertia};
     for (auto &condition : scene.boundary_conditions)
       terms.push_back(condition.get());
   }
@@ -73,14 +72,14 @@ namespace isochor
     linear_step.start_step(nodes, n_components);
     at_start = true;
     set_initial_pressure();
-    if (scene.dynamic)
-      scene.inertia.start_step(setup.context(),
-                               scene.boundary_conditions,
-                               scene.points,
-                               scene.time.step == 0);
+    scene.inertia.start_step(setup.context(),
+                             scene.boundary_conditions,
+                             scene.points,
+                             scene.time.step == 0);
     setup.collect_elements(terms);
     set_external_force();
     start_contact(setup.nodes_have_changed());
+    set_weight();
     compute_residual_floor();
   }
 
@@ -195,43 +194,6 @@ namespace isochor
 
   template <int dim>
   NewtonReport
-  Equilibrium<dim>::find_initial_acceleration()
-  {
-    NewtonReport report;
-    report.converged = true;
-    if (!scene.dynamic || scene.time.step > 0)
-      return report;
-    InertiaTerm<dim> &inertia = scene.inertia;
-    // a trial errs by O(h); two, one of them back in time, by O(h²)
-    const StepContext<dim> step       = setup.context();
-    const auto            &conditions = scene.boundary_conditions;
-    for (const double trial : {step.step_size(), -step.step_size()})
-      {
-        inertia.start_trial(step, trial, conditions);
-        start_again();
-        at_start = true;
-        report   = trial > 0 ? solve_with_contact() : find_root();
-        if (report.converged)
-          inertia.finish_trial(setup.context(),
-                               unknowns,
-                               conditions,
-                               setup.point_arrays());
-        inertia.end_trial(step, conditions);
-        if (!report.converged)
-          return report;
-      }
-    inertia.start_step(setup.context(),
-                       scene.boundary_conditions,
-                       scene.points,
-                       scene.time.step == 0);
-    start_again();
-    return report;
-  }
-
-
-
-  template <int dim>
-  NewtonReport
   Equilibrium<dim>::solve()
   {
     const bool   predicted = predict();
@@ -304,11 +266,8 @@ namespace isochor
       newton_solver.tolerance * report.force_scale, newton_solver.tolerance};
     for (const auto &condition : scene.boundary_conditions)
       {
-        const std::string failure = condition->check_contact(setup.context(),
-                                                             unknowns,
-                                                             system.residual,
-                                                             constraints.ties,
-                                                             tolerance);
+        const std::string failure = condition->check_contact(
+          setup.context(), unknowns, system, constraints, tolerance);
         if (!failure.empty())
           {
             report.converged = false;
@@ -325,26 +284,52 @@ namespace isochor
   bool
   Equilibrium<dim>::constrain_nodes()
   {
-    const StepContext<dim> step     = setup.context();
-    const auto             previous = constraints.constrained;
-    constraints.reinit(setup.active_nodes().n_local() * scene.n_components);
+    const StepContext<dim> step         = setup.context();
+    const unsigned int     n_components = scene.n_components;
+    const auto             previous     = constraints.constrained;
+    const Followers        old          = constraints.followers;
+    constraints.reinit(setup.active_nodes().n_local() * n_components);
     for (const auto &condition : scene.boundary_conditions)
-      condition->constrain(step, constraints);
-    setup.constrain(step, constraints);
-    const bool changed =
-      Utilities::MPI::max(static_cast<int>(constraints.constrained != previous),
-                          scene.grid.communicator()) != 0;
-    if (scene.dynamic)
       {
-        InertiaTerm<dim> &inertia    = scene.inertia;
-        StepContext<dim>  whole_step = step;
-        whole_step.time = scene.time.next_time(); // also in a trial
-        if (changed || !inertia.is_prescribed())
-          inertia.prescribe(whole_step, scene.boundary_conditions, constraints);
-        if (inertia.in_trial())
-          inertia.set_trial_increments(step, constraints);
+        constraints.source = condition->name;
+        condition->constrain(step, constraints);
       }
+    setup.constrain(step, constraints);
+    constraints.resolve(n_components);
+    std::vector<int> any = {constraints.constrained != previous ||
+                              !constraints.followers.same_structure(old),
+                            !constraints.conflicts.empty()};
+    Utilities::MPI::max(any, scene.grid.communicator(), any);
+    const bool changed = any[0] != 0;
+    if (any[1] != 0)
+      tell_conflicts(step, constraints);
+    scene.inertia.constrain(step,
+                            scene.time.next_time(),
+                            scene.boundary_conditions,
+                            changed,
+                            constraints);
     return changed;
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::relinearise()
+  {
+    if (scene.inertia.in_trial())
+      return;
+    bool any = false;
+    for (const auto &condition : scene.boundary_conditions)
+      if (condition->relinearises())
+        {
+          condition->relinearise(setup.context(), unknowns, constraints);
+          any = true;
+        }
+    if (!any)
+      return;
+    constraints.resolve(scene.n_components);
+    system.update_followers(constraints);
   }
 
 
@@ -374,8 +359,11 @@ namespace isochor
     problem.advance = [this](const double s) {
       at_start = false;
       linear_step.advance(s, unknowns);
+      relinearise();
+      system.project_changing(unknowns);
     };
-    system.interpolate_ties(unknowns); // wherever it starts from
+    relinearise();
+    system.interpolate_followers(unknowns); // wherever it starts from
     return newton_solver.solve(problem, terminal.log());
   }
 
@@ -418,15 +406,38 @@ namespace isochor
   bool
   Equilibrium<dim>::update_pending()
   {
-    bool any = false;
+    constexpr double rounding = 1e-12;
+    bool             any      = false;
     for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
       if (constraints.constrained[i])
         {
           double &rest = pending.local_element(i);
           rest         = constraints.increment[i] - unknowns.local_element(i);
           any =
-            any || std::abs(rest) > 1e-12 * std::abs(constraints.increment[i]);
+            any ||
+            (constraints.constrained[i] != NodalConstraints::follows &&
+             std::abs(rest) > rounding * std::abs(constraints.increment[i]));
         }
+    // what follows comes where those that it follows will be
+    const Followers &followers = constraints.followers;
+    for (unsigned int k = 0; k < followers.size(); ++k)
+      {
+        double     size = std::abs(followers.value[k]);
+        const auto goal = [&](const unsigned int i) {
+          return constraints.constrained[i] ? constraints.increment[i] :
+                                              unknowns.local_element(i);
+        };
+        const double place =
+          followers.value[k] + followers.sum(k, [&](const unsigned int i) {
+            size = std::max(size, std::abs(goal(i)));
+            return goal(i);
+          });
+        double &rest = pending.local_element(followers.entry[k]);
+        rest         = place - unknowns.local_element(followers.entry[k]);
+        if (std::abs(rest) <= rounding * size)
+          rest = 0.;
+        any = any || rest != 0.;
+      }
     return any;
   }
 
@@ -467,6 +478,13 @@ namespace isochor
                                            with_matrix,
                                            system));
     system.finish_assembly(external_force);
+    const bool curved = with_matrix && !scene.inertia.in_trial();
+    for (unsigned int t = 0; curved && t < terms.size(); ++t)
+      if (const auto *condition =
+            dynamic_cast<const BoundaryCondition<dim> *>(terms[t]);
+          condition && condition->relinearises())
+        condition->add_constraint_stiffness(
+          step, unknowns, constraints, setup.first_of_term()[t], system);
     return status;
   }
 
@@ -488,6 +506,12 @@ namespace isochor
           external_force.local_element(i) + boundary_force.local_element(i);
         const bool pressure = (i % n_components == dim);
         squares[constraints.constrained[i] ? 2 : (pressure ? 1 : 0)] += r * r;
+        // what walls and rigid sides do, apart from prescribed unknowns
+        const unsigned char how = constraints.constrained[i];
+        if (system.has_equations() && system.is_held(i) &&
+            how != NodalConstraints::prescribed &&
+            how != NodalConstraints::in_contact)
+          squares[2] += std::pow(system.reaction().local_element(i), 2);
         if (!pressure)
           squares[3] += f * f;
       }

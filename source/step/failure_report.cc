@@ -50,8 +50,7 @@ namespace isochor
             continue;
           largest = square;
           for (unsigned int d = 0; d < dim; ++d)
-            place[d] =
-              step.grid.geometry().vertices()[step.nodes.vertex(node)][d];
+            place[d] = step.nodes.position(node)[d];
         }
       const double       all    = Utilities::MPI::max(largest, comm);
       const unsigned int rank   = Utilities::MPI::this_mpi_process(comm);
@@ -222,6 +221,8 @@ namespace isochor
     double           prescribed = 0;
     for (const double increment : failure.constraints.increment)
       prescribed = std::max(prescribed, std::abs(increment));
+    for (const double value : failure.constraints.followers.value)
+      prescribed = std::max(prescribed, std::abs(value));
     const double trial = speed(failure.step, failure.unknowns);
     const bool   driven =
       Utilities::MPI::max(prescribed, comm) >

@@ -95,20 +95,10 @@ namespace isochor
     Mode
     modes_at(const SparseSystem &A, const unsigned int i, const Body &body)
     {
-      const unsigned int    dim = A.dim, c = A.component[i];
-      Mode                  mode{};
-      std::array<double, 3> x{};
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] = (A.position[dim * i + d] - body.centre[d]) / body.radius;
-      mode[c] = 1;
-      if (dim == 2)
-        mode[2] = (c == 0 ? -x[1] : x[0]);
-      else
-        {
-          // e_r × x
-          mode[3 + (c + 1) % 3] = x[(c + 2) % 3];
-          mode[3 + (c + 2) % 3] = -x[(c + 1) % 3];
-        }
+      Mode mode{};
+      for (unsigned int m = 0; m < (A.dim == 2 ? 3 : 6); ++m)
+        mode[m] = A.rigid_motion(i, A.component[i], m, body.centre.data()) /
+                  (m < A.dim ? 1. : body.radius);
       return mode;
     }
 

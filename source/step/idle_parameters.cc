@@ -4,11 +4,11 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/parameter_list.h>
 #include <isochor/base/plugin_registry.h>
-#include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/linear_solver/linear_solver_choice.h>
 #include <isochor/step/idle_parameters.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 namespace isochor
@@ -89,36 +89,25 @@ namespace isochor
 
 
 
+    /** @p all: the parameters of all ways to make a grid. */
+    template <int dim>
     void
-    inspect_grid(const Inspector &inspect)
+    inspect_grid(const Inspector             &inspect,
+                 const GridSource<dim>       &source,
+                 const std::set<std::string> &all)
     {
-      const bool adaptive    = inspect.value({"Grid", "Type"}) == "adaptive";
-      const Path entry       = {"Grid", adaptive ? "Coarse cells" : "Type"};
-      const std::string type = inspect.value(entry);
-      const std::string with = "with <" + join_path(entry) + " = " + type + ">";
-      const std::string fixed =
-        "with <Grid/Type = " + inspect.value({"Grid", "Type"}) + ">";
-      if (adaptive)
-        for (const char *name : {"Diagonals", "Offset"})
-          inspect.idle({"Grid", name}, fixed);
+      const std::string type = inspect.value({"Grid", "Type"});
+      std::string       with = "with <Grid/Type = " + type + ">";
+      if (!source.is_adaptive())
+        inspect.idle_section({"Adaptive grid"}, with);
       else
-        {
-          inspect.idle({"Grid", "Coarse cells"}, fixed);
-          inspect.idle_section({"Adaptive grid"}, fixed);
-        }
-      if (type != "box")
-        for (const char *name : {"Lower corner", "Upper corner"})
-          inspect.idle({"Grid", name}, with);
-      if (type != "trapezoid")
-        for (const char *name : {"Corners", "Depth"})
-          inspect.idle({"Grid", name}, with);
-      else if (inspect.value({"Dimension"}) == "2")
-        inspect.idle({"Grid", "Depth"}, "in 2D");
-      if (type == "gmsh")
-        for (const char *name : {"Subdivisions", "Diagonals", "Offset"})
-          inspect.idle({"Grid", name}, with);
-      else
-        inspect.idle({"Grid", "File"}, with + "; a mesh needs 'gmsh'");
+        with += " and <Grid/Coarse cells = " +
+                inspect.value({"Grid", "Coarse cells"}) + ">";
+      const std::set<std::string> in_use = source.parameters_in_use();
+      for (const std::string &name : all)
+        if (in_use.count(name) == 0)
+          inspect.idle({"Grid", name},
+                       with + " in " + std::to_string(dim) + "D");
       if (inspect.number({"Grid reset", "Steps between resets"}) == 1)
         inspect.idle({"Grid reset", "Smallest element quality"},
                      "with <Grid reset/Steps between resets = 1>: the grid is "
@@ -128,7 +117,7 @@ namespace isochor
 
 
     void
-    inspect_equations(const Inspector &inspect)
+    inspect_equations(const Inspector &inspect, const bool has_inertia)
     {
       if (inspect.value({"Formulation", "Type"}) == "u")
         for (const char *name : {"Stabilisation", "PPP coefficient"})
@@ -136,46 +125,49 @@ namespace isochor
       else if (inspect.value({"Formulation", "Stabilisation"}) == "none")
         inspect.idle({"Formulation", "PPP coefficient"},
                      "with <Formulation/Stabilisation = none>");
-      const std::string inertia = inspect.value({"Dynamics", "Inertia"});
-      if (inertia == "false" || inertia == "no")
+      if (!has_inertia)
         inspect.idle_section({"Dynamics"},
-                             "with <Dynamics/Inertia = false>",
+                             inspect.value({"Dynamics", "Scheme"}) ==
+                                 "statics" ?
+                               "with <Dynamics/Scheme = statics>" :
+                               "with <Dynamics/Inertia = false>",
                              "Inertia");
     }
 
 
 
     void
-    inspect_cut_cells(const Inspector &inspect)
+    inspect_cut_cells(const Inspector &inspect, const bool is_asked_for)
     {
       const std::string use = inspect.value({"Cut cells", "Extension"});
-      // plugins are the same in 2D and 3D
-      const std::string quadrature = inspect.value({"Quadrature", "Type"});
-      const bool        is_asked_for =
-        PluginRegistry<BodyQuadrature<2>>::create(quadrature)->ties_cut_cells();
       if (use == "never" || (use == "auto" && !is_asked_for))
         inspect.idle({"Cut cells", "Smallest support"},
                      use == "never" ?
                        "with <Cut cells/Extension = never>" :
                        "with <Cut cells/Extension = auto> and <Quadrature/Type "
                        "= " +
-                         quadrature + ">");
+                         inspect.value({"Quadrature", "Type"}) + ">");
     }
 
 
 
     void
-    inspect_surfaces(const Inspector &inspect)
+    inspect_surfaces(const ParameterList &list, const Inspector &inspect)
     {
-      const std::string section = "Boundary conditions";
-      if (inspect.value({section, "Surfaces of body"}).empty())
-        for (const char *name :
-             {"Boundary points per face", "Mesh of body surfaces"})
-          inspect.idle({section, name},
-                       "without <Boundary conditions/Surfaces of body>");
-      if (inspect.value({section, "Displacement of body"}).empty())
-        inspect.idle({section, "Penalty of body displacement"},
-                     "without <Boundary conditions/Displacement of body>");
+      for (const Path &path : list.subsections)
+        {
+          const std::string section = path.front();
+          if (path.size() > 1 || section.rfind("Boundary conditions", 0) != 0)
+            continue;
+          if (inspect.value({section, "Surfaces of body"}).empty())
+            for (const char *name :
+                 {"Boundary points per face", "Mesh of body surfaces"})
+              inspect.idle({section, name},
+                           "without <" + section + "/Surfaces of body>");
+          if (inspect.value({section, "Displacement of body"}).empty())
+            inspect.idle({section, "Penalty of body displacement"},
+                         "without <" + section + "/Displacement of body>");
+        }
     }
 
 
@@ -227,17 +219,30 @@ namespace isochor
 
 
 
+  template <int dim>
   void
-  warn_of_idle_parameters(const ParameterHandler &prm, Warnings &warnings)
+  warn_of_idle_parameters(const ParameterHandler &prm, Scene<dim> &scene)
   {
-    const ParameterList list(prm);
-    Inspector           inspect(list, warnings);
-    inspect_grid(inspect);
+    const ParameterList   list(prm);
+    Inspector             inspect(list, scene.warnings);
+    std::set<std::string> of_grids;
+    for (const std::string &name :
+         Utilities::split_string_list(PluginRegistry<GridSource<dim>>::names(),
+                                      '|'))
+      of_grids.merge(PluginRegistry<GridSource<dim>>::parameters(name));
+    inspect_grid(inspect, scene.grid.source(), of_grids);
     inspect_points(inspect);
-    inspect_equations(inspect);
-    inspect_cut_cells(inspect);
-    inspect_surfaces(inspect);
+    inspect_equations(inspect, scene.has_inertia());
+    inspect_cut_cells(inspect, scene.quadrature->ties_cut_cells());
+    inspect_surfaces(list, inspect);
     inspect_materials(list, inspect);
     inspect_linear_solver(list, inspect);
   }
+
+
+
+  template void
+  warn_of_idle_parameters<2>(const ParameterHandler &, Scene<2> &);
+  template void
+  warn_of_idle_parameters<3>(const ParameterHandler &, Scene<3> &);
 } // namespace isochor

@@ -28,10 +28,10 @@ namespace isochor
 
   template <int dim>
   void
-  MaterialPointMethod<dim>::declare_parameters(ParameterHandler  &prm,
-                                               const unsigned int n_materials)
+  MaterialPointMethod<dim>::declare_parameters(ParameterHandler    &prm,
+                                               const SceneSections &sections)
   {
-    Scene<dim>::declare_parameters(prm, n_materials);
+    Scene<dim>::declare_parameters(prm, sections);
     StepSetup<dim>::declare_parameters(prm);
     Equilibrium<dim>::declare_parameters(prm);
     GridToPoints<dim>::declare_parameters(prm);
@@ -70,7 +70,7 @@ namespace isochor
     terminal.parse_parameters(prm);
     prm.leave_subsection();
     scene.warnings.print_here(Utilities::MPI::this_mpi_process(comm) == 0);
-    warn_of_idle_parameters(prm, scene.warnings);
+    warn_of_idle_parameters(prm, scene);
   }
 
 
@@ -256,20 +256,27 @@ namespace isochor
       TimerOutput::Scope scope(terminal.timer(), "postprocessing");
       set_statistics(result);
       for (auto &postprocessor : scene.postprocessors)
-        postprocessor->evaluate_nodes(result, statistics);
+        {
+          statistics.set_owner(postprocessor->instance);
+          postprocessor->evaluate_nodes(result, statistics);
+        }
       for (const auto &condition : scene.boundary_conditions)
-        condition->evaluate(step, unknowns, statistics);
+        {
+          statistics.set_owner(condition->instance);
+          condition->evaluate(step,
+                              unknowns,
+                              equilibrium.mixed_system(),
+                              equilibrium.nodal_constraints(),
+                              statistics);
+        }
+      statistics.set_owner("");
       scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
       scene.adaptation.evaluate(scene.grid, scene.points, statistics);
     }
     {
       TimerOutput::Scope scope(terminal.timer(), "convective phase");
-      if (scene.dynamic)
-        scene.inertia.finish_step(step, unknowns);
-      grid_to_points.transfer(step,
-                              unknowns,
-                              scene.dynamic ? &scene.inertia : nullptr,
-                              scene.points);
+      scene.inertia.finish_step(step, unknowns);
+      grid_to_points.transfer(step, unknowns, scene.inertia, scene.points);
       if (setup.ties_nodes())
         setup.ties().evaluate(step,
                               unknowns,
@@ -283,7 +290,7 @@ namespace isochor
       // on a grid that is kept nothing drifts
       if (setup.reset().due())
         grid_to_points.project_volume(step, scene.points);
-      if (!scene.dynamic)
+      if (!scene.has_inertia())
         failure_report.remember(step, unknowns);
       warn_if_nothing_moves(scene, newton, unknowns);
       scene.time.accept(newton.n_factorisations);
@@ -291,7 +298,11 @@ namespace isochor
     {
       TimerOutput::Scope scope(terminal.timer(), "postprocessing");
       for (auto &postprocessor : scene.postprocessors)
-        postprocessor->evaluate_points(result, statistics);
+        {
+          statistics.set_owner(postprocessor->instance);
+          postprocessor->evaluate_points(result, statistics);
+        }
+      statistics.set_owner("");
       statistics.end_row();
       terminal.work().count("outputs of fields", scene.time.output_due());
     }
@@ -334,7 +345,7 @@ namespace isochor
                                    equilibrium.nodal_constraints(),
                                    dragged,
                                    loaded,
-                                   scene.dynamic,
+                                   scene.has_inertia(),
                                    output_directory});
   }
 

@@ -2,10 +2,14 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/parameter_list.h>
+#include <isochor/base/plain_message.h>
 #include <isochor/base/plugin_registry.h>
+#include <isochor/material_model/axisymmetric_material.h>
 #include <isochor/step/scene.h>
 #include <isochor/transfer/volume_projection.h>
 
+#include <algorithm>
 #include <string>
 
 namespace isochor
@@ -18,7 +22,84 @@ namespace isochor
       return material == 0 ? "Material" :
                              "Material " + std::to_string(material + 1);
     }
+
+
+
+    /** Declare the parameters of all plugins in @p section, and of one each in
+     * @p named sections. */
+    template <typename Plugin>
+    void
+    declare_plugins(const std::string               &section,
+                    const std::vector<NamedSection> &named,
+                    ParameterHandler                &prm)
+    {
+      using Registry = PluginRegistry<Plugin>;
+      prm.enter_subsection(section);
+      Registry::declare_parameters(prm);
+      prm.leave_subsection();
+      const auto types = Utilities::split_string_list(Registry::names(), '|');
+      for (const NamedSection &entry : named)
+        {
+          const bool known =
+            std::find(types.begin(), types.end(), entry.type) != types.end();
+          prm.enter_subsection(entry.section);
+          prm.declare_entry("Type",
+                            known ? entry.type : types.front(),
+                            Patterns::Selection(Registry::names()),
+                            "Which of the objects of the section '" + section +
+                              "' this is one more of. The section has the "
+                              "parameters of that one.");
+          if (known)
+            Registry::declare_parameters(entry.type, prm);
+          else // the error is to be that of the type
+            Registry::declare_parameters(prm);
+          prm.leave_subsection();
+        }
+    }
+
+
+
+    /** Make the objects of all plugins, then those of named sections, and let
+     * them read their parameters. */
+    template <typename Plugin>
+    void
+    create_plugins(ParameterHandler                     &prm,
+                   std::vector<std::unique_ptr<Plugin>> &objects)
+    {
+      PluginRegistry<Plugin>::create_all(objects);
+      const std::string kind = objects.front()->section;
+      for (const auto &path : ParameterList(prm).subsections)
+        if (path.size() == 1 && path.front().rfind(kind + ": ", 0) == 0)
+          {
+            prm.enter_subsection(path.front());
+            const std::string type = prm.get("Type");
+            prm.leave_subsection();
+            objects.push_back(PluginRegistry<Plugin>::create(type));
+            Plugin &object  = *objects.back();
+            object.section  = path.front();
+            object.instance = path.front().substr(kind.size() + 2);
+            object.name     = type + ": " + object.instance;
+          }
+      for (const auto &object : objects)
+        {
+          prm.enter_subsection(object->section);
+          object->parse_parameters(prm);
+          prm.leave_subsection();
+        }
+    }
   } // namespace
+
+
+
+  SceneSections
+  SceneSections::find(const std::vector<ParameterStatement> &statements)
+  {
+    SceneSections sections(n_numbered_subsections(statements, "Material"));
+    sections.boundary_conditions =
+      named_subsections(statements, "Boundary conditions");
+    sections.postprocessors = named_subsections(statements, "Postprocess");
+    return sections;
+  }
 
 
 
@@ -32,8 +113,8 @@ namespace isochor
 
   template <int dim>
   void
-  Scene<dim>::declare_parameters(ParameterHandler  &prm,
-                                 const unsigned int n_materials)
+  Scene<dim>::declare_parameters(ParameterHandler    &prm,
+                                 const SceneSections &sections)
   {
     BackgroundGrid<dim>::declare_parameters(prm);
     GridAdaptation<dim>::declare_parameters(prm);
@@ -43,41 +124,66 @@ namespace isochor
     InertiaTerm<dim>::declare_parameters(prm);
 
     prm.enter_subsection("Formulation");
-    prm.declare_entry("Type",
-                      "u-p",
-                      Patterns::Selection("u|u-p"),
-                      "Displacements as the only unknowns, or displacements "
-                      "and pressure.");
-    prm.declare_entry("Stabilisation",
-                      "PPP",
-                      Patterns::Selection("none|PPP"),
-                      "Of u-p: none, or Polynomial Pressure Projection.");
-    prm.declare_entry("PPP coefficient",
-                      "1",
-                      Patterns::Double(0),
-                      "The factor alpha of alpha/G in the stabilisation; "
-                      "useful are 1 to 8.");
+    prm.declare_entry(
+      "Type",
+      "u-p",
+      Patterns::Selection("u|u-p"),
+      "u: displacements are the only unknowns; nearly incompressible bodies "
+      "and those that flow plastically are then much too stiff. u-p: "
+      "displacements and pressure.");
+    prm.declare_entry("Geometry",
+                      "plane strain",
+                      Patterns::Selection("plane strain|axisymmetric"),
+                      "In 2D: a slice of a body that is long in z, or a "
+                      "section of a body of revolution, x being the distance "
+                      "from the axis (r) and y the place along it (z). "
+                      "Volumes, forces and energies are then those of the "
+                      "whole circle.");
+    prm.declare_entry(
+      "Stabilisation",
+      "PPP",
+      Patterns::Selection("none|PPP"),
+      "Of u-p: none, or Polynomial Pressure Projection. Without it the "
+      "pressure oscillates from node to node.");
+    prm.declare_entry(
+      "PPP coefficient",
+      "1",
+      Patterns::Double(0),
+      "The factor alpha of alpha/G in the stabilisation. Useful are 1 to 8, "
+      "and less where pressures are far above the shear modulus G. A larger "
+      "one makes the pressure smoother, and the body softer where the "
+      "pressure varies much within a cell.");
+    prm.declare_entry("PPP leaves out weight",
+                      "true",
+                      Patterns::Bool(),
+                      "Whether the stabilisation acts on what is left of the "
+                      "pressure without the part that is in equilibrium with "
+                      "the body's weight under <Boundary conditions/Gravity> "
+                      "(in dynamics: less its mean acceleration). It changes "
+                      "with the depth, which is no oscillation. false: on all "
+                      "of the pressure, as in the paper.");
     prm.leave_subsection();
 
-    for (unsigned int m = 0; m < n_materials; ++m)
+    for (unsigned int m = 0; m < sections.n_materials; ++m)
       {
         prm.enter_subsection(material_section(m));
-        prm.declare_entry("Model",
-                          "Neo-Hookean",
-                          Patterns::Selection(
-                            PluginRegistry<MaterialModel<dim>>::names()),
-                          "The constitutive law.");
+        prm.declare_entry(
+          "Model",
+          "Neo-Hookean",
+          Patterns::Selection(PluginRegistry<MaterialModel<dim>>::names()),
+          "The constitutive law. What it is told besides elasticity is in "
+          "the subsection of its name; see doc/materials.md.");
         IsotropicElasticity::declare_parameters(prm);
         PluginRegistry<MaterialModel<dim>>::declare_parameters(prm);
         prm.leave_subsection();
       }
 
-    prm.enter_subsection("Boundary conditions");
-    PluginRegistry<BoundaryCondition<dim>>::declare_parameters(prm);
-    prm.leave_subsection();
-    prm.enter_subsection("Postprocess");
-    PluginRegistry<Postprocessor<dim>>::declare_parameters(prm);
-    prm.leave_subsection();
+    declare_plugins<BoundaryCondition<dim>>("Boundary conditions",
+                                            sections.boundary_conditions,
+                                            prm);
+    declare_plugins<Postprocessor<dim>>("Postprocess",
+                                        sections.postprocessors,
+                                        prm);
   }
 
 
@@ -92,7 +198,7 @@ namespace isochor
     shape.parse_parameters(prm);
     time.parse_parameters(prm);
     quadrature = BodyQuadrature<dim>::create(prm);
-    dynamic    = inertia.parse_parameters(prm, *quadrature);
+    inertia.parse_parameters(prm, *quadrature);
     parse_formulation(prm);
     parse_materials(prm);
     parse_plugins(prm);
@@ -109,7 +215,13 @@ namespace isochor
     kernel.ppp_coefficient = mixed() && prm.get("Stabilisation") == "PPP" ?
                                prm.get_double("PPP coefficient") :
                                0.;
+    leaves_out_weight      = prm.get_bool("PPP leaves out weight");
+    kernel.axisymmetric    = prm.get("Geometry") == "axisymmetric";
     prm.leave_subsection();
+    AssertThrow(dim == 2 || !kernel.axisymmetric,
+                ExcMessage("The parameter <Formulation/Geometry = "
+                           "axisymmetric> needs <Dimension = 2>: the plane is "
+                           "a section of the body."));
   }
 
 
@@ -125,8 +237,7 @@ namespace isochor
       {
         prm.enter_subsection(material_section(m));
         const std::string model = prm.get("Model");
-        kernel.materials.push_back(
-          PluginRegistry<MaterialModel<dim>>::create(model));
+        kernel.materials.push_back(create_material(model));
         MaterialModel<dim> &material = *kernel.materials.back();
         material.parse_parameters(prm);
         if (rescales)
@@ -135,6 +246,19 @@ namespace isochor
         check_material(material, model, m);
         symmetric = symmetric && material.has_symmetric_tangent();
       }
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<MaterialModel<dim>>
+  Scene<dim>::create_material(const std::string &model) const
+  {
+    if constexpr (dim == 2)
+      if (kernel.axisymmetric)
+        return std::make_unique<AxisymmetricMaterial>(
+          PluginRegistry<MaterialModel<3>>::create(model));
+    return PluginRegistry<MaterialModel<dim>>::create(model);
   }
 
 
@@ -150,7 +274,7 @@ namespace isochor
                            "/Poisson ratio> must be less than 0.5 in the "
                            "formulation u. Set <Formulation/Type = u-p> for "
                            "an incompressible material."));
-    AssertThrow(!dynamic || material.density() > 0,
+    AssertThrow(!has_inertia() || material.density() > 0,
                 ExcMessage("The parameter <" + material_section(m) +
                            "/Density> must be positive in a scene with "
                            "<Dynamics/Inertia = true>."));
@@ -175,20 +299,10 @@ namespace isochor
   void
   Scene<dim>::parse_plugins(ParameterHandler &prm)
   {
-    prm.enter_subsection("Boundary conditions");
-    PluginRegistry<BoundaryCondition<dim>>::create_all(boundary_conditions);
-    for (auto &condition : boundary_conditions)
-      {
-        condition->parse_parameters(prm);
-        symmetric = symmetric && condition->has_symmetric_matrix();
-      }
-    prm.leave_subsection();
-
-    prm.enter_subsection("Postprocess");
-    PluginRegistry<Postprocessor<dim>>::create_all(postprocessors);
-    for (auto &postprocessor : postprocessors)
-      postprocessor->parse_parameters(prm);
-    prm.leave_subsection();
+    create_plugins(prm, boundary_conditions);
+    create_plugins(prm, postprocessors);
+    for (const auto &condition : boundary_conditions)
+      symmetric = symmetric && condition->has_symmetric_matrix();
   }
 
 
@@ -200,10 +314,12 @@ namespace isochor
     const bool with_domains = quadrature->needs_domains();
     grid.create();
     adaptation.make_initial_grid(grid);
+    check_axis();
     points.seed(kernel.materials,
-                dynamic,
+                has_inertia(),
                 inertia.initial_velocity,
-                with_domains);
+                with_domains,
+                kernel.axisymmetric);
     shape.initialize(grid, with_domains);
     for (auto &condition : boundary_conditions)
       {
@@ -217,6 +333,28 @@ namespace isochor
 
 
   template <int dim>
+  void
+  Scene<dim>::check_axis() const
+  {
+    if (!kernel.axisymmetric)
+      return;
+    double least = 0, largest = 0;
+    for (const Point<dim> &vertex : grid.geometry().vertices())
+      {
+        least   = std::min(least, vertex[0]);
+        largest = std::max(largest, vertex[0]);
+      }
+    AssertThrow(least >= -1e-12 * largest,
+                ExcMessage("With <Formulation/Geometry = axisymmetric> x is "
+                           "the distance from the axis, but the grid of <Grid/"
+                           "Type> reaches to x = " +
+                           rounded(least) +
+                           ". Let it begin at x = 0 or to the right of it."));
+  }
+
+
+
+  template <int dim>
   std::vector<std::string>
   Scene<dim>::not_needed() const
   {
@@ -225,7 +363,7 @@ namespace isochor
       list.push_back("pressures at the nodes");
     if (!mixed() || kernel.ppp_coefficient == 0)
       list.push_back("stabilisation of the pressure");
-    if (!dynamic)
+    if (!has_inertia())
       list.push_back("masses and inertia");
     if (points.layout().n_history == 0)
       list.push_back("history of the points");

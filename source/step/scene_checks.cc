@@ -113,7 +113,7 @@ namespace isochor
       condition->check_scene(step);
     for (const auto &postprocessor : scene.postprocessors)
       postprocessor->check_scene(step);
-    if (!scene.dynamic)
+    if (!scene.has_inertia())
       check_supports(matrix, step.warnings);
   }
 

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/equations/held_directions.h>
 #include <isochor/step/step_setup.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -56,8 +57,27 @@ namespace isochor
   StepSetup<dim>::initialize()
   {
     locator = std::make_unique<PointLocator<dim>>(scene.grid.geometry());
+    unsigned int n_control_nodes = 0;
+    for (const auto &condition : scene.boundary_conditions)
+      {
+        condition->set_first_control_node(n_control_nodes);
+        n_control_nodes += condition->control_nodes().size();
+      }
     if (needs_occupancy)
       find_walls();
+  }
+
+
+
+  template <int dim>
+  std::vector<ControlNode<dim>>
+  StepSetup<dim>::control_nodes() const
+  {
+    std::vector<ControlNode<dim>> all;
+    for (const auto &condition : scene.boundary_conditions)
+      for (const auto &node : condition->control_nodes())
+        all.push_back(node);
+    return all;
   }
 
 
@@ -67,8 +87,10 @@ namespace isochor
   StepSetup<dim>::find_walls()
   {
     // what the boundary conditions hold, asked with all nodes of the grid
-    ActiveNodes<dim>          all_nodes(scene.grid);
-    std::vector<unsigned int> vertices(scene.grid.triangulation().n_vertices());
+    ActiveNodes<dim> all_nodes(scene.grid);
+    all_nodes.set_control_nodes(control_nodes());
+    std::vector<unsigned int> vertices(
+      all_nodes.control_vertex(control_nodes().size()));
     std::iota(vertices.begin(), vertices.end(), 0);
     all_nodes.update(vertices);
     const unsigned int     n_components = scene.n_components;
@@ -83,11 +105,15 @@ namespace isochor
     NodalConstraints       held;
     held.reinit(all_nodes.n_local() * n_components);
     for (const auto &condition : scene.boundary_conditions)
-      condition->constrain(step, held);
+      {
+        held.source = condition->name;
+        condition->constrain(step, held);
+      }
+    held.resolve(n_components);
+    const HeldDirections<dim> directions(held, n_components);
     occupancy.initialize(
-      [&](const unsigned int vertex, const unsigned int component) {
-        return held.constrained[all_nodes.node(vertex) * n_components +
-                                component] != 0;
+      [&](const unsigned int vertex, const Tensor<1, dim> &n) {
+        return directions.free_part(all_nodes.node(vertex), n);
       });
   }
 
@@ -128,7 +154,7 @@ namespace isochor
   {
     // the initial acceleration, found in the first step, is the points'
     const bool repeated =
-      is_current && !(scene.dynamic && scene.time.step == 0);
+      is_current && !(scene.has_inertia() && scene.time.step == 0);
     laid_out      = !repeated && grid_reset.due();
     nodes_changed = false;
     if (repeated)
@@ -137,6 +163,8 @@ namespace isochor
       reset_grid(terms, last_motion);
     else
       scene.points.update(arrays);
+    arrays.place_massless_points(scene.grid.geometry());
+    nodes.set_control_nodes(control_nodes());
     nodes_changed = nodes.update(touched_vertices) || is_fresh;
     is_fresh      = false;
     is_current    = true;
@@ -179,7 +207,16 @@ namespace isochor
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched_vertices);
     if (extends)
-      extension.update(arrays, touched_vertices);
+      {
+        std::vector<unsigned int> never;
+        for (const auto &condition : scene.boundary_conditions)
+          for (const unsigned int vertex : condition->vertices_never_tied())
+            never.push_back(vertex);
+        extension.exempt(never);
+        extension.update(arrays, touched_vertices);
+      }
+    for (const auto &condition : scene.boundary_conditions)
+      condition->touch_masters(nodes, touched_vertices);
   }
 
 
@@ -216,9 +253,10 @@ namespace isochor
           scene.grid, scene.points, *locator, scene.time.time, none))
       return false;
     scene.points.seed(scene.kernel.materials,
-                      scene.dynamic,
+                      scene.has_inertia(),
                       scene.inertia.initial_velocity,
-                      scene.quadrature->needs_domains());
+                      scene.quadrature->needs_domains(),
+                      scene.kernel.axisymmetric);
     grid_changed();
     is_current = false;
     return true;

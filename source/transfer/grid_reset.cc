@@ -98,6 +98,7 @@ namespace isochor
             step.kernel.final_state(points,
                                     q,
                                     nodal.deformation_at(stencil),
+                                    nodal.hoop_at(stencil, points, q),
                                     step.mixed(),
                                     nodal.pressure_at(stencil),
                                     history.data());
@@ -169,6 +170,10 @@ namespace isochor
           }
         worst = std::min(worst, quality(step, k));
       }
+    for (OverlappedCell<dim> &cell : points.overlapped_cells)
+      for (unsigned int v = 0; v <= dim; ++v)
+        cell.corners[v] +=
+          nodal.increment(geometry.vertex_indices(cell.cell)[v]);
     return worst;
   }
 

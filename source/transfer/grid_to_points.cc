@@ -27,18 +27,26 @@ namespace isochor
       const double difference = std::sqrt(sums[0] / sums[1]);
       if (!(difference > tolerated))
         return;
+      // on a grid that is kept it can be the error of the elements alone
+      const std::string cause =
+        step.grid_is_kept ?
+          " differ from cell to cell more than the pressure can follow, or "
+          "motions that no cell feels have grown from one reset of the grid to "
+          "the next. Use smaller cells where the deformation is large, or keep "
+          "the grid for longer (<Grid reset/Steps between resets>)." :
+          " hold the right volume: motions that no cell feels have grown from "
+          "one reset of the grid to the next. Loads may still look right, "
+          "displacements and stresses are not. Keep the grid for several steps "
+          "or all (<Grid reset/Steps between resets>), let it follow the body "
+          "(<Grid/Stretch>), use more <Material points/Points per cell>, "
+          "another <Quadrature/Type>, or <Formulation/Project volume change>.";
       step.warnings.add(
         "volumes of the points wander",
         "At t = " + rounded(step.time) +
           " the volumes of the material points differ by " +
           rounded(100 * difference) +
-          " % (root mean square) from what the pressure says, while the cells "
-          "hold the right volume: motions that no cell feels have grown from "
-          "one reset of the grid to the next. Loads may still look right, "
-          "displacements and stresses are not. Keep the grid for several steps "
-          "or all (<Grid reset/Steps between resets>), let it follow the body "
-          "(<Grid/Stretch>), use more <Material points/Points per cell>, "
-          "another <Quadrature/Type>, or <Formulation/Project volume change>.");
+          " % (root mean square) from what the pressure says, " +
+          (step.grid_is_kept ? "as volumes" : "while the cells") + cause);
     }
   } // namespace
 
@@ -69,7 +77,7 @@ namespace isochor
   void
   GridToPoints<dim>::transfer(const StepContext<dim> &step,
                               const NodalField       &unknowns,
-                              const InertiaTerm<dim> *inertia,
+                              const InertiaTerm<dim> &inertia,
                               MaterialPoints<dim>    &points)
   {
     const PointLayout              &l      = points.layout();
@@ -98,10 +106,12 @@ namespace isochor
           last_cell = k;
         }
 
-      const Tensor<1, dim> displacement = nodal.increment_at(stencil);
-      const auto           state        = step.kernel.final_state(arrays,
+      const Tensor<1, dim> displacement   = nodal.increment_at(stencil);
+      const double         hoop_increment = nodal.hoop_at(stencil, arrays, q);
+      const auto           state          = step.kernel.final_state(arrays,
                                                  q,
                                                  F_increment,
+                                                 hoop_increment,
                                                  step.mixed(),
                                                  nodal.pressure_at(stencil),
                                                  history.data());
@@ -120,8 +130,9 @@ namespace isochor
           for (unsigned int a = 0; a < dim; ++a)
             for (unsigned int b = 0; b < dim; ++b)
               work += state.cauchy_stress[a][b] * strain_increment[a][b];
-          step_energy +=
-            std::abs(work) * determinant(state.F) * properties[l.volume];
+          work += state.cauchy_stress[2][2] * (1 - 1 / hoop_increment);
+          step_energy += std::abs(work) * state.J * properties[l.volume] *
+                         arrays.thickness(q);
         }
       std::copy_n(history.begin(), l.n_history, &properties[l.history]);
       if (step.mixed())
@@ -135,17 +146,10 @@ namespace isochor
           if (projects_volume)
             volume_projection.set_excess(q, excess);
         }
-      if (inertia)
-        {
-          const auto motion = inertia->point(step, stencil, arrays.velocity[q]);
-          for (unsigned int a = 0; a < dim; ++a)
-            {
-              properties[l.velocity + a]     = motion.first[a];
-              properties[l.acceleration + a] = motion.second[a];
-            }
-          if (measures_energy)
-            step_energy += properties[l.mass] / 2 * motion.first.norm_square();
-        }
+      const double kinetic_energy =
+        inertia.move_point(step, stencil, q, l, properties);
+      if (measures_energy)
+        step_energy += kinetic_energy;
     });
     if (step.mixed())
       warn_of_wandering_volumes(step, volume_errors);

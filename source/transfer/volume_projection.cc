@@ -11,12 +11,14 @@ namespace isochor
   VolumeProjection<dim>::declare_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Formulation");
-    prm.declare_entry("Project volume change",
-                      "false",
-                      Patterns::Bool(),
-                      "Of u-p: at the end of a step replace what the volume "
-                      "change of a point differs from p/K by its nodal means. "
-                      "Without, det F of points drifts in long flows.");
+    prm.declare_entry(
+      "Project volume change",
+      "false",
+      Patterns::Bool(),
+      "Of u-p: at the end of a step, the difference between the elastic "
+      "volume change of a point and p/K is replaced by its mean around the "
+      "point. Without that the volumes of points drift apart in long flows. "
+      "Not for CPDI where the material flows: the domains don't follow.");
     prm.leave_subsection();
   }
 
@@ -79,7 +81,7 @@ namespace isochor
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
               const unsigned int node = step.nodes.node(stencil.vertex[I]);
-              const double       wN   = stencil.shape[I] * points.weight[q];
+              const double       wN   = stencil.shape[I] * points.measure(q);
               weight.local_element(node) += wN;
               mean.local_element(node) += wN * excess[q];
             }

@@ -82,6 +82,21 @@ namespace isochor
   n_numbered_subsections(const std::vector<ParameterStatement> &statements,
                          const std::string                     &name);
 
+  /** A subsection "kind: name" at the top level, whose `Type` names a plugin.
+   */
+  struct NamedSection
+  {
+    std::string section, type;
+  };
+
+  /**
+   * The subsections "@p kind: name" that the statements mention, in their
+   * order. Throws ParameterError if one has no name or no `Type`.
+   */
+  std::vector<NamedSection>
+  named_subsections(const std::vector<ParameterStatement> &statements,
+                    const std::string                     &kind);
+
   /**
    * Set in @p prm, which has to be at its top level, what the statements say,
    * in their order, so that the last one wins. Throws ParameterError for

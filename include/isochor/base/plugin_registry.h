@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,11 @@ namespace isochor
    * with the plugins in it. */
   void
   need_plugins_of_library();
+
+  /** The names of the parameters that @p declare declares at the level where it
+   * is called, not those of subsections. */
+  std::set<std::string>
+  declared_parameters(void (*declare)(ParameterHandler &));
 
   /**
    * The plugins of one kind (material models, linear solvers, ...) by name.
@@ -76,15 +82,25 @@ namespace isochor
         entry.second.declare(prm);
     }
 
+    /** Declare the parameters of plugin @p name. */
+    static void
+    declare_parameters(const std::string &name, ParameterHandler &prm)
+    {
+      entry(name).declare(prm);
+    }
+
+    /** The names of the parameters of plugin @p name. */
+    static std::set<std::string>
+    parameters(const std::string &name)
+    {
+      return declared_parameters(entry(name).declare);
+    }
+
     /** A new object of plugin @p name, its parameters not yet parsed. */
     static std::unique_ptr<Interface>
     create(const std::string &name)
     {
-      const auto entry = entries().find(name);
-      AssertThrow(entry != entries().end(),
-                  ExcMessage("There is no plugin named <" + name +
-                             ">. Known are: " + names() + "."));
-      return entry->second.create();
+      return entry(name).create();
     }
 
     /** Append a new object of every plugin, with its name, for kinds of which
@@ -105,6 +121,16 @@ namespace isochor
       Factory     create;
       Declaration declare;
     };
+
+    static const Entry &
+    entry(const std::string &name)
+    {
+      const auto found = entries().find(name);
+      AssertThrow(found != entries().end(),
+                  ExcMessage("There is no plugin named <" + name +
+                             ">. Known are: " + names() + "."));
+      return found->second;
+    }
 
     static std::map<std::string, Entry> &
     entries()

@@ -28,6 +28,14 @@ namespace isochor
     void
     open(const std::string &file_name, const unsigned int n_rows = 0);
 
+    /** Columns are called "<owner>: <column>" from now on; not, if @p owner is
+     * empty. */
+    void
+    set_owner(const std::string &owner)
+    {
+      prefix = owner.empty() ? "" : owner + ": ";
+    }
+
     /** Set a value of the present row. */
     void
     set(const std::string &column, const double value);
@@ -46,7 +54,7 @@ namespace isochor
     void
     rewrite();
 
-    std::string                   file_name;
+    std::string                   file_name, prefix;
     std::ofstream                 file;
     std::vector<std::string>      columns;
     std::map<std::string, double> row, last_row;

@@ -45,6 +45,15 @@ namespace isochor
                     const std::string      &boundary,
                     const unsigned int      component,
                     const double            push);
+
+  /** The same of what <@p condition> prescribes along the normal into the grid,
+   * @p along (m). */
+  template <int dim>
+  void
+  warn_of_body_left_behind(const StepContext<dim> &step,
+                           const std::string      &boundary,
+                           const std::string      &condition,
+                           const double            along);
 } // namespace isochor
 
 #endif

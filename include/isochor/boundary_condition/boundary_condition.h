@@ -5,6 +5,7 @@
 #ifndef isochor_boundary_condition_h
 #define isochor_boundary_condition_h
 
+#include <isochor/base/named_plugin.h>
 #include <isochor/base/plugin_registry.h>
 #include <isochor/base/statistics.h>
 #include <isochor/equations/equation_term.h>
@@ -21,11 +22,12 @@ namespace isochor
    * whose parameters are left empty does nothing.
    */
   template <int dim>
-  class BoundaryCondition : public EquationTerm<dim>
+  class BoundaryCondition : public EquationTerm<dim>, public NamedPlugin
   {
   public:
-    /** As it is registered. A checkpoint keeps its state by this name. */
-    std::string name;
+    BoundaryCondition()
+      : NamedPlugin("Boundary conditions")
+    {}
 
     /** For those that have none. */
     static void
@@ -61,11 +63,83 @@ namespace isochor
     check_scene(const StepContext<dim> & /*step*/) const
     {}
 
-    /** Prescribe increments of nodal unknowns over the step. */
+    /** Unknowns of the condition's own, see ControlNode: as many as ever, as
+     * they are at the start of the step. All ranks alike. */
+    virtual std::vector<ControlNode<dim>>
+    control_nodes() const
+    {
+      return {};
+    }
+    /** Once, before the first step: control_nodes() are those of the step from
+     * number @p first on, see ActiveNodes::control_vertex(). */
+    virtual void
+    set_first_control_node(const unsigned int /*first*/)
+    {}
+
+    /** The touched @p vertices of this rank are known: add those that the
+     * equations of constrain() need on this rank, for nodes that this rank
+     * touches and for those it owns and others touch. @p nodes are those of the
+     * last step. Collective. */
+    virtual void
+    touch_masters(const ActiveNodes<dim> & /*nodes*/,
+                  std::vector<unsigned int> & /*vertices*/)
+    {}
+
+    /** Vertices that are not to be tied for want of material, see
+     * DiscreteExtension::exempt(). */
+    virtual std::vector<unsigned int>
+    vertices_never_tied() const
+    {
+      return {};
+    }
+
+    /** Prescribe increments of nodal unknowns over the step, or add linear
+     * equations between them. */
     virtual void
     constrain(const StepContext<dim> & /*step*/,
               NodalConstraints & /*constraints*/) const
     {}
+
+    /** Whether there are equations whose coefficients change with the unknowns
+     * (Equation::changes). */
+    virtual bool
+    relinearises() const
+    {
+      return false;
+    }
+    /** Linearise these equations at @p unknowns: change their coefficients,
+     * and their value such that they hold where what is prescribed has come in
+     * altogether. Not in trial steps of dynamics. */
+    virtual void
+    relinearise(const StepContext<dim> & /*step*/,
+                const NodalField & /*unknowns*/,
+                NodalConstraints & /*constraints*/) const
+    {}
+
+    /** After the assembly of a matrix: add what comes from the curvature of
+     * these equations, multiplier times second derivative, to elements that
+     * collect_elements() has named, from @p first_element on, by
+     * MixedSystem::add_matrix(). */
+    virtual void
+    add_constraint_stiffness(const StepContext<dim> & /*step*/,
+                             const NodalField & /*unknowns*/,
+                             const NodalConstraints & /*constraints*/,
+                             const unsigned int /*first_element*/,
+                             MixedSystem<dim> & /*system*/) const
+    {}
+
+    /** Of an equation of this condition that changes: what is added to its
+     * value for accelerations at the start of the step, given the nodal
+     * velocities (dim per node): for a rotation, that towards its axis. */
+    virtual double
+    convective_acceleration(
+      const StepContext<dim> & /*step*/,
+      const NodalField & /*velocity*/,
+      const NodalConstraints & /*constraints*/,
+      const NodalConstraints::Equation & /*equation*/) const
+    {
+      return 0.;
+    }
 
     /** The search for the contact nodes of a step begins, or begins again
      * after a failure: with those of the last step that was accepted. */
@@ -81,16 +155,18 @@ namespace isochor
     };
 
     /** Newton's method has converged: change what constrain() will prescribe
-     * where a one-sided condition is violated. @p reaction is the force of the
-     * boundary on the body at constrained unknowns (N). Returns why the search
-     * is to be given up, nothing as long as it goes on or if it has ended.
-     * Nodes that follow others (@p ties) because hardly any material touches
-     * them may go through a wall: where they are the body isn't. Collective. */
+     * where a one-sided condition is violated. The forces of the boundary on
+     * the body are the residual of @p system where unknowns are prescribed (N),
+     * and its multiplier() for equations of @p constraints. Returns why the
+     * search is to be given up, nothing as long as it goes on or if it has
+     * ended. Nodes that follow others (ties) because hardly any material
+     * touches them may go through a wall: where they are the body isn't.
+     * Collective. */
     virtual std::string
     check_contact(const StepContext<dim> & /*step*/,
                   const NodalField & /*unknowns*/,
-                  const NodalField & /*reaction*/,
-                  const NodalTies & /*ties*/,
+                  const MixedSystem<dim> & /*system*/,
+                  const NodalConstraints & /*constraints*/,
                   const ContactTolerance & /*tolerance*/)
     {
       return {};
@@ -102,6 +178,15 @@ namespace isochor
     add_external_force(const StepContext<dim> & /*step*/,
                        NodalField & /*force*/) const
     {}
+
+    /** The part of the dead loads that acts on all mass alike (m/s²), at
+     * @p time. The stabilisation of the pressure leaves out what is in
+     * equilibrium with it. */
+    virtual Tensor<1, dim>
+    body_acceleration(const double /*time*/) const
+    {
+      return {};
+    }
 
     /** Whether what assemble() adds is symmetric. */
     virtual bool
@@ -160,6 +245,8 @@ namespace isochor
     virtual void
     evaluate(const StepContext<dim> & /*step*/,
              const NodalField & /*unknowns*/,
+             const MixedSystem<dim> & /*system*/,
+             const NodalConstraints & /*constraints*/,
              Statistics & /*statistics*/) const
     {}
 

@@ -38,8 +38,8 @@ namespace isochor
     }
   };
 
-  /** The parameters of the conditions on the body's surface, in the subsection
-   * "Boundary conditions". */
+  /** The parameters of the conditions on the body's surface, in a subsection
+   * like "Boundary conditions". */
   template <int dim>
   struct SurfaceConditions
   {
@@ -51,6 +51,9 @@ namespace isochor
     /** Look up the boundaries of the grid. */
     void
     find_boundaries(const BackgroundGrid<dim> &grid);
+
+    /** Of the parameters, for messages. */
+    std::string section = "Boundary conditions";
 
     std::vector<SurfaceCondition<dim>> surfaces;
     unsigned int                       points_per_face = 3;

@@ -121,9 +121,12 @@ namespace isochor
     add_dead_loads(const StepContext<dim> &step, NodalField &force) const;
 
   private:
+    /** A_b at t = 0 (m^(dim-1); in axisymmetry m^2, of the ring). */
+    double
+    area(const StepContext<dim> &step, const unsigned int b) const;
     /** β G/h A_b at a point. */
     double
-    stiffness(const unsigned int b) const;
+    stiffness(const StepContext<dim> &step, const unsigned int b) const;
     Tensor<1, dim>
     displacement(const StepContext<dim> &step,
                  const NodalField       &unknowns,

@@ -31,11 +31,11 @@ namespace isochor
   public:
     CellOccupancy(const BackgroundGrid<dim> &grid);
 
-    /** With a new grid. @p held(vertex, component) tells whether a
-     * displacement is prescribed there. */
-    template <typename Held>
+    /** With a new grid. @p free_part(vertex, n) is the square of the part of
+     * the unit vector n that displacements are free along at the vertex. */
+    template <typename FreePart>
     void
-    initialize(const Held &held);
+    initialize(const FreePart &free_part);
 
     /**
      * Take stock of @p points. If @p find_holes, a few empty cells in a row
@@ -192,9 +192,9 @@ namespace isochor
 
 
   template <int dim>
-  template <typename Held>
+  template <typename FreePart>
   void
-  CellOccupancy<dim>::initialize(const Held &held)
+  CellOccupancy<dim>::initialize(const FreePart &free_part)
   {
     const unsigned int n_vertices = grid.triangulation().n_vertices();
     contents.clear();
@@ -213,17 +213,13 @@ namespace isochor
         const SimplexGeometry<dim> &geometry = grid.geometry();
         Tensor<1, dim> n = geometry.gradients(face.cell)[face.opposite_vertex];
         n /= n.norm();
-        double free_part = 0; // the largest of |n|^2 in components not held
+        double largest = 0;
         for (unsigned int v = 0; v <= dim; ++v)
           if (v != face.opposite_vertex)
-            {
-              double sum = 0;
-              for (unsigned int a = 0; a < dim; ++a)
-                if (!held(geometry.vertex_indices(face.cell)[v], a))
-                  sum += n[a] * n[a];
-              free_part = std::max(free_part, sum);
-            }
-        if (free_part > 0.5)
+            largest =
+              std::max(largest,
+                       free_part(geometry.vertex_indices(face.cell)[v], n));
+        if (largest > 0.5)
           mark_open(face);
       }
   }

@@ -85,6 +85,11 @@ namespace isochor
     bool
     is_active(const bool quadrature_asks) const;
 
+    /** These vertices are not to be tied: they follow others anyway, or others
+     * that have support follow them. */
+    void
+    exempt(const std::vector<unsigned int> &vertices);
+
     /**
      * Find the ties of the unsupported ones among the @p vertices touched by
      * this rank, and add the vertices they are tied to. @p points are those of
@@ -137,6 +142,11 @@ namespace isochor
     support(const unsigned int vertex) const;
     bool
     is_supported(const unsigned int vertex) const;
+    bool
+    may_be_tied(const unsigned int vertex) const
+    {
+      return !is_supported(vertex) && exempted.count(vertex) == 0;
+    }
     /** The tie of the unsupported @p vertex; without masters if there is no
      * cell to tie it to. */
     Tie
@@ -176,10 +186,11 @@ namespace isochor
     const CellOccupancy<dim>  &occupancy;
 
     /** Σ_p J_p w_p N_pI by vertex, near this rank; and where it isn't zero. */
-    std::vector<double>       volume_at;
-    std::vector<unsigned int> summed;
-    DependentNodes<dim>       dependent;
-    std::vector<Tie>          found;
+    std::vector<double>              volume_at;
+    std::vector<unsigned int>        summed;
+    DependentNodes<dim>              dependent;
+    std::vector<Tie>                 found;
+    std::unordered_set<unsigned int> exempted;
     /** Unsupported nodes of this rank that could not be tied. */
     unsigned int n_free = 0;
   };

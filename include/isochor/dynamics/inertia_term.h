@@ -10,6 +10,7 @@
 #include <isochor/dynamics/time_integrator.h>
 #include <isochor/equations/equation_term.h>
 
+#include <array>
 #include <memory>
 
 namespace isochor
@@ -26,7 +27,7 @@ namespace isochor
    *   a_p = Σ N_I a_I,  v_p = Σ N_I v_I + η (v_p,n - Σ N_I v_n,I),
    * with η the part that is kept of what the nodes can't represent (0: all
    * velocity is interpolated, PIC; 1: increments are, FLIP) and v_n,I without
-   * constraints. Only present in dynamic scenes.
+   * constraints. Where the scheme is statics there is nothing of all this.
    *
    * The acceleration a_n that a step starts with is either this projection, or
    * (`Acceleration = from stresses`) the solution of
@@ -42,10 +43,16 @@ namespace isochor
   public:
     static void
     declare_parameters(ParameterHandler &prm);
-    /** Whether the scene is dynamic. */
-    bool
+    void
     parse_parameters(ParameterHandler          &prm,
                      const BodyQuadrature<dim> &quadrature);
+
+    /** Whether the scheme has inertia. If not, nothing below has any effect. */
+    bool
+    is_active() const
+    {
+      return integrator && integrator->has_inertia();
+    }
 
     /** Take the points as they are at the start of the step. In the first one
      * their accelerations count in any case. Collective. */
@@ -56,28 +63,25 @@ namespace isochor
       MaterialPoints<dim>                                        &points,
       const bool                                                  is_first);
 
-    /**
-     * Give the unknowns held by @p constraints the velocity and acceleration of
-     * their prescribed motion, the parabola through its places at the start,
-     * the middle and the end of @p step, and project to the others. Has to be
-     * called whenever other unknowns are held than before. Collective.
-     *
-     * What a one-sided wall holds starts with what the points bring, so that
-     * the search for the nodes in contact doesn't change what it starts from,
-     * and ends with the motion of the wall: the impact is over within the step.
-     */
+    /** Nodes are held anew by @p constraints, in a way that has @p changed or
+     * not; the step ends at @p end. Do what follows from that. Collective. */
     void
-    prescribe(
+    constrain(
       const StepContext<dim>                                     &step,
+      const double                                                end,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-      const NodalConstraints                                     &constraints);
+      const bool                                                  changed,
+      NodalConstraints                                           &constraints);
 
-    /** Whether prescribe() has been called in this step. */
-    bool
-    is_prescribed() const
-    {
-      return prescribed;
-    }
+    /** Of the mass, at the start of the step (m/s²), after constrain(); zero in
+     * statics. Collective. */
+    Tensor<1, dim>
+    mean_acceleration(const StepContext<dim> &step) const;
+
+    /** The same in a trial, of its @p unknowns. Collective. */
+    Tensor<1, dim>
+    mean_trial_acceleration(const StepContext<dim> &step,
+                            const NodalField       &unknowns) const;
 
     /**
      * Look for the acceleration at the start of the first step. From now on the
@@ -94,11 +98,6 @@ namespace isochor
       const StepContext<dim>                                     &step,
       const double                                                trial_step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
-    /** The increments of a trial: those of the prescribed motion in
-     * @p constraints. */
-    void
-    set_trial_increments(const StepContext<dim> &step,
-                         NodalConstraints       &constraints) const;
     /**
      * A trial was successful: add half of its acceleration to those of the
      * points. If prescribed motions start suddenly, what the step does not
@@ -141,6 +140,15 @@ namespace isochor
     void
     finish_step(const StepContext<dim> &step, const NodalField &unknowns);
 
+    /** Write velocity and acceleration of point @p q at the end of the step
+     * into its @p properties. Returns its kinetic energy (J). */
+    double
+    move_point(const StepContext<dim>                   &step,
+               const typename PointArrays<dim>::Stencil &stencil,
+               const unsigned int                        q,
+               const PointLayout                        &layout,
+               const ArrayView<double>                  &properties) const;
+
     /** Velocity and acceleration of a point at the end of the step. */
     std::pair<Tensor<1, dim>, Tensor<1, dim>>
     point(const StepContext<dim>                   &step,
@@ -151,6 +159,27 @@ namespace isochor
     std::string initial_velocity;
 
   private:
+    /**
+     * Give the unknowns held by @p constraints the velocity and acceleration of
+     * their prescribed motion, the parabola through its places at the start,
+     * the middle and the end of @p step, and project to the others. Has to be
+     * called whenever other unknowns are held than before. Collective.
+     *
+     * What a one-sided wall holds starts with what the points bring, so that
+     * the search for the nodes in contact doesn't change what it starts from,
+     * and ends with the motion of the wall: the impact is over within the step.
+     */
+    void
+    prescribe(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      const NodalConstraints                                     &constraints);
+
+    /** The increments of a trial: those of the prescribed motion in
+     * @p constraints. */
+    void
+    set_trial_increments(const StepContext<dim> &step,
+                         NodalConstraints       &constraints) const;
     /** Size of the step whose equations are assembled (s). */
     double
     step_size(const StepContext<dim> &step) const
@@ -165,6 +194,12 @@ namespace isochor
       return *integrator;
     }
 
+    /** Mean over the mass of what @p of_entry(node, component) gives. */
+    template <typename Acceleration>
+    Tensor<1, dim>
+    mean_over_mass(const StepContext<dim> &step,
+                   const Acceleration     &of_entry) const;
+
     /** Whether held nodes move otherwise than the points. Collective. */
     bool
     starts_suddenly(const StepContext<dim> &step) const;
@@ -178,11 +213,43 @@ namespace isochor
 
     /** M x = load at the entries not held, from the lumped solution. */
     void
-    project(const StepContext<dim> &step,
-            const NodalField       &load,
-            const NodalTies        &ties,
-            NodalField             &solution,
-            const bool              with_domains = false) const;
+    project(const StepContext<dim>    &step,
+            const NodalField          &load,
+            const Followers           &followers,
+            const std::vector<double> &given,
+            NodalField                &solution,
+            const bool                 with_domains = false) const;
+
+    /** The followers of displacements, in fields with dim entries per node. */
+    static Followers
+    displacement_followers(const NodalConstraints &constraints,
+                           const unsigned int      n_components);
+    /** What the @p conditions and @p ties demand of the unknowns a @p part of
+     * the step after its start, without what holds in contact only; that is in
+     * @p contact. */
+    NodalConstraints
+    constraints_at(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      const NodalTies                                            &ties,
+      const double                                                part,
+      NodalConstraints &contact) const;
+    /** Add to given_acceleration what comes from the velocities of equations
+     * that change, see BoundaryCondition::convective_acceleration(). */
+    void
+    add_convective_acceleration(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      const NodalConstraints                                     &constraints);
+    /** Note the walls that equations of @p constraints stand for, at the start,
+     * the middle and the end of the step. */
+    void
+    note_stopping_walls(const std::array<NodalConstraints, 3> &constraints,
+                        const unsigned int                     n_components,
+                        const double                           dt);
+    /** Let new_velocity and new_acceleration have the motion of these walls. */
+    void
+    stop_at_walls();
 
     std::unique_ptr<TimeIntegrator> integrator;
     const NewmarkFamily             trial_integrator{0.5, 1., 0.};
@@ -207,7 +274,18 @@ namespace isochor
       double       velocity, acceleration;
     };
     std::vector<Stopped> stopped;
-    bool                 prescribed = false;
+    /** The same for a wall that holds a combination Σ a_j x_j. */
+    struct StoppedAlong
+    {
+      std::vector<std::pair<unsigned int, double>> direction;
+      double                                       velocity, acceleration;
+    };
+    std::vector<StoppedAlong> stopped_along;
+    /** Of velocities and accelerations. */
+    Followers followers;
+    /** What is given to them by prescribed motions, see MassMatrix::solve(). */
+    std::vector<double> given_velocity, given_acceleration;
+    bool                prescribed = false;
 
     /** What assemble() works with. */
     NodalField                inertial_acceleration;

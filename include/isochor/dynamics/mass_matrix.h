@@ -70,9 +70,11 @@ namespace isochor
     /**
      * Solve M x = @p load for the entries of @p solution (dim per node) that
      * are not @p held (one char per local entry); those that are stay as they
-     * are. Entries of nodes with @p ties follow others, and the load on them
-     * acts there. @p solution is where the iteration starts; its ghosts are
-     * updated at the end. Nodes without mass get zero. Collective.
+     * are. The @p followers (dim entries per node) are what they follow plus
+     * what is @p given (by follower; empty: 0), their own values don't count,
+     * and the load on them acts there. @p solution is where the iteration
+     * starts; its ghosts are updated at the end. Nodes without mass get zero.
+     * Collective.
      *
      * @p with_domains solves M + B instead, with the inertia against stretching
      * of the points' domains,
@@ -90,7 +92,8 @@ namespace isochor
     solve(const StepContext<dim>           &step,
           const NodalField                 &load,
           const std::vector<unsigned char> &held,
-          const NodalTies                  &ties,
+          const Followers                  &followers,
+          const std::vector<double>        &given,
           NodalField                       &solution,
           const bool                        with_domains = false) const;
 
@@ -109,17 +112,16 @@ namespace isochor
                            const NodalField       &field,
                            NodalField             &result) const;
 
-    /** Move what acts on tied entries to those they follow. Collective. */
+    /** Move what acts on followers to those they follow. Collective. */
     void
-    hand_on(const StepContext<dim>           &step,
-            const std::vector<unsigned char> &held,
-            const NodalTies                  &ties,
-            NodalField                       &load) const;
-    /** Update ghosts, and set tied entries by those they follow. Collective. */
+    hand_on(const StepContext<dim> &step,
+            const Followers        &followers,
+            NodalField             &load) const;
+    /** Update ghosts, and set followers by those they follow. Collective. */
     void
-    interpolate(const std::vector<unsigned char> &held,
-                const NodalTies                  &ties,
-                NodalField                       &field) const;
+    interpolate(const Followers           &followers,
+                const std::vector<double> &given,
+                NodalField                &field) const;
 
     static constexpr unsigned int n_entries = (dim + 1) * (dim + 2) / 2;
 

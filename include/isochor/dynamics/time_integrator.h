@@ -19,23 +19,24 @@ namespace isochor
    * Interface of the schemes in time: how displacement, velocity and
    * acceleration of a node go together over a step, and which acceleration
    * enters the equation of motion. All relations are between scalars, one
-   * component of one node. To add one, write `source/time_integrator/<name>.cc`
+   * component of one node. To add one, write `source/dynamics/<name>.cc`
    * with the class and its registration; its parameters live in the subsection
    * "Dynamics", where `Scheme` names it.
    *
    * Forces are those at the end of the step: those at its start would be of
-   * another grid. In statics there is no scheme, as there is no InertiaTerm.
+   * another grid. Statics is the scheme without inertia: nothing else is asked
+   * of it, and nothing that goes with velocities is stored or computed.
    */
   class TimeIntegrator
   {
   public:
     virtual ~TimeIntegrator() = default;
 
-    /** Declare `Scheme` and the parameters of all schemes, in the subsection
-     * "Dynamics". */
+    /** Declare `Inertia`, `Scheme` and the parameters of all schemes, in the
+     * subsection "Dynamics". */
     static void
     declare_schemes(ParameterHandler &prm);
-    /** The scheme that the parameters name. */
+    /** The scheme that the parameters name: statics if `Inertia` is false. */
     static std::unique_ptr<TimeIntegrator>
     create(ParameterHandler &prm);
 
@@ -46,6 +47,13 @@ namespace isochor
     virtual void
     parse_parameters(ParameterHandler & /*prm*/)
     {}
+
+    /** Whether the equation of motion contains accelerations at all. */
+    virtual bool
+    has_inertia() const
+    {
+      return true;
+    }
 
     /** a_{n+1} (m/s²) of an @p increment Δu over a step of size @p dt. */
     virtual double

@@ -22,6 +22,22 @@ namespace isochor
   using NodalField = LinearAlgebra::distributed::Vector<double>;
 
   /**
+   * A node that is no vertex of the grid and has no material, but unknowns that
+   * others follow: the translation or the rotation of a rigid side, a mean
+   * strain. Its displacement components are these unknowns, its pressure is
+   * prescribed.
+   */
+  template <int dim>
+  struct ControlNode
+  {
+    Point<dim> position;
+    /** The components are displacements (0); or a rotation vector times this
+     * length about position, in 2D its only component, the first one; or
+     * neither (negative). For solvers that know rigid motions. */
+    double rotation_arm = 0;
+  };
+
+  /**
    * The nodes that some material point touches, numbered on their own: nothing
    * that a step allocates, assembles or solves is larger than this set. On
    * each rank the owned active nodes come first, then the ghosts; the order is
@@ -67,6 +83,38 @@ namespace isochor
       return vertices[node];
     }
 
+    /** Set the control nodes, of which there may be none, as long as no other
+     * call refers to others: their number must not change in a run. */
+    void
+    set_control_nodes(const std::vector<ControlNode<dim>> &nodes)
+    {
+      control = nodes;
+    }
+
+    /** The number that stands for the vertex of control node @p k. */
+    unsigned int
+    control_vertex(const unsigned int k) const
+    {
+      return grid.triangulation().n_vertices() + k;
+    }
+
+    /** The control node that a local node is, or a null pointer. */
+    const ControlNode<dim> *
+    control_node(const unsigned int node) const
+    {
+      return control.empty() || vertices[node] < control_vertex(0) ?
+               nullptr :
+               &control[vertices[node] - control_vertex(0)];
+    }
+
+    /** Where a local node is on the undeformed grid. */
+    const Point<dim> &
+    position(const unsigned int node) const
+    {
+      const ControlNode<dim> *const c = control_node(node);
+      return c ? c->position : grid.geometry().vertices()[vertices[node]];
+    }
+
     /** The local node at a vertex, or numbers::invalid_unsigned_int. */
     unsigned int
     node(const unsigned int vertex) const
@@ -81,6 +129,12 @@ namespace isochor
     const BackgroundGrid<dim> &grid;
 
   private:
+    /** The rank that owns the node at @p vertex, or a control node. */
+    unsigned int
+    owner(const unsigned int vertex) const
+    {
+      return vertex < control_vertex(0) ? grid.vertex_owner(vertex) : 0;
+    }
     /** Vertices owned by this rank among all ranks' touched ones. */
     std::vector<unsigned int>
     collect_owned(const std::vector<unsigned int> &touched) const;
@@ -96,7 +150,8 @@ namespace isochor
     std::vector<types::global_dof_index> ghosts;
     mutable std::map<unsigned int,
                      std::shared_ptr<const Utilities::MPI::Partitioner>>
-      partitioners;
+                                  partitioners;
+    std::vector<ControlNode<dim>> control;
   };
 } // namespace isochor
 

@@ -80,13 +80,61 @@ namespace isochor
   public:
     std::vector<std::unique_ptr<MaterialModel<dim>>> materials;
 
+    /** Whether the plane is a section of a body of revolution, x being the
+     * distance from the axis. All materials are AxisymmetricMaterials then. */
+    bool axisymmetric = false;
+
     /** α of the Polynomial Pressure Projection (Dohrmann & Bochev 2004), P(26);
      * 0 for none. */
     double ppp_coefficient = 0;
 
+    /** g - ā (m/s²), gravity against the mean acceleration of the body: the
+     * stabilisation leaves out the pressure that is in equilibrium with it.
+     * Zero: the stabilisation as it stands in the paper. */
+    Tensor<1, dim> hydrostatic_acceleration;
+
+    /** Add point @p q, which integrates @p V of the cell, to what the cell's
+     * stabilisation needs. */
+    void
+    add_compliance(const PointArrays<dim> &points,
+                   const unsigned int      q,
+                   const double            V,
+                   CellCompliance         &compliance) const
+    {
+      const MaterialModel<dim> &material = *materials[points.material[q]];
+      compliance.volume += V / material.shear_modulus();
+      compliance.mass += V * material.density() / material.shear_modulus();
+    }
+
+    /** Whether evaluate() can be used: what multiplies the unknowns in the
+     * strain is the same at all points of an element. */
+    bool
+    has_constant_gradients() const
+    {
+      return !axisymmetric;
+    }
+
     /**
      * Residual and, if @p with_matrix, matrix of @p element from the points
-     * [begin, end) of @p points. @p shape(q, I) is N_I at point q.
+     * [begin, end) of @p points. @p stencil(q) is that of point q
+     * (PointArrays::Stencil), its nodes those of the element in the same order;
+     * Element::gradient is not used. The general way: in axisymmetry also with
+     *   B_I,r = sym(e_r ⊗ g_I) + N_I/r e_θ ⊗ e_θ,
+     * the change of the strain with the displacement u_I,r, r = r_{n+1}.
+     */
+    template <int n_components, std::size_t max_nodes, typename Stencil>
+    EvaluationStatus
+    evaluate_points(Element<dim, n_components, max_nodes> &element,
+                    const PointArrays<dim>                &points,
+                    const unsigned int                     begin,
+                    const unsigned int                     end,
+                    const Stencil                         &stencil,
+                    const bool                             with_matrix) const;
+
+    /**
+     * The same, fast, where has_constant_gradients(): stress and modulus are
+     * summed over the points before they meet the gradients.
+     * @p shape(q, I) is N_I at point q.
      */
     template <int n_components, std::size_t max_nodes, typename Shape>
     EvaluationStatus
@@ -99,36 +147,63 @@ namespace isochor
 
     /**
      * The stabilisation of one cell, P(26) over the part of the cell that is
-     * filled: - α/G V (M_IJ - 1/(d+1)²) added to R_p and the matrix, with V the
-     * reference volume of the cell's points and M_IJ the P1 mass matrix of unit
-     * measure. In closed form: with a point at the centroid only, integration
-     * by points would give zero.
+     * filled: subtract the derivatives of its energy
+     *   Φ = α/(2G) V Σ_IJ d_I (M_IJ - 1/(d+1)²) d_J,
+     * from @p element, with V the reference volume of the cell's points, M_IJ
+     * the P1 mass matrix of unit measure and d_I = p_I - h_I. In closed form:
+     * with a point at the centroid only, integration by points would give zero.
+     *
+     * h_I = - ρ (g - ā)·x_I is the pressure at rest under the body's weight
+     * (hydrostatic_acceleration), with x_I the vertices at the end of the step:
+     * @p corners and the increments. P(26), which has h = 0, would take it for
+     * an oscillation and answer with a change of volume. Without weight only
+     * the pressure's part of @p element is changed.
      */
     template <std::size_t max_nodes>
     void
-    add_pressure_projection(Element<dim, dim + 1, max_nodes> &element,
-                            const double volume_over_shear_modulus,
-                            const bool   with_matrix) const;
+    add_pressure_projection(Element<dim, dim + 1, max_nodes>      &element,
+                            const CellCompliance                  &compliance,
+                            const std::array<Point<dim>, dim + 1> &corners,
+                            const bool with_matrix) const;
+
+    /** Φ (J) of the same cell. */
+    template <std::size_t max_nodes>
+    double
+    pressure_projection_energy(
+      const Element<dim, dim + 1, max_nodes> &element,
+      const CellCompliance                   &compliance,
+      const std::array<Point<dim>, dim + 1>  &corners) const;
 
     /** The state at the end of the step of point @p q: what the convective
      * phase stores. */
     struct PointState
     {
       Tensor<2, dim>        F;
+      double                J; ///< of the volume: in axisymmetry det F F_θθ
       SymmetricTensor<2, 3> cauchy_stress;
       double                pressure;          ///< p, from the nodes or K θ^e
       double                volumetric_strain; ///< θ^e
     };
 
-    /** @p nodal_pressure is Σ N_I p_I, ignored in the u form. @p history gets
+    /** @p hoop_increment is r_{n+1}/r_n, see NodalUnknowns::hoop_at().
+     * @p nodal_pressure is Σ N_I p_I, ignored in the u form. @p history gets
      * the new history. */
     PointState
     final_state(const PointArrays<dim> &points,
                 const unsigned int      q,
                 const Tensor<2, dim>   &F_increment,
+                const double            hoop_increment,
                 const bool              mixed,
                 const double            nodal_pressure,
                 double                 *history) const;
+
+    /** F_θθ of a point with @p history; 1 if the body is not one of revolution.
+     */
+    double
+    hoop_stretch(const double *history) const
+    {
+      return axisymmetric ? history[0] : 1.;
+    }
 
     /** Add @p correction to θ^e of point @p q: rescale its F, its @p history
      * and the Cauchy stress, at unchanged p and dev τ. */
@@ -139,9 +214,45 @@ namespace isochor
                   Tensor<2, dim>         &F,
                   SymmetricTensor<2, 3>  &cauchy_stress,
                   double                 *history) const;
+
+  private:
+    /** α/G V (M_IJ - 1/(d+1)²) of a cell. */
+    double
+    projection_entry(const CellCompliance &compliance,
+                     const unsigned int    I,
+                     const unsigned int    J) const
+    {
+      return ppp_coefficient * compliance.volume *
+             ((I == J ? 2. : 1.) / ((dim + 1) * (dim + 2)) -
+              1. / ((dim + 1) * (dim + 1)));
+    }
+
+    /** ρ (g - ā) of a cell (N/m³). */
+    Tensor<1, dim>
+    weight_density(const CellCompliance &compliance) const
+    {
+      return compliance.mass / compliance.volume * hydrostatic_acceleration;
+    }
+
+    /** d_I of a cell but for a constant, which doesn't matter. */
+    template <std::size_t max_nodes>
+    std::array<double, dim + 1>
+    pressure_deviation(const Element<dim, dim + 1, max_nodes> &element,
+                       const CellCompliance                   &compliance,
+                       const std::array<Point<dim>, dim + 1>  &corners) const
+    {
+      const Tensor<1, dim>        weight = weight_density(compliance);
+      std::array<double, dim + 1> d;
+      for (unsigned int I = 0; I <= dim; ++I)
+        d[I] = element.pressure[I] +
+               weight * (corners[I] - corners[0] + element.increment[I] -
+                         element.increment[0]);
+      return d;
+    }
   };
 } // namespace isochor
 
 #include <isochor/equations/mixed_kernel.templates.h>
+#include <isochor/equations/mixed_kernel_points.templates.h>
 
 #endif

@@ -296,23 +296,54 @@ namespace isochor
   template <std::size_t max_nodes>
   void
   MixedKernel<dim>::add_pressure_projection(
-    Element<dim, dim + 1, max_nodes> &element,
-    const double                      volume_over_shear_modulus,
-    const bool                        with_matrix) const
+    Element<dim, dim + 1, max_nodes>      &element,
+    const CellCompliance                  &compliance,
+    const std::array<Point<dim>, dim + 1> &corners,
+    const bool                             with_matrix) const
   {
     constexpr unsigned int nc     = dim + 1;
     const unsigned int     n_dofs = element.n_dofs();
-    const double           scale  = ppp_coefficient * volume_over_shear_modulus;
+    const Tensor<1, dim>   weight = weight_density(compliance);
+    // derivatives of d_I: 1 by p_I, ρ (g - ā) by the displacement
+    std::array<double, nc> derivative;
+    for (unsigned int a = 0; a < dim; ++a)
+      derivative[a] = weight[a];
+    derivative[dim]          = 1;
+    const unsigned int first = weight.norm_square() > 0 ? 0 : dim;
+    const auto deviation     = pressure_deviation(element, compliance, corners);
     for (unsigned int I = 0; I <= dim; ++I)
       for (unsigned int J = 0; J <= dim; ++J)
         {
-          const double entry =
-            scale * ((I == J ? 2. : 1.) / ((dim + 1) * (dim + 2)) -
-                     1. / ((dim + 1) * (dim + 1)));
-          element.residual[I * nc + dim] -= entry * element.pressure[J];
-          if (with_matrix)
-            element.matrix[(I * nc + dim) * n_dofs + J * nc + dim] -= entry;
+          const double entry = projection_entry(compliance, I, J);
+          for (unsigned int a = first; a < nc; ++a)
+            element.residual[I * nc + a] -=
+              derivative[a] * entry * deviation[J];
+          if (!with_matrix)
+            continue;
+          for (unsigned int a = first; a < nc; ++a)
+            for (unsigned int b = first; b < nc; ++b)
+              element.matrix[(I * nc + a) * n_dofs + J * nc + b] -=
+                derivative[a] * entry * derivative[b];
         }
+  }
+
+
+
+  template <int dim>
+  template <std::size_t max_nodes>
+  double
+  MixedKernel<dim>::pressure_projection_energy(
+    const Element<dim, dim + 1, max_nodes> &element,
+    const CellCompliance                   &compliance,
+    const std::array<Point<dim>, dim + 1>  &corners) const
+  {
+    const auto deviation = pressure_deviation(element, compliance, corners);
+    double     energy    = 0;
+    for (unsigned int I = 0; I <= dim; ++I)
+      for (unsigned int J = 0; J <= dim; ++J)
+        energy +=
+          deviation[I] / 2 * projection_entry(compliance, I, J) * deviation[J];
+    return energy;
   }
 
 
@@ -322,6 +353,7 @@ namespace isochor
   MixedKernel<dim>::final_state(const PointArrays<dim> &points,
                                 const unsigned int      q,
                                 const Tensor<2, dim>   &F_increment,
+                                const double            hoop_increment,
                                 const bool              mixed,
                                 const double            nodal_pressure,
                                 double                 *history) const
@@ -329,17 +361,20 @@ namespace isochor
     const MaterialModel<dim> &material = *materials[points.material[q]];
     Kinematics<dim>           kinematics;
     kinematics.set_increment(F_increment);
-    kinematics.with_tangent = false;
-    kinematics.F            = F_increment * points.F[q];
-    kinematics.J            = determinant(kinematics.F);
+    const double *const old_history =
+      points.history.data() + q * std::size_t(points.n_history);
+    kinematics.with_tangent   = false;
+    kinematics.F              = F_increment * points.F[q];
+    kinematics.hoop_increment = hoop_increment;
+    kinematics.J              = determinant(kinematics.F);
+    if (axisymmetric)
+      kinematics.J *= hoop_increment * hoop_stretch(old_history);
     if (mixed && material.depends_on_pressure())
       kinematics.pressure = nodal_pressure;
     StressResponse<dim> response;
-    material.evaluate(kinematics,
-                      points.history.data() + q * std::size_t(points.n_history),
-                      history,
-                      response);
+    material.evaluate(kinematics, old_history, history, response);
     PointState state;
+    state.J                 = kinematics.J;
     state.F                 = kinematics.F;
     state.volumetric_strain = response.volumetric_strain;
     state.pressure =
@@ -366,7 +401,7 @@ namespace isochor
                                   double                 *history) const
   {
     const MaterialModel<dim> &material = *materials[points.material[q]];
-    const double              J        = determinant(F);
+    const double              J        = determinant(F) * hoop_stretch(history);
     const bool                logarithmic =
       material.volumetric_measure() == VolumetricMeasure::logarithmic;
     const double factor =

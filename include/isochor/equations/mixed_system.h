@@ -8,6 +8,7 @@
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <isochor/equations/active_nodes.h>
+#include <isochor/equations/constraint_forces.h>
 #include <isochor/equations/element_nodes.h>
 #include <isochor/equations/nodal_constraints.h>
 #include <isochor/equations/tied_elements.h>
@@ -22,8 +23,8 @@ namespace isochor
    * numbers, sparsity pattern, and for each element where its entries go, so
    * that assembly is additions at known places. Constrained unknowns have no
    * equation; what they contribute goes to the right-hand side. Neither have
-   * tied ones (see NodalTies): their rows and columns, and the forces on them,
-   * go to the unknowns that they follow.
+   * those that follow others (see NodalConstraints): their rows and columns,
+   * and the forces on them, go to the unknowns that they follow.
    */
   template <int dim>
   class MixedSystem
@@ -44,6 +45,11 @@ namespace isochor
            const NodalConstraints &constraints,
            const bool              symmetric);
 
+    /** The weights and values of the followers in @p constraints have changed,
+     * which are the same as in the last call of reinit(). */
+    void
+    update_followers(const NodalConstraints &constraints);
+
     /** Zero the residual, and matrix and lifting if @p with_matrix. */
     void
     start_assembly(const bool with_matrix);
@@ -60,18 +66,91 @@ namespace isochor
                 const double      *element_matrix,
                 const NodalField  &pending);
 
+    /** Add an element's matrix alone, with nothing to come. Also after
+     * finish_assembly(). */
+    void
+    add_matrix(const unsigned int e, const double *element_matrix);
+
     /** Sum the residual over ranks, subtract the dead loads @p external_force
-     * (summed up), and move what acts on tied unknowns to those they follow. */
+     * (summed up), and move what acts on followers to those they follow. */
     void
     finish_assembly(const NodalField &external_force);
 
     /** The force (N; component dim: the volume defect) that was moved away from
-     * node k of the ties, if it is this rank's. Valid after finish_assembly().
-     */
+     * a follower, if it is this rank's and @p entry is one. Valid after
+     * finish_assembly(). */
     double
-    tie_force(const unsigned int k, const unsigned int component) const
+    follower_force(const unsigned int entry) const
     {
-      return tied.force(k, component);
+      const unsigned int k = tied.follower(entry);
+      return k == TiedElements::none ? 0. : tied.force(k);
+    }
+
+    bool
+    follows(const unsigned int entry) const
+    {
+      return tied.follower(entry) != TiedElements::none;
+    }
+
+    /** The part of a follower's increment that is prescribed for it (m), apart
+     * from what it follows; 0 for rigid sides, whose control nodes tell. */
+    double
+    prescribed_value(const unsigned int entry) const
+    {
+      const unsigned int k = tied.follower(entry);
+      return tied.followers().has(k, Followers::changes) ?
+               0. :
+               tied.followers().value[k];
+    }
+
+    /** follower_force(), but of ties only (NodalTies). */
+    double
+    tie_force(const unsigned int entry) const
+    {
+      const unsigned int k = tied.follower(entry);
+      return k == TiedElements::none ||
+                 !tied.followers().has(k, Followers::is_tie) ?
+               0. :
+               tied.force(k);
+    }
+
+    /** What follows what; values as in the last iteration. */
+    const Followers &
+    followers() const
+    {
+      return tied.followers();
+    }
+
+    /** λ of an equation of the constraints, see ConstraintForces. Valid after
+     * finish_assembly() on the rank that owns the pivot. */
+    double
+    multiplier(const unsigned int equation) const
+    {
+      return constraint_forces.multiplier(equation);
+    }
+
+    /** The force (N) of walls, rigid sides and prescribed displacements on the
+     * body; elsewhere the residual. Valid after finish_assembly() on owned
+     * entries. */
+    const NodalField &
+    reaction() const
+    {
+      return any_equations ? reactions : residual;
+    }
+
+    /** Whether there are equations between unknowns, other than ties. */
+    bool
+    has_equations() const
+    {
+      return any_equations;
+    }
+
+    /** Whether reaction() is one there. */
+    bool
+    is_held(const unsigned int entry) const
+    {
+      return any_equations ? constraint_forces.is_held(entry) :
+                             equations[entry] == numbers::invalid_unsigned_int;
     }
 
     /** Make @p vector one over the equations, if it isn't. Collective. */
@@ -82,19 +161,21 @@ namespace isochor
     void
     right_hand_side(TrilinosWrappers::MPI::Vector &rhs) const;
 
-    /** Write the solution to the free and tied unknowns of @p field (others
-     * kept) and update its ghosts. */
+    /** Write the solution to the free unknowns of @p field, add what follows
+     * from it to the followers, keep the others, and update ghosts. */
     void
     to_nodes(const TrilinosWrappers::MPI::Vector &solution,
              NodalField                          &field) const;
 
-    /** Set the tied unknowns of @p field, ghosts updated, by those that they
-     * follow; ghosts too. */
+    /** Set those followers of @p field, ghosts updated, for which nothing is
+     * prescribed by those that they follow; ghosts too. */
     void
-    interpolate_ties(NodalField &field) const
-    {
-      tied.interpolate(field);
-    }
+    interpolate_followers(NodalField &field) const;
+
+    /** Set the followers of @p field whose weights change with the unknowns.
+     */
+    void
+    project_changing(NodalField &field) const;
 
     /** Equation of an entry of a nodal field, local number, or invalid. */
     unsigned int
@@ -109,8 +190,9 @@ namespace isochor
       return system;
     }
 
-    /** Residual at all active nodes, constrained ones included: there it is
-     * the reaction. Valid after finish_assembly() on owned entries. */
+    /** Residual at all active nodes, prescribed ones included: there it is
+     * the force that holds them. Valid after finish_assembly() on owned
+     * entries. */
     NodalField residual;
 
   private:
@@ -136,6 +218,12 @@ namespace isochor
               const double      *block,
               const unsigned int row_stride,
               const unsigned int column_stride);
+    /** Add the columns of what is @p pending. */
+    void
+    add_lifting(const unsigned int *const node,
+                const unsigned int        n_nodes,
+                const double *const       matrix,
+                const NodalField         &pending);
     /** The elements with all nodes that their entries go to. */
     const ElementNodes &
     all_elements() const
@@ -153,7 +241,9 @@ namespace isochor
     ElementNodes               elements;
     std::vector<unsigned char> constrained;
     TiedElements               tied;
-    bool                       any_ties = false; ///< on any rank
+    ConstraintForces           constraint_forces;
+    /** On any rank. */
+    bool any_followers = false, any_equations = false;
 
     SparseSystem              system;
     std::vector<unsigned int> equations;
@@ -175,6 +265,8 @@ namespace isochor
     std::vector<unsigned char> element_is_constrained;
 
     NodalField lifting;
+    /** If there are equations between unknowns. */
+    NodalField reactions;
   };
 } // namespace isochor
 

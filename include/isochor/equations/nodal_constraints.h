@@ -6,14 +6,16 @@
 #define isochor_nodal_constraints_h
 
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace isochor
 {
   /**
-   * Nodes whose unknowns follow those of others, component by component: that
-   * of node[k] is the sum of weight[i] times that of master[i], start[k] <= i <
-   * start[k + 1]. A master is not tied itself.
+   * Nodes all of whose unknowns follow those of other nodes: that of node[k] is
+   * the sum of weight[i] times that of master[i], start[k] <= i < start[k + 1],
+   * component by component. A master is not tied itself.
    */
   struct NodalTies
   {
@@ -36,20 +38,89 @@ namespace isochor
       master.clear();
       weight.clear();
     }
+  };
+
+  /**
+   * Unknowns that follow others, the result of NodalConstraints::resolve():
+   *   x[entry[k]] = Σ_i weight[i] x[master[i]] + value[k],
+   * start[k] <= i < start[k + 1]. Masters are free or prescribed; they don't
+   * follow others.
+   */
+  struct Followers
+  {
+    enum : unsigned char
+    {
+      is_tie  = 1, ///< of NodalTies
+      changes = 2  ///< weights and value depend on the unknowns
+    };
+
+    std::vector<unsigned int>  entry;
+    std::vector<std::size_t>   start = {0};
+    std::vector<unsigned int>  master;
+    std::vector<double>        weight, value;
+    std::vector<unsigned char> flags;
+
+    unsigned int
+    size() const
+    {
+      return entry.size();
+    }
+
+    void
+    clear();
 
     bool
-    operator==(const NodalTies &other) const
+    has(const unsigned int k, const unsigned char flag) const
     {
-      return node == other.node && start == other.start &&
-             master == other.master && weight == other.weight;
+      return (flags[k] & flag) != 0;
+    }
+
+    /** Σ_i weight[i] x[master[i]], with @p x a function of an entry. */
+    template <typename Field>
+    double
+    sum(const unsigned int k, const Field &x) const
+    {
+      double result = 0;
+      for (std::size_t i = start[k]; i < start[k + 1]; ++i)
+        result += weight[i] * x(master[i]);
+      return result;
+    }
+
+    /** Whether the same unknowns follow the same ones, with whatever weights.
+     */
+    bool
+    same_structure(const Followers &other) const
+    {
+      return entry == other.entry && start == other.start &&
+             master == other.master;
     }
   };
 
   /**
-   * Prescribed increments of nodal unknowns over a step: entry
-   * n_components * node + component, nodes as in ActiveNodes. If several
-   * conditions name the same unknown, the last one counts. A prescribed
-   * component of a tied node is not tied.
+   * Where several conditions determine the same unknown, the first kind in this
+   * list does, and what is left of the others is applied to what is left free.
+   */
+  enum class Precedence : unsigned char
+  {
+    displacement, ///< NodalConstraints::constrain()
+    wall,         ///< along normals
+    rigid_side,
+    periodic, ///< and other relations between nodes
+    tie       ///< NodalTies
+  };
+
+  /**
+   * What holds for the increments of nodal unknowns over a step. Entry
+   * n_components * node + component, nodes as in ActiveNodes. There are
+   * - prescribed unknowns, x_i = b: constrain();
+   * - linear equations between some of them, Σ_j a_j x_j = b: add();
+   * - ties of nodes to others (DiscreteExtension).
+   *
+   * resolve() eliminates an unknown of each equation, by Gauss' method in the
+   * order of Precedence, and of the calls of add() within it: what others have
+   * determined before is inserted (chains, several normals at a node), and the
+   * *pivot* follows from what is left. All ranks that know the pivot have to
+   * add the same equation and know all its unknowns.
    */
   struct NodalConstraints
   {
@@ -58,29 +129,120 @@ namespace isochor
     {
       is_free    = 0,
       prescribed = 1, ///< always
-      in_contact = 2  ///< as long as it presses on a one-sided wall
+      in_contact = 2, ///< as long as it presses on a one-sided wall
+      follows    = 3  ///< other unknowns, see Followers
+    };
+
+    /** Σ a_j x_j = b, j the entries from first to last of entry[]. */
+    struct Equation
+    {
+      Precedence  precedence = Precedence::displacement;
+      std::size_t first = 0, last = 0;
+      double      value = 0;
+      /** The pivot is one of this many of the first entries; 0: any. */
+      unsigned int n_pivots = 1;
+      /** prescribed, or in_contact. */
+      unsigned char how = prescribed;
+      /** Whether the coefficients depend on the unknowns, see
+       * BoundaryCondition::relinearise(). */
+      bool changes = false;
+      /** Whose it is, and which of its equations. */
+      const void  *owner = nullptr;
+      unsigned int label = 0;
+
+      static constexpr unsigned int none = static_cast<unsigned int>(-1);
+      /** By resolve(): what follows by this equation. None: all of it is
+       * determined by others. */
+      unsigned int pivot = none;
+    };
+
+    /** An unknown that two conditions determine, and not alike. */
+    struct Conflict
+    {
+      unsigned int entry;
+      std::string  winner, loser;
+      double       difference; ///< of what they prescribe; 0: not known
+      bool         equal_rank; ///< both are of the same precedence
     };
 
     std::vector<unsigned char> constrained;
-    std::vector<double>        increment;
-    NodalTies                  ties;
+    /** Of unknowns that are prescribed or in_contact. */
+    std::vector<double> increment;
+    NodalTies           ties;
+
+    std::vector<Equation>     equations;
+    std::vector<unsigned int> entry;
+    std::vector<double>       coefficient;
+
+    Followers             followers;
+    std::vector<Conflict> conflicts;
+    /** Who constrains from now on, for messages: "Displacement". */
+    std::string source;
 
     void
-    reinit(const unsigned int n_entries)
-    {
-      constrained.assign(n_entries, is_free);
-      increment.assign(n_entries, 0.);
-      ties.clear();
-    }
+    reinit(const unsigned int n_entries);
 
+    /** Prescribe an unknown. Of several calls for it the last one counts; that
+     * of another source with another value is a conflict. */
     void
     constrain(const unsigned int  entry,
               const double        value,
-              const unsigned char how = prescribed)
-    {
-      constrained[entry] = how;
-      increment[entry]   = value;
-    }
+              const unsigned char how = prescribed);
+
+    /** Add Σ a_j x_j = @p value for @p terms (entry, a_j). The Equation
+     * returned can be changed until the next call. */
+    Equation &
+    add(const Precedence                                    precedence,
+        const std::vector<std::pair<unsigned int, double>> &terms,
+        const double                                        value);
+
+    /** Leave out what holds in contact only. To be called before resolve(). */
+    void
+    drop_contact();
+
+    /** Find the followers. Can be called again after coefficients and values
+     * have changed. */
+    void
+    resolve(const unsigned int n_components);
+
+  private:
+    static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+    unsigned int
+    source_number();
+    void
+    eliminate(Equation &equation, const unsigned int number);
+    void
+    eliminate_tie(const unsigned int tie, const unsigned int n_components);
+    void
+    add_to_row(const unsigned int entry, const double coefficient);
+    /** Insert followers into the row. */
+    void
+    substitute();
+    unsigned int
+    find_pivot(const Equation &equation) const;
+    void
+    note_lost(const Equation &equation, const unsigned int number);
+    void
+    append_follower(const unsigned int  entry,
+                    const unsigned char flags,
+                    const double        value);
+    /** Insert followers that were found after those that depend on them. */
+    void
+    resolve_chains();
+
+    /** Names of sources; of equations; of entries, as soon as there are two. */
+    std::vector<std::string>   sources;
+    std::vector<unsigned int>  source_of_equation;
+    std::vector<unsigned char> source_of_entry;
+
+    /** What resolve() works with: by entry its place in the followers; by
+     * follower its equation; the expression Σ row = row_value. */
+    std::vector<unsigned int>                    place;
+    std::vector<unsigned int>                    equation_of_follower;
+    std::vector<std::pair<unsigned int, double>> row;
+    double                                       row_value   = 0;
+    bool                                         row_changes = false;
   };
 } // namespace isochor
 

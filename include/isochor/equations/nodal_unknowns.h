@@ -137,6 +137,19 @@ namespace isochor
         stencil.gradient);
     }
 
+    /** r_{n+1} / r_n = 1 + Σ N_I Δu_r,I / r_n at point @p q of @p points, whose
+     * stencil is @p stencil; 1 if the body is not one of revolution. */
+    template <typename Points, typename Stencil>
+    double
+    hoop_at(const Stencil     &stencil,
+            const Points      &points,
+            const unsigned int q) const
+    {
+      return points.radius.empty() ?
+               1. :
+               1 + increment_at(stencil)[0] / points.radius[q];
+    }
+
   private:
     const double *
     at(const unsigned int vertex) const

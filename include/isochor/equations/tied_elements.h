@@ -14,43 +14,50 @@
 namespace isochor
 {
   /**
-   * Elimination of tied unknowns (see NodalTies) from elements. With the
-   * unknowns u = C ū of an element in terms of those that are not tied, its
-   * matrix becomes Cᵀ K C on the element's nodes and, behind them, the nodes
-   * they are tied to.
+   * Elimination of unknowns that follow others (see Followers) from elements.
+   * With the increments u = C ū + b of an element in terms of those that don't,
+   * its matrix becomes Cᵀ K C on the element's nodes and, behind them, the
+   * nodes that they follow.
    */
   class TiedElements
   {
   public:
-    /** Does nothing but note that there are no ties if there are none on this
-     * rank. */
+    /** Does nothing but note that nothing follows if that is so on this rank.
+     */
     void
-    reinit(const ElementNodes     &elements,
-           const NodalConstraints &constraints,
-           const unsigned int      n_components,
-           const unsigned int      n_nodes);
+    reinit(const ElementNodes &elements,
+           const Followers    &followers,
+           const unsigned int  n_components,
+           const unsigned int  n_nodes);
+
+    /** Take over weights and values of @p followers of the same structure. */
+    void
+    update(const Followers &followers)
+    {
+      all = followers;
+    }
 
     bool
     empty() const
     {
-      return ties.size() == 0;
+      return all.size() == 0;
     }
 
-    const NodalTies &
-    nodal_ties() const
+    const Followers &
+    followers() const
     {
-      return ties;
+      return all;
     }
 
-    bool
-    is_tied(const unsigned int node, const unsigned int component) const
+    /** The number of the follower at @p entry, or invalid. */
+    unsigned int
+    follower(const unsigned int entry) const
     {
-      return !empty() && tie_of_node[node] != none &&
-             !prescribed[tie_of_node[node] * n_components + component];
+      return empty() ? none : follower_at[entry];
     }
 
-    /** The elements' nodes, followed by those they are tied to. Only if not
-     * empty(). */
+    /** The elements' nodes, followed by those they follow. Only if not empty().
+     */
     const ElementNodes &
     extended() const
     {
@@ -64,38 +71,34 @@ namespace isochor
     }
 
     /** Cᵀ K C by rows over the nodes of extended(), of an element that touches
-     * ties, given K over its own @p n_nodes nodes (of a symmetric one the upper
-     * triangle is read). Valid until the next call. */
+     * followers, given K over its own @p n_nodes nodes (of a symmetric one the
+     * upper triangle is read). Valid until the next call. */
     const double *
     eliminate(const unsigned int element,
               const unsigned int n_nodes,
               const double      *matrix,
               const bool         symmetric);
 
-    /** Move the forces on this rank's tied unknowns to those they are tied to,
-     * which may be others' (to be summed up then), and keep them. */
+    /** Move what acts on this rank's followers to those that they follow, which
+     * may be others' (to be summed up then), and keep it if @p remember. */
     void
-    hand_on_forces(const unsigned int n_owned_nodes, NodalField &force);
+    hand_on(const unsigned int n_owned_nodes,
+            NodalField        &force,
+            const bool         remember);
 
-    /** What the last call of hand_on_forces() moved away from node k of the
-     * ties; zero for nodes of other ranks. */
+    /** What hand_on() moved away from follower k; zero of other ranks. */
     double
-    force(const unsigned int k, const unsigned int component) const
+    force(const unsigned int k) const
     {
-      return forces[k * n_components + component];
+      return forces[k];
     }
 
-    /** Set the tied unknowns of all local nodes by the others. */
-    void
-    interpolate(NodalField &field) const;
-
-  private:
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
-    NodalTies                  ties;
+  private:
+    Followers                  all;
     unsigned int               n_components = 0;
-    std::vector<unsigned int>  tie_of_node;
-    std::vector<unsigned char> prescribed; ///< by tie and component
+    std::vector<unsigned int>  follower_at; ///< by entry
     ElementNodes               extended_elements;
     std::vector<unsigned char> element_is_tied;
     std::vector<double>        forces;

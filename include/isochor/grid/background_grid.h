@@ -10,8 +10,9 @@
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping_fe.h>
 
-#include <isochor/base/expression.h>
 #include <isochor/grid/adaptive_grid.h>
+#include <isochor/grid/grid_source.h>
+#include <isochor/grid/grid_stretch.h>
 #include <isochor/grid/simplex_geometry.h>
 
 #include <map>
@@ -37,9 +38,9 @@ namespace isochor
    * The grid does not know the body: the material points decide which cells
    * take part.
    *
-   * A grid of the type "adaptive" can be replaced, see change(). Cells and
-   * vertices then get other numbers: what is kept by number for longer than a
-   * step has to be told, or to look at mesh_number().
+   * A grid that GridSource::is_adaptive() can be replaced, see change(). Cells
+   * and vertices then get other numbers: what is kept by number for longer than
+   * a step has to be told, or to look at mesh_number().
    *
    * Every rank knows the whole mesh (parallel::shared::Triangulation); cells
    * are addressed by their active cell index, nodes by their vertex index.
@@ -59,7 +60,14 @@ namespace isochor
     void
     create();
 
-    /** Whether change() can be called: <Grid/Type = adaptive>. */
+    /** How the grid is made. */
+    const GridSource<dim> &
+    source() const
+    {
+      return *grid_source;
+    }
+
+    /** Whether change() can be called. */
     bool
     is_adaptive() const
     {
@@ -155,56 +163,27 @@ namespace isochor
     /** An empty one. */
     std::unique_ptr<SharedTriangulation>
     new_triangulation() const;
-    void
-    create_structured();
-    /** The coarse cells of an adaptive grid. */
-    CoarseGrid<dim>
-    make_coarse_grid();
     /** Take over what follows from a new mesh. */
     void
     read_mesh_data();
-    Point<dim>
-    place_in_box(const Point<dim> &unit) const;
-    Point<dim>
-    place_in_trapezoid(const Point<dim> &unit) const;
-    void
-    read_gmsh();
     void
     collect_boundary();
     void
-    assign_owners();
-    Point<dim>
-    place_at_time(const Point<dim> &reference, const double time) const;
-
-    struct Parameters
-    {
-      std::string               type, coarse_type;
-      Point<dim>                lower, upper;
-      std::vector<Point<2>>     corners;
-      double                    depth;
-      std::vector<unsigned int> subdivisions;
-      std::vector<double>       offset;
-      std::string               diagonals;
-      std::string               file;
-      int                       stretch_axis = -1;
-    } parameters;
-
-    const MPI_Comm                            comm;
-    std::unique_ptr<SharedTriangulation>      tria;
-    MappingFE<dim>                            p1_mapping;
-    std::unique_ptr<SimplexGeometry<dim>>     cached_geometry;
-    std::unique_ptr<AdaptiveGrid<dim>>        forest;
-    unsigned int                              n_meshes = 0;
-    std::vector<unsigned int>                 new_cells;
-    std::map<std::string, types::boundary_id> names;
-    std::map<std::string, types::material_id> group_names;
-    std::vector<BoundaryFace>                 faces;
-    std::vector<unsigned int>                 vertex_owners;
+                                          assign_owners();
+    const MPI_Comm                        comm;
+    std::unique_ptr<GridSource<dim>>      grid_source;
+    GridStretch<dim>                      stretch;
+    std::unique_ptr<SharedTriangulation>  tria;
+    MappingFE<dim>                        p1_mapping;
+    std::unique_ptr<SimplexGeometry<dim>> cached_geometry;
+    std::unique_ptr<AdaptiveGrid<dim>>    forest;
+    unsigned int                          n_meshes = 0;
+    std::vector<unsigned int>             new_cells;
+    MeshGroups                            groups; ///< names and their ids
+    std::vector<BoundaryFace>             faces;
+    std::vector<unsigned int>             vertex_owners;
     /** Vertices as generated, before any motion of the grid. */
     std::vector<Point<dim>> reference_vertices;
-    /** Planes that move with the prescribed motion, and how. */
-    std::vector<double>        stretch_planes;
-    std::vector<Expression<1>> plane_displacement;
   };
 } // namespace isochor
 

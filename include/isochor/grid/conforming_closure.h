@@ -6,6 +6,7 @@
 #define isochor_conforming_closure_h
 
 #include <isochor/grid/coarse_grid.h>
+#include <isochor/grid/leaf_template.h>
 
 #include <array>
 #include <cstdint>
@@ -69,9 +70,8 @@ namespace isochor
              const std::array<std::uint32_t, dim> &place) const;
 
   private:
-    /** Nodes of a leaf: corners, middles of edges and faces, and the centre,
-     * on the lattice {0, 1, 2}^dim, numbered with the first axis fastest. */
-    static constexpr unsigned int n_nodes = (dim == 2 ? 9 : 27);
+    /** Nodes of a leaf, see LeafTemplate. */
+    static constexpr unsigned int n_nodes = LeafTemplate<dim>::n_nodes;
     static constexpr unsigned int centre  = n_nodes / 2;
 
     /** A vertex, edge, face or cell of the coarse grid. */
@@ -117,14 +117,6 @@ namespace isochor
       }
     };
 
-    /** How a leaf is split, by its local nodes. */
-    struct Template
-    {
-      std::vector<std::array<unsigned char, dim + 1>> simplices;
-      /** Those of its sides, by face. */
-      std::array<std::vector<std::array<unsigned char, dim>>, 2 * dim> sides;
-    };
-
     void
     find_entities();
     View
@@ -136,17 +128,14 @@ namespace isochor
     position(const Key &key) const;
 
     /** Of the leaf with vertices at the nodes in the bit set @p present. */
-    const Template &
+    const LeafTemplate<dim> &
     leaf_template(const Leaf<dim> &leaf, const std::uint32_t present);
-    Template
-    make_template(const std::uint32_t                      present,
-                  const std::array<unsigned int, 2 * dim> &frames) const;
 
     const CoarseGrid<dim> coarse;
     std::vector<Entity>   entities;
     /** By tree and node of the tree taken for a leaf. */
-    std::vector<std::array<View, n_nodes>>      views;
-    std::unordered_map<std::uint64_t, Template> templates;
+    std::vector<std::array<View, n_nodes>>               views;
+    std::unordered_map<std::uint64_t, LeafTemplate<dim>> templates;
   };
 } // namespace isochor
 

@@ -59,6 +59,30 @@ namespace isochor
      */
     bool symmetric = true;
 
+    /** The entry of component @p c of the node of a displacement @p equation in
+     * the rigid motion @p mode: the dim translations, then the rotations about
+     * @p centre. */
+    double
+    rigid_motion(const unsigned int equation,
+                 const unsigned int c,
+                 const unsigned int mode,
+                 const double      *centre) const
+    {
+      const bool         rotation = mode >= dim;
+      const unsigned int axis     = dim == 2 ? 2 : mode - dim;
+      const double arm = rotation_arm.empty() ? 0. : rotation_arm[equation];
+      if (arm < 0)
+        return 0.;
+      if (arm > 0)
+        return rotation && (dim == 2 ? c == 0 : c == axis) ? arm : 0.;
+      if (!rotation)
+        return c == mode ? 1. : 0.;
+      // e_axis × x
+      const double *const x = &position[dim * equation];
+      const unsigned int  b = (axis + 1) % 3, a = (axis + 2) % 3;
+      return c == a ? x[b] - centre[b] : c == b ? -(x[a] - centre[a]) : 0.;
+    }
+
     /** Rows, columns (local numbers, ascending in a row) and values. */
     std::vector<std::size_t>  row_start;
     std::vector<unsigned int> column;
@@ -67,6 +91,11 @@ namespace isochor
     /** Changes whenever the pattern or the numbering does, on all ranks at
      * once: as long as it stays, a solver keeps its analysis. */
     unsigned long pattern_id = 0;
+
+    /** If not empty: for each local equation the length by which a rotation
+     * about its position is multiplied, of which it is the component (the first
+     * one in 2D); 0 for displacements; negative for what is neither. */
+    std::vector<double> rotation_arm;
   };
 } // namespace isochor
 

@@ -22,7 +22,8 @@ namespace isochor
   /**
    * The deformation of one material point over a step. In plane strain
    * (`dim` = 2) the out-of-plane stretch is 1, so that J = det F holds for
-   * both dimensions.
+   * both dimensions. In axisymmetry laws are asked in 3D, see
+   * AxisymmetricMaterial.
    */
   template <int dim>
   struct Kinematics
@@ -41,6 +42,8 @@ namespace isochor
     std::optional<double> pressure = {};
     /** Whether the tangents of the response are asked for. */
     bool with_tangent = true;
+    /** r_{n+1} / r_n; only read by AxisymmetricMaterial. */
+    double hoop_increment = 1;
 
     /** Set the first two members. */
     void
@@ -187,6 +190,13 @@ namespace isochor
                       const double * /*history*/) const
     {
       return std::numeric_limits<double>::quiet_NaN();
+    }
+
+    /** Whether work of the stresses may be neither stored nor given back. */
+    virtual bool
+    dissipates() const
+    {
+      return !history_names().empty();
     }
 
     virtual VolumetricMeasure

@@ -54,6 +54,9 @@ namespace isochor
     unsigned int cell_size      = 0;
     bool         with_cell_size = false;
     unsigned int n_properties   = 0;
+    /** Whether the plane is a section of a body of revolution, see
+     * AxisymmetricMaterial. */
+    bool axisymmetric = false;
 
     PointLayout() = default;
     PointLayout(const unsigned int dim,
@@ -74,6 +77,37 @@ namespace isochor
         F[i][j] = properties[layout.F + i * dim + j];
     return F;
   }
+
+  /** Σ V/G and Σ ρ V/G of the points in a cell, V the reference volume that
+   * each integrates: what the stabilisation needs (MixedKernel). */
+  struct CellCompliance
+  {
+    double volume = 0, mass = 0;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &volume &mass;
+    }
+  };
+
+  /** A cell that domains of points overlap, with the part of the points in it
+   * and its vertices at the start of the step. */
+  template <int dim>
+  struct OverlappedCell
+  {
+    unsigned int                    cell;
+    CellCompliance                  compliance;
+    std::array<Point<dim>, dim + 1> corners;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &cell &compliance &corners;
+    }
+  };
 
   /**
    * The material points of this rank in typed arrays, ordered by cell: what
@@ -97,6 +131,9 @@ namespace isochor
     std::vector<double>                      pressure;
     std::vector<Tensor<2, dim>>              F;
     std::vector<unsigned char>               material; ///< its index
+    /** In axisymmetry, the distance from the axis (m) at the start of the step;
+     * else empty. */
+    std::vector<double>         radius;
     std::vector<double>         history; ///< n_history values a point
     std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
     /** Domains at t = 0, if the layout has them. */
@@ -113,9 +150,8 @@ namespace isochor
     /** Pairs (point, cell) for the corners of domains, at least dim + 1 a
      * point: the cells whose nodes corners touch. */
     std::vector<std::pair<unsigned int, unsigned int>> corner_cells;
-    /** Cells that domains overlap and all of whose nodes are active, with the
-     * part of the points' Σ V_0/G in them. */
-    std::vector<std::pair<unsigned int, double>> overlapped_cells;
+    /** Cells that domains overlap and all of whose nodes are active. */
+    std::vector<OverlappedCell<dim>> overlapped_cells;
 
     /** A cell as the motion of the body since the last reset of the grid has
      * deformed it: its vertices and the gradients of its N_I. */
@@ -146,6 +182,18 @@ namespace isochor
       return deformed_cell.empty() ?
                geometry.vertices()[geometry.vertex_indices(cell[k])[v]] :
                deformed_cell[k].corners[v];
+    }
+
+    /** All of them. */
+    std::array<Point<dim>, dim + 1>
+    corners(const SimplexGeometry<dim> &geometry, const unsigned int k) const
+    {
+      if (!deformed_cell.empty())
+        return deformed_cell[k].corners;
+      std::array<Point<dim>, dim + 1> result;
+      for (unsigned int v = 0; v <= dim; ++v)
+        result[v] = corner(geometry, k, v);
+      return result;
     }
 
     /** ∇_n N_I in cell k of the list: with respect to the grid at the start of
@@ -210,6 +258,45 @@ namespace isochor
       return !stencil_start.empty();
     }
 
+    /**
+     * What integrals over the plane are multiplied by at point @p q: 1 or, in
+     * axisymmetry, 2πR, R = r / F_θθ its distance from the axis at t = 0 (m).
+     * Volumes and weights, cells and domains are those of the plane.
+     */
+    double
+    thickness(const unsigned int q) const
+    {
+      return radius.empty() ?
+               1. :
+               2 * numbers::PI * radius[q] /
+                 history[q * static_cast<std::size_t>(n_history)];
+    }
+
+    /** The volume that point @p q integrates, at t = 0 (m^dim; in axisymmetry
+     * m^3, of the ring). */
+    double
+    measure(const unsigned int q) const
+    {
+      return weight[q] * thickness(q);
+    }
+
+    /** Set the radius of massless points, whose place is known by their cell
+     * only. */
+    void
+    place_massless_points(const SimplexGeometry<dim> &geometry)
+    {
+      if (radius.empty())
+        return;
+      radius.resize(n_points());
+      for (unsigned int k = n_occupied_cells; k < cell.size(); ++k)
+        for (unsigned int q = cell_start[k]; q < cell_start[k + 1]; ++q)
+          {
+            radius[q] = 0;
+            for (unsigned int v = 0; v <= dim; ++v)
+              radius[q] += shape[q][v] * corner(geometry, k, v)[0];
+          }
+    }
+
     /** The nodes of a point. */
     struct Stencil
     {
@@ -259,7 +346,7 @@ namespace isochor
       archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
         &pressure &F &material &history &velocity &acceleration &domain
           &stencil_start &stencil_vertex &stencil_shape &stencil_gradient
-            &corner_cells &overlapped_cells &deformed_cell &n_history;
+            &corner_cells &overlapped_cells &deformed_cell &n_history &radius;
     }
   };
 
@@ -290,7 +377,8 @@ namespace isochor
     seed(const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
          const bool                                              dynamic,
          const std::string &initial_velocity,
-         const bool         with_domains = false);
+         const bool         with_domains = false,
+         const bool         axisymmetric = false);
 
     /**
      * Let @p change replace the mesh of the grid (it returns what

@@ -57,9 +57,12 @@ namespace isochor
       std::vector<double> properties;
     };
 
-    /** Make the points that are too large smaller; what they have lost. */
+    /** Make the points that are larger than @p share of their cell smaller;
+     * what they have lost. */
     std::vector<NewPoint>
-    split(MaterialPoints<dim> &points, const PointLocator<dim> &locator) const;
+    split(MaterialPoints<dim>     &points,
+          const PointLocator<dim> &locator,
+          const double             share) const;
     /** Where the parts are relative to a point with @p F and the current
      * @p volume; the first is what remains of the point itself. */
     struct Part
@@ -76,7 +79,8 @@ namespace isochor
            const BackgroundGrid<dim>   &grid,
            const std::vector<NewPoint> &parts) const;
 
-    double largest_share = 0; ///< of a point in its cell; 0: any
+    /** Of a point in its cell; 0: any. */
+    double largest_share = 0, share_on_adaptive_grids = 0;
   };
 } // namespace isochor
 

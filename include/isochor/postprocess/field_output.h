@@ -90,7 +90,16 @@ namespace isochor
   class OutputSeries
   {
   public:
-    explicit OutputSeries(const std::string &name);
+    /** In a named instance of a post-processor the files are called
+     * `<name>-<instance>`. One of @p interval output times is taken. */
+    explicit OutputSeries(const std::string &name,
+                          const std::string &instance = "",
+                          const unsigned int interval = 1);
+
+    /** An output time has come: whether something is to be written, the last
+     * time in any case. To be called at each output time. */
+    bool
+    takes_next(const bool is_last);
 
     /** Write the next output. Throws on all ranks if a file can't be written
      * on any. Collective. */
@@ -108,8 +117,10 @@ namespace isochor
     load_state(const std::string &state);
 
   private:
-    const std::string   name;
-    std::vector<double> times;
+    std::string         name;
+    unsigned int        interval;
+    unsigned int        n_due = 0; ///< output times so far
+    std::vector<double> times;     ///< those taken
   };
 } // namespace isochor
 

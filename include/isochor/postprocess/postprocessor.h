@@ -5,6 +5,7 @@
 #ifndef isochor_postprocessor_h
 #define isochor_postprocessor_h
 
+#include <isochor/base/named_plugin.h>
 #include <isochor/base/plugin_registry.h>
 #include <isochor/base/statistics.h>
 #include <isochor/boundary_condition/boundary_condition.h>
@@ -41,13 +42,13 @@ namespace isochor
    * parameters live in the subsection "Postprocess".
    */
   template <int dim>
-  class Postprocessor
+  class Postprocessor : public NamedPlugin
   {
   public:
+    Postprocessor()
+      : NamedPlugin("Postprocess")
+    {}
     virtual ~Postprocessor() = default;
-
-    /** As it is registered. A checkpoint keeps its state by this name. */
-    std::string name;
 
     /** For those that have none. */
     static void
@@ -61,7 +62,7 @@ namespace isochor
     static std::vector<std::string>
     changeable_parameters()
     {
-      return {"Postprocess/"};
+      return {"Postprocess/", "Postprocess: "};
     }
 
     /** Once, after the grid is made and the points are seeded. */

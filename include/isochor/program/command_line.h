@@ -9,7 +9,10 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include <isochor/base/parameter_file.h>
+
 #include <functional>
+#include <vector>
 
 namespace isochor
 {
@@ -18,11 +21,11 @@ namespace isochor
   /** What the command line is a front end to. */
   struct Program
   {
-    /** Declare all parameters but `Dimension`, for a space dimension and a
-     * number of materials (subsections "Material", "Material 2", ...). */
-    std::function<void(ParameterHandler  &prm,
-                       const unsigned int dim,
-                       const unsigned int n_materials)>
+    /** Declare all parameters but `Dimension`, for a space dimension and what
+     * the @p statements of the parameter file mention. */
+    std::function<void(ParameterHandler                      &prm,
+                       const unsigned int                     dim,
+                       const std::vector<ParameterStatement> &statements)>
       declare;
 
     /** Construct the problem, parse its parameters and, unless

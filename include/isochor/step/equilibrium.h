@@ -125,6 +125,16 @@ namespace isochor
     compute_residual_floor();
     void
     set_external_force();
+    /** What the stabilisation takes for the body's weight: gravity at the end
+     * of the step less the mean acceleration at its start. */
+    void
+    set_weight();
+    void
+    set_weight(const Tensor<1, dim> &mean_acceleration);
+    /** The trial has converged: repeat it with the mean acceleration that it
+     * found, until that is the one it was made with. */
+    void
+    settle_weight(NewtonReport &report);
 
     /** Begin the search for the nodes in contact, with those of the last step,
      * and lay out the system for it. */
@@ -147,6 +157,9 @@ namespace isochor
     find_root();
     ResidualNorms
     assemble(const bool with_matrix);
+    /** Equations between unknowns whose coefficients change with these. */
+    void
+    relinearise();
     /** Find what of the prescribed increments is still to come; whether there
      * is anything on this rank. */
     bool

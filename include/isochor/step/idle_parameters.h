@@ -7,7 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <isochor/base/warnings.h>
+#include <isochor/step/scene.h>
 
 namespace isochor
 {
@@ -17,10 +17,11 @@ namespace isochor
    * Warn of parameters of @p prm (at its top level) that differ from their
    * defaults but have no effect with what the others say, one warning each.
    * Combinations that can't be meant at all are errors of the classes that own
-   * the parameters.
+   * the parameters. @p scene has read them; it knows what its plugins use.
    */
+  template <int dim>
   void
-  warn_of_idle_parameters(const ParameterHandler &prm, Warnings &warnings);
+  warn_of_idle_parameters(const ParameterHandler &prm, Scene<dim> &scene);
 } // namespace isochor
 
 #endif

@@ -33,8 +33,8 @@ namespace isochor
     /** Declare all parameters, with @p n_materials materials in the
      * subsections "Material", "Material 2", ... */
     static void
-    declare_parameters(ParameterHandler  &prm,
-                       const unsigned int n_materials = 1);
+    declare_parameters(ParameterHandler    &prm,
+                       const SceneSections &sections = {});
     void
     parse_parameters(ParameterHandler &prm);
 

@@ -6,6 +6,7 @@
 #define isochor_scene_h
 
 #include <isochor/adaptation/grid_adaptation.h>
+#include <isochor/base/parameter_file.h>
 #include <isochor/base/warnings.h>
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/boundary_condition/boundary_condition.h>
@@ -20,6 +21,23 @@
 
 namespace isochor
 {
+  /** What decides which parameters a scene has. */
+  struct SceneSections
+  {
+    /** In the subsections "Material", "Material 2", ... */
+    unsigned int n_materials = 1;
+    /** "Boundary conditions: name" and "Postprocess: name". */
+    std::vector<NamedSection> boundary_conditions, postprocessors;
+
+    SceneSections(const unsigned int n_materials = 1)
+      : n_materials(n_materials)
+    {}
+
+    /** What the @p statements of a parameter file mention. */
+    static SceneSections
+    find(const std::vector<ParameterStatement> &statements);
+  };
+
   /**
    * What a parameter file describes: the grid, the body and its materials, the
    * formulation, what acts on the body and what looks at it. How the equations
@@ -34,10 +52,8 @@ namespace isochor
   public:
     Scene(const MPI_Comm comm);
 
-    /** Declare the parameters, with @p n_materials materials in the subsections
-     * "Material", "Material 2", ... */
     static void
-    declare_parameters(ParameterHandler &prm, const unsigned int n_materials);
+    declare_parameters(ParameterHandler &prm, const SceneSections &sections);
     void
     parse_parameters(ParameterHandler &prm);
 
@@ -53,6 +69,13 @@ namespace isochor
     mixed() const
     {
       return n_components == dim + 1;
+    }
+
+    /** Whether the points have velocities. */
+    bool
+    has_inertia() const
+    {
+      return inertia.is_active();
     }
 
     /** What a run of this scene never computes or stores, a list of phrases. */
@@ -71,13 +94,16 @@ namespace isochor
 
     /** The materials, and PPP's coefficient. */
     MixedKernel<dim> kernel;
+    /** Whether the stabilisation leaves out the pressure that carries weight.
+     */
+    bool leaves_out_weight = true;
     /** Unknowns of a node: dim in the u form, dim + 1 in the u-p form. */
     unsigned int n_components = dim + 1;
     /** Whether the matrix is symmetric. */
     bool symmetric = true;
 
-    bool             dynamic = false;
-    InertiaTerm<dim> inertia; ///< only used if dynamic
+    /** Inertia and the scheme in time; without effect in statics. */
+    InertiaTerm<dim> inertia;
 
     std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
     std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;
@@ -87,6 +113,11 @@ namespace isochor
     parse_formulation(ParameterHandler &prm);
     void
     parse_materials(ParameterHandler &prm);
+    std::unique_ptr<MaterialModel<dim>>
+    create_material(const std::string &model) const;
+    /** Throw if, in axisymmetry, the grid reaches beyond the axis. */
+    void
+    check_axis() const;
     /** Throw if @p material, the one of number @p m, can't be used here. */
     void
     check_material(const MaterialModel<dim> &material,

@@ -168,6 +168,9 @@ namespace isochor
     /** The grid has been replaced: tell what knows it. */
     void
     grid_changed();
+    /** Of all boundary conditions. */
+    std::vector<ControlNode<dim>>
+    control_nodes() const;
     /** Tell the occupancy where boundary conditions hold the body. */
     void
     find_walls();

@@ -29,13 +29,12 @@ namespace isochor
 
     /**
      * The points move with Σ N_I Δu_I and get F, stress, history, the pressure
-     * Σ N_I p_I, P(38), and in dynamics velocity and acceleration. @p inertia
-     * is null in statics.
+     * Σ N_I p_I, P(38), and in dynamics velocity and acceleration.
      */
     void
     transfer(const StepContext<dim> &step,
              const NodalField       &unknowns,
-             const InertiaTerm<dim> *inertia,
+             const InertiaTerm<dim> &inertia,
              MaterialPoints<dim>    &points);
 
     /** Bring the volume change of the @p points, which have moved, near that

@@ -22,8 +22,8 @@ namespace isochor
    * only; the elements' volume changes scatter about it, and a point adds up
    * those of all cells it passes: det F drifts, without bound where the flow is
    * long and the cells rest. Since cells are filled by weights V_0 and
-   * strengths are Kirchhoff stresses, a point that thinks it is compressed
-   * counts for more than its share.
+   * strengths are Kirchhoff stresses, a point whose J is too small counts for
+   * more than its share.
    *
    * At the end of a step the excess e = θ^e - p/K of each point is replaced by
    * its nodal means,

@@ -1,0 +1,96 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_contact_search_h
+#define isochor_contact_search_h
+
+#include <isochor/equations/equation_term.h>
+
+#include <iosfwd>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /** A node at a one-sided wall; the same on all ranks. */
+  struct WallNode
+  {
+    bool released     = false; ///< it has left the wall
+    bool was_released = false; ///< when the last step was accepted
+    bool touched      = true;  ///< it has been at the wall
+    /** Its distance from the wall at the start of the step, along the direction
+     * that the wall holds (m); may be negative. */
+    double gap = 0;
+
+    void
+    save(std::ostream &state) const;
+    void
+    load(std::istream &state);
+  };
+
+  /** What a node at a one-sided wall objects to. */
+  enum Objection : unsigned int
+  {
+    none       = 0,
+    pulls      = 1, ///< it is held, and pulls at the wall
+    penetrates = 2  ///< it is free, and went through it
+  };
+
+  /**
+   * The set of nodes at one-sided walls that are held, by the active set method
+   * (Hintermüller, Ito & Kunisch 2003): a set is held, Newton's method
+   * converges with it, and nodes that object change sides until none does. With
+   * the safeguard of Júdice & Pires (Computers Ops Res. 21 (1994) 587-596): if
+   * changing all nodes that object does not make them fewer, they are changed
+   * one by one, which can't cycle in a linear problem with a positive definite
+   * matrix.
+   */
+  class ContactSearch
+  {
+  public:
+    /** Begin the search of a step, or begin again. */
+    void
+    start();
+
+    /**
+     * Change @p nodes according to their @p objections, the same on all ranks,
+     * by node. Returns why the search is to be given up, which names the
+     * @p parameter and @p boundaries, or nothing.
+     */
+    std::string
+    change(const std::vector<unsigned int> &objections,
+           const std::vector<WallNode *>   &nodes,
+           const std::string               &parameter,
+           const std::string               &boundaries);
+
+  private:
+    /** Sets with which the search is given up, and how often it may not get
+     * better before nodes are changed one by one. */
+    static constexpr unsigned int most_sets = 60, most_patience = 4;
+
+    unsigned int n_sets = 0, fewest_objected = 0, n_patience = 0;
+  };
+
+  /** The largest component of the displacement increments @p unknowns (m).
+   * Collective. */
+  template <int dim>
+  double
+  largest_increment(const StepContext<dim> &step, const NodalField &unknowns);
+
+  /** By local node, whether it is tied to others for want of material. */
+  std::vector<unsigned char>
+  tied_nodes(const NodalTies &ties, const unsigned int n_nodes);
+
+  /** Remember the gaps at the end of a step in @p nodes: @p gaps where the
+   * rank that owns the node knows them, gap_unknown elsewhere, from which they
+   * are collected. A node nobody knows is at the wall. Collective. */
+  constexpr double gap_unknown = std::numeric_limits<double>::lowest();
+  void
+  update_gaps(std::vector<double>   &gaps,
+              const MPI_Comm         comm,
+              std::vector<WallNode> &nodes);
+} // namespace isochor
+
+#endif

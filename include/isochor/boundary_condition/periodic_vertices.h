@@ -1,0 +1,76 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_periodic_vertices_h
+#define isochor_periodic_vertices_h
+
+#include <isochor/grid/background_grid.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * The vertices on pairs of sides that are the same place of a periodic body.
+   * Each vertex of a second side is the image of one of the first; where pairs
+   * meet, images have images, and all go back to one *root*, which is on no
+   * second side. The same on all ranks.
+   */
+  template <int dim>
+  class PeriodicVertices
+  {
+  public:
+    struct Image
+    {
+      unsigned int              vertex, root;
+      std::vector<unsigned int> pairs; ///< by which it is the root's image
+    };
+
+    /** Find the images for the @p pairs of boundary names, first and second.
+     * @throws ExcMessage, naming @p parameter, if vertices don't match. */
+    void
+    initialize(const BackgroundGrid<dim>                              &grid,
+               const std::vector<std::pair<std::string, std::string>> &pairs,
+               const std::string &parameter);
+
+    /** By ascending vertex. */
+    const std::vector<Image> &
+    images() const
+    {
+      return all_images;
+    }
+
+    /** All vertices on the sides. */
+    std::vector<unsigned int>
+    all() const;
+
+    /** The roots of vertices that are images by pairs in all directions. */
+    std::vector<unsigned int>
+    corners() const;
+
+    /**
+     * Add to @p touched all images and the root of vertices in it, and of those
+     * that this rank owns and others touch; whether there are any. Collective.
+     */
+    bool
+    touch_images(const BackgroundGrid<dim> &grid,
+                 std::vector<unsigned int> &touched) const;
+
+  private:
+    /** The vertex of the first side for each of the second one. */
+    static std::map<unsigned int, unsigned int>
+    match(const BackgroundGrid<dim> &grid,
+          const std::string         &first,
+          const std::string         &second,
+          const std::string         &parameter);
+
+    std::vector<Image>                                all_images;
+    std::map<unsigned int, std::vector<unsigned int>> images_of_root;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,24 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_constraint_conflicts_h
+#define isochor_constraint_conflicts_h
+
+#include <isochor/equations/equation_term.h>
+
+namespace isochor
+{
+  /**
+   * Say which conditions determine the same unknowns otherwise, for the
+   * conflicts of @p constraints on any rank: a warning with the names of the
+   * conditions and a place; an error if they are of the same precedence, so
+   * that nothing tells which one is meant. Collective.
+   */
+  template <int dim>
+  void
+  tell_conflicts(const StepContext<dim> &step,
+                 const NodalConstraints &constraints);
+} // namespace isochor
+
+#endif

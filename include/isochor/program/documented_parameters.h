@@ -1,0 +1,23 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_documented_parameters_h
+#define isochor_documented_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <ostream>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /** Print all parameters as a parameter file: their documentation as comments
+   * and, where only some words are allowed, which these are. deal.II's own
+   * printing leaves the latter out. */
+  void
+  print_documented_parameters(const ParameterHandler &prm, std::ostream &out);
+} // namespace isochor
+
+#endif

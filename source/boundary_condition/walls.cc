@@ -1,0 +1,524 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/boundary_condition/boundary_checks.h>
+#include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/boundary_condition/contact_search.h>
+#include <isochor/boundary_condition/wall_surface.h>
+#include <isochor/grid/prescribed_motion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace isochor
+{
+  /**
+   * Smooth walls on named boundaries of the grid, of any direction and shape:
+   * the displacement of a node along the normal n into the grid is prescribed,
+   * n·Δu = g, or may not be less; tangential to the wall it is free. Where the
+   * boundary has a corner, and where two walls meet, there are several normals
+   * at a node (see WallSurface), and all of the conditions hold.
+   *
+   * A step is linear: the wall is the tangential plane at the place of the node
+   * where the step starts. On a grid that is put back that is a vertex of the
+   * boundary. On a grid that is kept nodes slide along the wall; if it is
+   * curved, normal and distance are those of the place that the node has
+   * reached, on the smooth surface through the vertices, so that what a step
+   * errs is corrected by the next one.
+   *
+   * One-sided walls find their set of nodes by ContactSearch. Nodes that have
+   * not touched the wall yet remember their distance from it, others begin each
+   * step at the wall, on a kept grid where the last one left them.
+   */
+  template <int dim>
+  class Walls : public BoundaryCondition<dim>
+  {
+  public:
+    static void
+    declare_parameters(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Walls",
+        "",
+        Patterns::Anything(),
+        "Smooth walls on boundaries of the grid, inclined and curved ones, too: "
+        "'boundary: n = formula; boundary: n >= formula'. n is the displacement "
+        "(m) since t = 0 along the boundary's normal into the grid, a formula in "
+        "x, y(, z), t; along the boundary the body slides. With 'n = 0' it "
+        "stays at the wall, with 'n = 0.1*t' the wall pushes it. With 'n >= "
+        "formula' the wall only pushes: nodes that would have to be pulled "
+        "leave it. At vertices normals are the mean of the faces that meet at "
+        "less than 40 degrees; at a sharper corner those of both sides count. "
+        "<Boundary conditions/Displacement> overrides walls. A wall that pushes "
+        "the body by more than half of a cell needs a grid that is kept (<Grid "
+        "reset/Steps between resets>).");
+    }
+
+    void
+    parse_parameters(ParameterHandler &prm) override
+    {
+      for (const auto &entry : split_named_list(prm.get("Walls"), parameter()))
+        {
+          const std::string &item   = entry.second;
+          const auto         equals = item.find('=');
+          std::string        left =
+            Utilities::trim(item.substr(0, std::min(equals, item.size())));
+          const bool one_sided = !left.empty() && left.back() == '>';
+          if (one_sided)
+            left = Utilities::trim(left.substr(0, left.size() - 1));
+          AssertThrow(equals != std::string::npos && left == "n",
+                      ExcMessage("The entry <" + entry.first + ": " + item +
+                                 "> of the parameter <" + parameter() +
+                                 "> must have the form <boundary: n = formula> "
+                                 "or <boundary: n >= formula>."));
+          for (const Wall &wall : walls)
+            AssertThrow(wall.boundary != entry.first,
+                        ExcMessage("The parameter <" + parameter() +
+                                   "> has two entries for the boundary <" +
+                                   entry.first + ">."));
+          walls.push_back(
+            {entry.first,
+             one_sided,
+             Expression<dim>(item.substr(equals + 1), parameter()),
+             {},
+             {}});
+        }
+    }
+
+    void
+    initialize(const BackgroundGrid<dim> &grid) override
+    {
+      reference = grid.vertices_at_time(0.);
+      for (Wall &wall : walls)
+        {
+          wall.surface.initialize(grid,
+                                  grid.boundary_id(wall.boundary, parameter()));
+          wall.nodes.clear();
+          for (const auto &at : wall.surface.nodes())
+            {
+              Node node;
+              node.vertex = at.vertex;
+              node.normal = at.normal;
+              if (wall.one_sided)
+                {
+                  // a node in the wall is pushed out by the first step
+                  WallNode &contact = node.contact;
+                  contact.gap = -wall.displacement(reference[at.vertex], 0.);
+                  contact.touched  = (contact.gap == 0);
+                  contact.released = contact.was_released = (contact.gap > 0);
+                }
+              wall.nodes.push_back(node);
+            }
+        }
+    }
+
+    void
+    grid_changed(const BackgroundGrid<dim> &grid,
+                 const bool /*at_start*/) override
+    {
+      const std::vector<Wall>       old           = walls;
+      const std::vector<Point<dim>> old_reference = reference;
+      initialize(grid);
+      for (unsigned int w = 0; w < walls.size(); ++w)
+        take_over(old[w], old_reference, walls[w]);
+    }
+
+    void
+    check_scene(const StepContext<dim> &step) const override
+    {
+      for (const Wall &wall : walls)
+        warn_if_untouched(step,
+                          parameter(),
+                          wall.boundary,
+                          step.grid.boundary_id(wall.boundary, parameter()));
+    }
+
+    void
+    constrain(const StepContext<dim> &step,
+              NodalConstraints       &constraints) const override
+    {
+      std::vector<std::pair<unsigned int, double>> terms;
+      unsigned int                                 label = 0;
+      for (const Wall &wall : walls)
+        {
+          const std::vector<Tensor<1, dim>> normals = normals_of(wall, step);
+          for (unsigned int i = 0; i < wall.nodes.size(); ++i, ++label)
+            {
+              const unsigned int node = step.nodes.node(wall.nodes[i].vertex);
+              if (node == numbers::invalid_unsigned_int ||
+                  wall.nodes[i].contact.released)
+                continue;
+              terms.clear();
+              for (unsigned int a = 0; a < dim; ++a)
+                if (normals[i][a] != 0.)
+                  terms.emplace_back(node * step.n_components + a,
+                                     normals[i][a]);
+              auto &equation    = constraints.add(Precedence::wall,
+                                               terms,
+                                               increment(wall, i, step));
+              equation.n_pivots = terms.size();
+              equation.how   = wall.one_sided ? NodalConstraints::in_contact :
+                                                NodalConstraints::prescribed;
+              equation.owner = this;
+              equation.label = label;
+            }
+        }
+    }
+
+    void
+    start_contact() override
+    {
+      for (Wall &wall : walls)
+        for (Node &node : wall.nodes)
+          node.contact.released = node.contact.was_released;
+      search.start();
+    }
+
+    std::string
+    check_contact(const StepContext<dim> &step,
+                  const NodalField       &unknowns,
+                  const MixedSystem<dim> &system,
+                  const NodalConstraints &constraints,
+                  const typename BoundaryCondition<dim>::ContactTolerance
+                    &tolerance) override
+    {
+      if (std::none_of(walls.begin(), walls.end(), [](const Wall &wall) {
+            return wall.one_sided;
+          }))
+        return {};
+      const auto objections =
+        find_objections(step, unknowns, system, constraints, tolerance);
+      std::vector<WallNode *> nodes;
+      std::string             names;
+      for (Wall &wall : walls)
+        {
+          bool objects = false;
+          for (Node &node : wall.nodes)
+            {
+              objects = objects || objections[nodes.size()] != Objection::none;
+              nodes.push_back(&node.contact);
+            }
+          if (objects)
+            names += (names.empty() ? "" : ", ") + wall.boundary;
+        }
+      return search.change(objections, nodes, parameter(), names);
+    }
+
+    void
+    advance(const StepContext<dim> &step, const NodalField &unknowns) override
+    {
+      for (Wall &wall : walls)
+        {
+          if (step.old_time > 0 && !step.grid_is_kept && !step.grid.is_moving())
+            warn_if_body_is_lost(wall, step);
+          follow_nodes(wall, step, unknowns);
+          for (Node &node : wall.nodes)
+            node.contact.was_released = node.contact.released;
+        }
+    }
+
+    std::string
+    save_state() const override
+    {
+      std::ostringstream state;
+      state.precision(std::numeric_limits<double>::max_digits10);
+      for (const Wall &wall : walls)
+        for (const Node &node : wall.nodes)
+          {
+            node.contact.save(state);
+            state << node.offset << ' ' << node.moved << ' ';
+          }
+      return state.str();
+    }
+
+    void
+    load_state(const std::string &text) override
+    {
+      std::istringstream state(text);
+      for (Wall &wall : walls)
+        {
+          for (Node &node : wall.nodes)
+            {
+              node.contact.load(state);
+              state >> node.offset;
+              for (unsigned int a = 0; a < dim; ++a)
+                state >> node.moved[a];
+            }
+          locate_nodes(wall);
+        }
+    }
+
+  private:
+    /** A node at a wall, and one of its normals; the same on all ranks. */
+    struct Node
+    {
+      unsigned int   vertex;
+      Tensor<1, dim> normal; ///< at the vertex
+      WallNode       contact;
+      /** On a grid that is kept, at a curved wall: how far the wall has come
+       * along its normal since the reset, from the boundary (m), and the node
+       * (m); and the normal and the gap where it is now. */
+      double         offset = 0;
+      Tensor<1, dim> moved, normal_now;
+      double         gap_now = 0;
+    };
+
+    struct Wall
+    {
+      std::string       boundary;
+      bool              one_sided;
+      Expression<dim>   displacement;
+      WallSurface<dim>  surface;
+      std::vector<Node> nodes;
+    };
+
+    std::string
+    parameter() const
+    {
+      return NamedPlugin::parameter("Walls");
+    }
+
+    /** By node of the wall, at the start of the step. */
+    std::vector<Tensor<1, dim>>
+    normals_of(const Wall &wall, const StepContext<dim> &step) const
+    {
+      std::vector<Tensor<1, dim>> normals;
+      if (step.grid.is_moving())
+        {
+          WallSurface<dim> moved;
+          moved.initialize(step.grid,
+                           step.grid.boundary_id(wall.boundary, parameter()));
+          for (const auto &node : moved.nodes())
+            normals.push_back(node.normal);
+          if (normals.size() == wall.nodes.size())
+            return normals;
+          normals.clear();
+        }
+      for (const Node &node : wall.nodes)
+        normals.push_back(follows_curve(wall, step) ? node.normal_now :
+                                                      node.normal);
+      return normals;
+    }
+
+    /** Whether a step starts away from the vertices of a curved wall. */
+    static bool
+    follows_curve(const Wall &wall, const StepContext<dim> &step)
+    {
+      return step.grid_is_kept && !wall.surface.is_flat() &&
+             !step.grid.is_moving();
+    }
+
+    /** The distance of node i from the wall at the start of the step. */
+    double
+    gap(const Wall             &wall,
+        const unsigned int      i,
+        const StepContext<dim> &step) const
+    {
+      const Node &node = wall.nodes[i];
+      if (follows_curve(wall, step))
+        return node.gap_now;
+      return step.grid_is_kept || !node.contact.touched ? node.contact.gap : 0.;
+    }
+
+    /** How far the wall comes in the step along its normal, at node i. */
+    double
+    motion(const Wall             &wall,
+           const unsigned int      i,
+           const StepContext<dim> &step) const
+    {
+      const Point<dim> &x = reference[wall.nodes[i].vertex];
+      if (!wall.one_sided)
+        return prescribed_increment(wall.displacement,
+                                    x,
+                                    step.old_time,
+                                    step.time);
+      return wall.displacement(x, step.time) -
+             wall.displacement(x, step.old_time);
+    }
+
+    double
+    increment(const Wall             &wall,
+              const unsigned int      i,
+              const StepContext<dim> &step) const
+    {
+      return motion(wall, i, step) - gap(wall, i, step);
+    }
+
+    /** The normal displacement of node i in the step, on a rank that has it. */
+    static double
+    along(const Tensor<1, dim>   &normal,
+          const unsigned int      node,
+          const StepContext<dim> &step,
+          const NodalField       &unknowns)
+    {
+      double sum = 0;
+      for (unsigned int a = 0; a < dim; ++a)
+        sum += normal[a] * unknowns.local_element(node * step.n_components + a);
+      return sum;
+    }
+
+    /** By walls and nodes one after the other. Collective. */
+    std::vector<unsigned int>
+    find_objections(
+      const StepContext<dim>                                  &step,
+      const NodalField                                        &unknowns,
+      const MixedSystem<dim>                                  &system,
+      const NodalConstraints                                  &constraints,
+      const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const
+    {
+      const double penetration =
+        tolerance.relative * largest_increment(step, unknowns);
+      const std::vector<unsigned char> is_tied =
+        tied_nodes(constraints.ties, step.nodes.n_local());
+      unsigned int n_nodes = 0;
+      for (const Wall &wall : walls)
+        n_nodes += wall.nodes.size();
+      std::vector<double> force(n_nodes, 0.);
+      for (unsigned int k = 0; k < constraints.equations.size(); ++k)
+        if (constraints.equations[k].owner == this)
+          force[constraints.equations[k].label] = system.multiplier(k);
+
+      std::vector<unsigned int> objections;
+      for (const Wall &wall : walls)
+        {
+          const std::vector<Tensor<1, dim>> normals = normals_of(wall, step);
+          for (unsigned int i = 0; i < wall.nodes.size(); ++i)
+            {
+              const unsigned int k = objections.size();
+              objections.push_back(Objection::none);
+              const unsigned int node = step.nodes.node(wall.nodes[i].vertex);
+              if (!wall.one_sided || node >= step.nodes.n_owned())
+                continue;
+              if (!wall.nodes[i].contact.released)
+                {
+                  if (force[k] < -tolerance.force)
+                    objections.back() = Objection::pulls;
+                }
+              else if (!is_tied[node] &&
+                       along(normals[i], node, step, unknowns) -
+                           increment(wall, i, step) <
+                         -penetration)
+                objections.back() = Objection::penetrates;
+            }
+        }
+      Utilities::MPI::max(objections, step.grid.communicator(), objections);
+      return objections;
+    }
+
+    /** The step has converged: where the nodes and the wall are now. */
+    void
+    follow_nodes(Wall                   &wall,
+                 const StepContext<dim> &step,
+                 const NodalField       &unknowns) const
+    {
+      const MPI_Comm                    comm    = step.grid.communicator();
+      const std::vector<Tensor<1, dim>> normals = normals_of(wall, step);
+      const unsigned int                n       = wall.nodes.size();
+      std::vector<double> gaps(n, gap_unknown), moved(n * dim, 0.);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const unsigned int node = step.nodes.node(wall.nodes[i].vertex);
+          if (node >= step.nodes.n_owned())
+            continue;
+          gaps[i] =
+            along(normals[i], node, step, unknowns) - increment(wall, i, step);
+          for (unsigned int a = 0; a < dim; ++a)
+            moved[i * dim + a] =
+              unknowns.local_element(node * step.n_components + a);
+        }
+      if (!wall.surface.is_flat())
+        {
+          Utilities::MPI::sum(moved, comm, moved);
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              Node &node = wall.nodes[i];
+              if (!step.grid_is_kept)
+                {
+                  node.moved  = 0.;
+                  node.offset = -gap(wall, i, step);
+                }
+              node.offset += motion(wall, i, step);
+              for (unsigned int a = 0; a < dim; ++a)
+                node.moved[a] += moved[i * dim + a];
+            }
+          locate_nodes(wall);
+        }
+      if (!wall.one_sided)
+        return;
+      std::vector<WallNode> contact;
+      for (const Node &node : wall.nodes)
+        contact.push_back(node.contact);
+      update_gaps(gaps, comm, contact);
+      for (unsigned int i = 0; i < n; ++i)
+        wall.nodes[i].contact = contact[i];
+    }
+
+    /** At a curved wall: normals and gaps where the nodes are now. */
+    void
+    locate_nodes(Wall &wall) const
+    {
+      if (wall.surface.is_flat())
+        return;
+      for (Node &node : wall.nodes)
+        {
+          const auto place =
+            wall.surface.locate(reference[node.vertex] + node.moved);
+          node.normal_now = place.normal;
+          node.gap_now    = place.distance - node.offset;
+        }
+    }
+
+    /** After a change of the grid: each node knows of its wall what the nearest
+     * of @p old did. */
+    void
+    take_over(const Wall                    &old,
+              const std::vector<Point<dim>> &old_reference,
+              Wall                          &wall) const
+    {
+      for (Node &node : wall.nodes)
+        {
+          const Point<dim> &x       = reference[node.vertex];
+          const auto        nearest = std::min_element(
+            old.nodes.begin(),
+            old.nodes.end(),
+            [&](const Node &a, const Node &b) {
+              return x.distance_square(old_reference[a.vertex]) <
+                     x.distance_square(old_reference[b.vertex]);
+            });
+          if (!wall.one_sided || nearest == old.nodes.end())
+            continue;
+          node.contact = nearest->contact;
+          if (!node.contact.touched)
+            node.contact.gap +=
+              wall.displacement(old_reference[nearest->vertex], 0.) -
+              wall.displacement(x, 0.);
+        }
+    }
+
+    /** Tell if the wall has pushed the body out of the row of cells there,
+     * which has been put back since. */
+    void
+    warn_if_body_is_lost(const Wall &wall, const StepContext<dim> &step) const
+    {
+      double push = 0; // as far as it came before this step
+      for (const Node &node : wall.nodes)
+        push =
+          std::max(push,
+                   wall.displacement(reference[node.vertex], step.old_time));
+      if (push > 0)
+        warn_of_body_left_behind(step,
+                                 wall.boundary,
+                                 parameter() + " = " + wall.boundary +
+                                   ": n = ...",
+                                 push);
+    }
+
+    std::vector<Wall>       walls;
+    std::vector<Point<dim>> reference;
+    ContactSearch           search;
+  };
+
+  ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition, Walls, "Walls")
+} // namespace isochor

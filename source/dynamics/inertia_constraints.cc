@@ -1,0 +1,283 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// What the constraints of a step mean for velocities and accelerations.
+
+#include <isochor/dynamics/inertia_term.h>
+#include <isochor/grid/prescribed_motion.h>
+
+#include <tuple>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  InertiaTerm<dim>::prescribe(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    const NodalConstraints                                     &constraints)
+  {
+    const unsigned int nc = step.n_components;
+    const double       dt = step.step_size();
+    // differences only: a jump of the prescribed place at the start of the step
+    // is in all of them
+    std::array<NodalConstraints, 3> contact;
+    const auto                      at = [&](const unsigned int k) {
+      return constraints_at(
+        step, conditions, constraints.ties, k / 2., contact[k]);
+    };
+    const NodalConstraints start = at(0), middle = at(1), end = at(2);
+    held.assign(step.nodes.n_local() * dim, 0);
+    stopped.clear();
+    if (kept_part > 0)
+      {
+        NodalConstraints ties_only;
+        ties_only.reinit(step.nodes.n_local() * nc);
+        ties_only.ties = constraints.ties;
+        ties_only.resolve(nc);
+        step.nodes.initialize(projected, dim);
+        project(
+          step, momentum, displacement_followers(ties_only, nc), {}, projected);
+      }
+    step.nodes.initialize(velocity, dim);
+    step.nodes.initialize(acceleration, dim);
+    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const unsigned int  entry = node * nc + d, i = node * dim + d;
+          const unsigned char how = constraints.constrained[entry];
+          held[i]                 = (how == NodalConstraints::prescribed);
+          if (!held[i] && how != NodalConstraints::in_contact)
+            continue;
+          const double first = middle.increment[entry] - start.increment[entry],
+                       second = end.increment[entry] - middle.increment[entry];
+          const auto [v, a]   = parabola_at_start(first, second, dt);
+          if (!held[i])
+            stopped.push_back({i, v + a * dt, a});
+          else if (node < step.nodes.n_owned())
+            {
+              acceleration.local_element(i) = a;
+              velocity.local_element(i)     = v;
+            }
+        }
+    note_stopping_walls(contact, nc, dt);
+
+    followers = displacement_followers(start, nc);
+    given_velocity.clear();
+    given_acceleration.clear();
+    if (!start.equations.empty())
+      {
+        const Followers at_half = displacement_followers(middle, nc);
+        const Followers at_end  = displacement_followers(end, nc);
+        given_velocity.resize(followers.size());
+        given_acceleration.resize(followers.size());
+        for (unsigned int k = 0; k < followers.size(); ++k)
+          std::tie(given_velocity[k], given_acceleration[k]) =
+            parabola_at_start(at_half.value[k] - followers.value[k],
+                              at_end.value[k] - at_half.value[k],
+                              dt);
+      }
+    project(step, momentum, followers, given_velocity, velocity);
+    add_convective_acceleration(step, conditions, start);
+    project(
+      step, force, followers, given_acceleration, acceleration, by_stresses);
+    prescribed = true;
+  }
+
+
+
+  template <int dim>
+  NodalConstraints
+  InertiaTerm<dim>::constraints_at(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    const NodalTies                                            &ties,
+    const double                                                part,
+    NodalConstraints                                           &contact) const
+  {
+    StepContext<dim> until = step;
+    until.time             = step.old_time + part * step.step_size();
+    NodalConstraints constraints;
+    constraints.reinit(step.nodes.n_local() * step.n_components);
+    for (const auto &condition : conditions)
+      condition->constrain(until, constraints);
+    if (part > 0 && constraints.equations.empty())
+      return constraints; // nothing but prescribed unknowns
+    contact = constraints;
+    constraints.drop_contact();
+    constraints.ties = ties;
+    constraints.resolve(step.n_components);
+    return constraints;
+  }
+
+
+
+  template <int dim>
+  Followers
+  InertiaTerm<dim>::displacement_followers(const NodalConstraints &constraints,
+                                           const unsigned int      n_components)
+  {
+    const Followers &all   = constraints.followers;
+    const auto       place = [n_components](const unsigned int entry) {
+      return entry / n_components * dim + entry % n_components;
+    };
+    Followers result;
+    for (unsigned int k = 0; k < all.size(); ++k)
+      {
+        if (all.entry[k] % n_components == dim)
+          continue; // a pressure
+        result.entry.push_back(place(all.entry[k]));
+        result.value.push_back(all.value[k]);
+        result.flags.push_back(all.flags[k]);
+        for (std::size_t i = all.start[k]; i < all.start[k + 1]; ++i)
+          {
+            result.master.push_back(place(all.master[i]));
+            result.weight.push_back(all.weight[i]);
+          }
+        result.start.push_back(result.master.size());
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::add_convective_acceleration(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    const NodalConstraints                                     &constraints)
+  {
+    bool changes = false;
+    for (const auto &condition : conditions)
+      changes = changes || condition->relinearises();
+    if (!changes || given_acceleration.empty())
+      return;
+    NodalConstraints convective = constraints;
+    for (auto &equation : convective.equations)
+      {
+        equation.value = 0;
+        for (const auto &condition : conditions)
+          if (equation.changes && equation.owner == condition.get())
+            equation.value = condition->convective_acceleration(step,
+                                                                velocity,
+                                                                convective,
+                                                                equation);
+      }
+    convective.resolve(step.n_components);
+    const Followers values =
+      displacement_followers(convective, step.n_components);
+    for (unsigned int k = 0; k < followers.size(); ++k)
+      given_acceleration[k] += values.value[k];
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::note_stopping_walls(
+    const std::array<NodalConstraints, 3> &constraints,
+    const unsigned int                     n_components,
+    const double                           dt)
+  {
+    stopped_along.clear();
+    const NodalConstraints &start = constraints[0];
+    for (unsigned int k = 0; k < start.equations.size(); ++k)
+      {
+        const auto &equation = start.equations[k];
+        if (equation.how != NodalConstraints::in_contact)
+          continue;
+        const double at_half = constraints[1].equations[k].value;
+        const auto [v, a] =
+          parabola_at_start(at_half - equation.value,
+                            constraints[2].equations[k].value - at_half,
+                            dt);
+        StoppedAlong wall{{}, v + a * dt, a};
+        for (std::size_t i = equation.first; i < equation.last; ++i)
+          wall.direction.emplace_back(start.entry[i] / n_components * dim +
+                                        start.entry[i] % n_components,
+                                      start.coefficient[i]);
+        stopped_along.push_back(wall);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::stop_at_walls()
+  {
+    const auto set =
+      [](const StoppedAlong &wall, NodalField &field, const double value) {
+        double sum = 0, square = 0;
+        for (const auto &[i, a] : wall.direction)
+          {
+            sum += a * field.local_element(i);
+            square += a * a;
+          }
+        for (const auto &[i, a] : wall.direction)
+          field.local_element(i) += a / square * (value - sum);
+      };
+    for (const StoppedAlong &wall : stopped_along)
+      {
+        set(wall, new_velocity, wall.velocity);
+        set(wall,
+            new_acceleration,
+            from_stresses && !in_trial() ? 0. : wall.acceleration);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::set_trial_increments(const StepContext<dim> &step,
+                                         NodalConstraints &constraints) const
+  {
+    const unsigned int nc        = step.n_components;
+    const auto         increment = [this](const unsigned int i) {
+      return trial_size * (velocity.local_element(i) +
+                           trial_size / 2 * acceleration.local_element(i));
+    };
+    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
+      for (unsigned int d = 0; d < dim; ++d)
+        if (constraints.constrained[node * nc + d])
+          constraints.increment[node * nc + d] = increment(node * dim + d);
+    if (constraints.equations.empty())
+      return;
+    for (auto &equation : constraints.equations)
+      {
+        equation.value = 0;
+        for (std::size_t i = equation.first; i < equation.last; ++i)
+          equation.value += constraints.coefficient[i] *
+                            increment(constraints.entry[i] / nc * dim +
+                                      constraints.entry[i] % nc);
+      }
+    constraints.resolve(nc);
+  }
+
+
+
+  template void
+  InertiaTerm<2>::prescribe(
+    const StepContext<2> &,
+    const std::vector<std::unique_ptr<BoundaryCondition<2>>> &,
+    const NodalConstraints &);
+  template void
+  InertiaTerm<2>::set_trial_increments(const StepContext<2> &,
+                                       NodalConstraints &) const;
+  template void
+  InertiaTerm<2>::stop_at_walls();
+  template void
+  InertiaTerm<3>::prescribe(
+    const StepContext<3> &,
+    const std::vector<std::unique_ptr<BoundaryCondition<3>>> &,
+    const NodalConstraints &);
+  template void
+  InertiaTerm<3>::set_trial_increments(const StepContext<3> &,
+                                       NodalConstraints &) const;
+  template void
+  InertiaTerm<3>::stop_at_walls();
+} // namespace isochor

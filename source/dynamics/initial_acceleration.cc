@@ -1,0 +1,138 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+// The members of InertiaTerm that look for the acceleration at t = 0.
+#include <isochor/dynamics/inertia_term.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  InertiaTerm<dim>::start_trial(
+    const StepContext<dim>                                     &step,
+    const double                                                trial_step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
+  {
+    trial_size = trial_step;
+    for (const auto &condition : conditions)
+      condition->set_trial(step, trial_step);
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::end_trial(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
+  {
+    trial_size = 0;
+    for (const auto &condition : conditions)
+      condition->set_trial(step, 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::finish_trial(
+    const StepContext<dim>                                     &step,
+    const NodalField                                           &unknowns,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    PointArrays<dim>                                           &points)
+  {
+    unsigned int by_surface = 0;
+    for (const auto &condition : conditions)
+      if (condition->starts_suddenly(step, velocity))
+        by_surface = 1;
+    const bool impulse =
+      starts_suddenly(step) ||
+      Utilities::MPI::max(by_surface, step.grid.communicator()) != 0;
+    finish_step(step, unknowns);
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const Tensor<1, dim> a =
+            point(step,
+                  points.stencil(step.grid.geometry(), k, q),
+                  points.velocity[q])
+              .second;
+          points.acceleration[q] += a / 2;
+          if (impulse)
+            points.velocity[q] += trial_size / 4 * a;
+        }
+  }
+
+
+
+  template <int dim>
+  bool
+  InertiaTerm<dim>::starts_suddenly(const StepContext<dim> &step) const
+  {
+    // the impulse on held nodes, against what would stop the body
+    NodalField product;
+    mass.vmult(step, velocity, product);
+    double impulse = 0, scale = 0;
+    for (unsigned int i = 0; i < step.nodes.n_owned() * dim; ++i)
+      {
+        scale = std::max({scale,
+                          std::abs(product.local_element(i)),
+                          std::abs(momentum.local_element(i))});
+        if (held[i] && velocity.local_element(i) != 0.)
+          impulse = std::max(impulse,
+                             std::abs(product.local_element(i) -
+                                      momentum.local_element(i)));
+      }
+    for (unsigned int k = 0; k < given_velocity.size(); ++k)
+      if (const unsigned int i = followers.entry[k];
+          i < step.nodes.n_owned() * dim && given_velocity[k] != 0.)
+        impulse = std::max(impulse,
+                           std::abs(product.local_element(i) -
+                                    momentum.local_element(i)));
+    const MPI_Comm comm = step.grid.communicator();
+    return Utilities::MPI::max(impulse, comm) >
+           1e-8 * Utilities::MPI::max(scale, comm);
+  }
+
+
+
+  template void
+  InertiaTerm<2>::start_trial(
+    const StepContext<2> &,
+    const double,
+    const std::vector<std::unique_ptr<BoundaryCondition<2>>> &);
+  template void
+  InertiaTerm<2>::end_trial(
+    const StepContext<2> &,
+    const std::vector<std::unique_ptr<BoundaryCondition<2>>> &);
+  template void
+  InertiaTerm<2>::finish_trial(
+    const StepContext<2> &,
+    const NodalField &,
+    const std::vector<std::unique_ptr<BoundaryCondition<2>>> &,
+    PointArrays<2> &);
+  template bool
+  InertiaTerm<2>::starts_suddenly(const StepContext<2> &) const;
+  template void
+  InertiaTerm<3>::start_trial(
+    const StepContext<3> &,
+    const double,
+    const std::vector<std::unique_ptr<BoundaryCondition<3>>> &);
+  template void
+  InertiaTerm<3>::end_trial(
+    const StepContext<3> &,
+    const std::vector<std::unique_ptr<BoundaryCondition<3>>> &);
+  template void
+  InertiaTerm<3>::finish_trial(
+    const StepContext<3> &,
+    const NodalField &,
+    const std::vector<std::unique_ptr<BoundaryCondition<3>>> &,
+    PointArrays<3> &);
+  template bool
+  InertiaTerm<3>::starts_suddenly(const StepContext<3> &) const;
+} // namespace isochor

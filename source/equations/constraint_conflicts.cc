@@ -1,0 +1,120 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/plain_message.h>
+#include <isochor/equations/constraint_conflicts.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Conflicts of two conditions. */
+    struct Group
+    {
+      unsigned int n          = 0;
+      double       difference = 0;
+      std::string  place;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &n &difference &place;
+      }
+    };
+
+    /** Winner, loser, whether they are of the same precedence. */
+    using Key = std::tuple<std::string, std::string, bool>;
+
+    template <int dim>
+    std::string
+    place_of(const StepContext<dim> &step, const unsigned int entry)
+    {
+      const Point<dim> x    = step.nodes.position(entry / step.n_components);
+      std::string      text = "(";
+      for (unsigned int d = 0; d < dim; ++d)
+        text += (d > 0 ? ", " : "") + rounded(x[d]);
+      return text + ")";
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  tell_conflicts(const StepContext<dim> &step,
+                 const NodalConstraints &constraints)
+  {
+    std::map<std::pair<std::string, bool>, Group> own;
+    for (const auto &conflict : constraints.conflicts)
+      if (conflict.entry < step.nodes.n_owned() * step.n_components)
+        {
+          Group &group =
+            own[{conflict.winner + "\n" + conflict.loser, conflict.equal_rank}];
+          ++group.n;
+          group.difference = std::max(group.difference, conflict.difference);
+          if (group.place.empty())
+            group.place = place_of(step, conflict.entry);
+        }
+    std::map<Key, Group> all;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(step.grid.communicator(), own))
+      for (const auto &entry : of_rank)
+        {
+          const auto   end   = entry.first.first.find('\n');
+          const Group &group = entry.second;
+          Group       &sum   = all[{entry.first.first.substr(0, end),
+                                    entry.first.first.substr(end + 1),
+                                    entry.first.second}];
+          sum.n += group.n;
+          sum.difference = std::max(sum.difference, group.difference);
+          if (sum.place.empty())
+            sum.place = group.place;
+        }
+
+    for (const auto &entry : all)
+      {
+        const auto &[winner, loser, equal_rank] = entry.first;
+        const Group      &group                 = entry.second;
+        const std::string names = "<Boundary conditions/" + winner +
+                                  "> and <Boundary conditions/" + loser + ">";
+        const std::string where = std::to_string(group.n) +
+                                  " displacement components of nodes, as at " +
+                                  group.place;
+        const std::string by =
+          group.difference > 0 ?
+            ", by up to " + rounded(group.difference) + " m" :
+            "";
+        AssertThrow(!equal_rank,
+                    ExcMessage(names + " prescribe " + where + ", otherwise" +
+                               by +
+                               ". Nothing tells which one is meant: leave "
+                               "these nodes out of one of them."));
+        step.warnings.add(
+          "conditions that contradict each other",
+          "At t = " + rounded(step.time) + " s " + names +
+            " determine the same " + where +
+            (group.difference > 0 ?
+               ", otherwise" + by :
+               std::string(", and the second one would move them")) +
+            ". The first one counts there. If that isn't meant, let both "
+            "prescribe the same, or leave these nodes out of one of them (the "
+            "order is that of doc/method.md: displacements, walls, rigid "
+            "sides, periodic sides).");
+      }
+  }
+
+
+
+  template void
+  tell_conflicts(const StepContext<2> &, const NodalConstraints &);
+  template void
+  tell_conflicts(const StepContext<3> &, const NodalConstraints &);
+} // namespace isochor

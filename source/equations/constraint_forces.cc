@@ -1,0 +1,158 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/lac/full_matrix.h>
+
+#include <isochor/equations/constraint_forces.h>
+
+#include <map>
+
+namespace isochor
+{
+  void
+  ConstraintForces::reinit(const NodalConstraints &constraints,
+                           const unsigned int      n_components_)
+  {
+    nodes.clear();
+    equations    = constraints.equations;
+    n_components = n_components_;
+    multipliers.assign(equations.size(), 0.);
+    const std::size_t n_entries = constraints.constrained.size();
+    held.assign(n_entries, 0);
+    for (unsigned int i = 0; i < n_entries; ++i)
+      held[i] = constraints.constrained[i] == NodalConstraints::prescribed ||
+                constraints.constrained[i] == NodalConstraints::in_contact;
+    entry       = constraints.entry;
+    coefficient = constraints.coefficient;
+    ties        = constraints.ties;
+
+    std::map<unsigned int, Node> by_node;
+    for (unsigned int k = 0; k < equations.size(); ++k)
+      {
+        const auto &equation = equations[k];
+        if (equation.pivot == none)
+          continue;
+        Node      &node          = by_node[equation.pivot / n_components];
+        const bool between_nodes = equation.precedence >= Precedence::periodic;
+        node.hands_on            = node.hands_on || between_nodes;
+        node.rows.push_back({k, none, equation.pivot});
+        for (std::size_t i = equation.first;
+             i < equation.last && !between_nodes;
+             ++i)
+          if (entry[i] / n_components == equation.pivot / n_components)
+            held[entry[i]] = 1;
+      }
+    std::vector<unsigned int> tie_of_node(
+      equations.empty() ? 0 : n_entries / n_components, none);
+    for (unsigned int k = 0; k < ties.size() && !equations.empty(); ++k)
+      tie_of_node[ties.node[k]] = k;
+    const Followers &followers = constraints.followers;
+    for (unsigned int k = 0; k < followers.size() && !equations.empty(); ++k)
+      if (followers.has(k, Followers::is_tie))
+        {
+          const unsigned int node = followers.entry[k] / n_components;
+          by_node[node].hands_on  = true;
+          by_node[node].rows.push_back(
+            {none, tie_of_node[node], followers.entry[k]});
+        }
+    for (auto &node : by_node)
+      {
+        node.second.node = node.first;
+        nodes.push_back(node.second);
+      }
+  }
+
+
+
+  double
+  ConstraintForces::coefficient_at(const Row &row, const unsigned int e) const
+  {
+    if (row.equation == none)
+      return e == row.pivot ? 1. : 0.;
+    double a = 0;
+    for (std::size_t i = equations[row.equation].first;
+         i < equations[row.equation].last;
+         ++i)
+      if (entry[i] == e)
+        a += coefficient[i];
+    return a;
+  }
+
+
+
+  void
+  ConstraintForces::solve(const Node &node, const NodalField &force)
+  {
+    const unsigned int n = node.rows.size();
+    solution.resize(n);
+    if (n == 1)
+      {
+        solution[0] = force.local_element(node.rows[0].pivot) /
+                      coefficient_at(node.rows[0], node.rows[0].pivot);
+        return;
+      }
+    FullMatrix<double> matrix(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int k = 0; k < n; ++k)
+        matrix(i, k) = coefficient_at(node.rows[k], node.rows[i].pivot);
+    matrix.gauss_jordan();
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        solution[k] = 0;
+        for (unsigned int i = 0; i < n; ++i)
+          solution[k] += matrix(k, i) * force.local_element(node.rows[i].pivot);
+      }
+  }
+
+
+
+  void
+  ConstraintForces::take_away(const Row   &row,
+                              const double multiplier,
+                              NodalField  &force) const
+  {
+    if (row.equation == none)
+      {
+        const unsigned int component = row.pivot % n_components;
+        force.local_element(row.pivot) -= multiplier;
+        for (std::size_t i = ties.start[row.tie]; i < ties.start[row.tie + 1];
+             ++i)
+          force.local_element(ties.master[i] * n_components + component) +=
+            ties.weight[i] * multiplier;
+        return;
+      }
+    for (std::size_t i = equations[row.equation].first;
+         i < equations[row.equation].last;
+         ++i)
+      force.local_element(entry[i]) -= coefficient[i] * multiplier;
+  }
+
+
+
+  void
+  ConstraintForces::find(const unsigned int n_owned_nodes, NodalField &force)
+  {
+    // first what hands on to others, then who may have got something
+    for (const bool hands_on : {true, false})
+      {
+        for (const Node &node : nodes)
+          if (node.node < n_owned_nodes && node.hands_on == hands_on)
+            {
+              solve(node, force);
+              for (unsigned int k = 0; k < node.rows.size(); ++k)
+                {
+                  const Row &row = node.rows[k];
+                  if (row.equation != none)
+                    multipliers[row.equation] = solution[k];
+                  if (row.equation == none ||
+                      equations[row.equation].precedence >=
+                        Precedence::periodic)
+                    take_away(row, solution[k], force);
+                }
+            }
+        if (hands_on)
+          force.compress(VectorOperation::add);
+      }
+  }
+} // namespace isochor

@@ -1,0 +1,373 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/equations/nodal_constraints.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace isochor
+{
+  void
+  Followers::clear()
+  {
+    entry.clear();
+    start.assign(1, 0);
+    master.clear();
+    weight.clear();
+    value.clear();
+    flags.clear();
+  }
+
+
+
+  void
+  NodalConstraints::reinit(const unsigned int n_entries)
+  {
+    constrained.assign(n_entries, is_free);
+    increment.assign(n_entries, 0.);
+    ties.clear();
+    equations.clear();
+    entry.clear();
+    coefficient.clear();
+    followers.clear();
+    conflicts.clear();
+    source.clear();
+    sources.clear();
+    source_of_equation.clear();
+    source_of_entry.clear();
+  }
+
+
+
+  unsigned int
+  NodalConstraints::source_number()
+  {
+    if (sources.empty() || sources.back() != source)
+      sources.push_back(source);
+    return sources.size() - 1;
+  }
+
+
+
+  void
+  NodalConstraints::constrain(const unsigned int  i,
+                              const double        value,
+                              const unsigned char how)
+  {
+    const unsigned int number = source_number();
+    if (number > 0)
+      {
+        // what has been prescribed before is somebody else's
+        source_of_entry.resize(constrained.size(), 0);
+        const double difference = std::abs(value - increment[i]);
+        if (constrained[i] != is_free && source_of_entry[i] != number &&
+            difference > 1e-10 * (std::abs(value) + std::abs(increment[i])))
+          conflicts.push_back(
+            {i, source, sources[source_of_entry[i]], difference, true});
+        source_of_entry[i] = number;
+      }
+    constrained[i] = how;
+    increment[i]   = value;
+  }
+
+
+
+  NodalConstraints::Equation &
+  NodalConstraints::add(
+    const Precedence                                    precedence,
+    const std::vector<std::pair<unsigned int, double>> &terms,
+    const double                                        value)
+  {
+    Equation equation;
+    equation.precedence = precedence;
+    equation.first      = entry.size();
+    equation.last       = entry.size() + terms.size();
+    equation.value      = value;
+    for (const auto &term : terms)
+      {
+        entry.push_back(term.first);
+        coefficient.push_back(term.second);
+      }
+    equations.push_back(equation);
+    source_of_equation.push_back(source_number());
+    return equations.back();
+  }
+
+
+
+  void
+  NodalConstraints::drop_contact()
+  {
+    for (unsigned int i = 0; i < constrained.size(); ++i)
+      if (constrained[i] == in_contact)
+        constrained[i] = is_free;
+    std::vector<Equation>     kept;
+    std::vector<unsigned int> sources_of_kept;
+    for (unsigned int k = 0; k < equations.size(); ++k)
+      if (equations[k].how != in_contact)
+        {
+          kept.push_back(equations[k]);
+          sources_of_kept.push_back(source_of_equation[k]);
+        }
+    equations.swap(kept);
+    source_of_equation.swap(sources_of_kept);
+  }
+
+
+
+  void
+  NodalConstraints::resolve(const unsigned int n_components)
+  {
+    for (unsigned char &how : constrained)
+      if (how == follows)
+        how = is_free;
+    followers.clear();
+    equation_of_follower.clear();
+    if (!equations.empty())
+      {
+        place.assign(constrained.size(), none);
+        std::vector<unsigned int> order(equations.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(),
+                         order.end(),
+                         [this](const unsigned int k, const unsigned int l) {
+                           return equations[k].precedence <
+                                  equations[l].precedence;
+                         });
+        for (const unsigned int k : order)
+          eliminate(equations[k], k);
+      }
+    for (unsigned int k = 0; k < ties.size(); ++k)
+      eliminate_tie(k, n_components);
+    if (!equations.empty())
+      resolve_chains();
+  }
+
+
+
+  void
+  NodalConstraints::add_to_row(const unsigned int i, const double value)
+  {
+    for (auto &term : row)
+      if (term.first == i)
+        {
+          term.second += value;
+          return;
+        }
+    row.emplace_back(i, value);
+  }
+
+
+
+  void
+  NodalConstraints::substitute()
+  {
+    for (unsigned int i = 0; i < row.size();)
+      {
+        const auto [e, a]    = row[i];
+        const unsigned int k = place[e];
+        if (k == none)
+          {
+            ++i;
+            continue;
+          }
+        row.erase(row.begin() + i);
+        for (std::size_t j = followers.start[k]; j < followers.start[k + 1];
+             ++j)
+          add_to_row(followers.master[j], a * followers.weight[j]);
+        row_value -= a * followers.value[k];
+        row_changes = row_changes || followers.has(k, Followers::changes);
+        i           = 0;
+      }
+  }
+
+
+
+  unsigned int
+  NodalConstraints::find_pivot(const Equation &equation) const
+  {
+    constexpr double rounding = 1e-8, equal = 1 - 1e-6;
+    double           size = 0, largest = 0;
+    for (std::size_t i = equation.first; i < equation.last; ++i)
+      size = std::max(size, std::abs(coefficient[i]));
+    const auto allowed = [&](const unsigned int e) {
+      const auto begin = entry.begin() + equation.first;
+      const auto end   = begin + equation.n_pivots;
+      return constrained[e] == is_free &&
+             (equation.n_pivots == 0 || std::find(begin, end, e) != end);
+    };
+    for (const auto &[e, a] : row)
+      if (allowed(e))
+        largest = std::max(largest, std::abs(a));
+    if (largest > rounding * size)
+      for (unsigned int i = 0; i < row.size(); ++i)
+        if (allowed(row[i].first) && std::abs(row[i].second) >= equal * largest)
+          return i;
+    return none;
+  }
+
+
+
+  void
+  NodalConstraints::eliminate(Equation &equation, const unsigned int number)
+  {
+    row.clear();
+    for (std::size_t i = equation.first; i < equation.last; ++i)
+      add_to_row(entry[i], coefficient[i]);
+    row_value   = equation.value;
+    row_changes = equation.changes;
+    substitute();
+    const unsigned int i = find_pivot(equation);
+    equation.pivot       = (i == none ? none : row[i].first);
+    if (i == none)
+      {
+        note_lost(equation, number);
+        return;
+      }
+    const double a = row[i].second;
+    row.erase(row.begin() + i);
+    for (auto &term : row)
+      term.second /= -a;
+    append_follower(equation.pivot,
+                    row_changes ? Followers::changes : 0,
+                    row_value / a);
+    equation_of_follower.push_back(number);
+  }
+
+
+
+  void
+  NodalConstraints::append_follower(const unsigned int  e,
+                                    const unsigned char flags,
+                                    const double        value)
+  {
+    if (!equations.empty())
+      place[e] = followers.size();
+    constrained[e] = follows;
+    followers.entry.push_back(e);
+    followers.flags.push_back(flags);
+    followers.value.push_back(value);
+    for (const auto &[master, weight] : row)
+      {
+        followers.master.push_back(master);
+        followers.weight.push_back(weight);
+      }
+    followers.start.push_back(followers.master.size());
+  }
+
+
+
+  void
+  NodalConstraints::eliminate_tie(const unsigned int k,
+                                  const unsigned int n_components)
+  {
+    for (unsigned int a = 0; a < n_components; ++a)
+      {
+        const unsigned int e = ties.node[k] * n_components + a;
+        if (constrained[e] != is_free)
+          continue;
+        row.clear();
+        row_value   = 0;
+        row_changes = false;
+        for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
+          row.emplace_back(ties.master[i] * n_components + a, ties.weight[i]);
+        if (!equations.empty())
+          {
+            substitute();
+            // a wall at a master may lead back to the tied node: it stays free
+            if (std::any_of(row.begin(), row.end(), [e](const auto &term) {
+                  return term.first == e;
+                }))
+              continue;
+          }
+        append_follower(e,
+                        Followers::is_tie |
+                          (row_changes ? Followers::changes : 0),
+                        -row_value);
+        equation_of_follower.push_back(none);
+      }
+  }
+
+
+
+  void
+  NodalConstraints::resolve_chains()
+  {
+    const Followers found = followers;
+    // who depends on others was found before them
+    std::vector<std::vector<std::pair<unsigned int, double>>> masters(
+      found.size());
+    for (unsigned int k = found.size(); k-- > 0;)
+      {
+        row.clear();
+        row_value   = 0;
+        row_changes = found.has(k, Followers::changes);
+        for (std::size_t i = found.start[k]; i < found.start[k + 1]; ++i)
+          {
+            const unsigned int l = place[found.master[i]];
+            const double       w = found.weight[i];
+            if (l == none)
+              {
+                add_to_row(found.master[i], w);
+                continue;
+              }
+            for (const auto &[master, weight] : masters[l])
+              add_to_row(master, w * weight);
+            row_value += w * followers.value[l];
+            row_changes = row_changes || followers.has(l, Followers::changes);
+          }
+        masters[k] = row;
+        followers.value[k] += row_value;
+        if (row_changes)
+          followers.flags[k] |= Followers::changes;
+      }
+    followers.start.assign(1, 0);
+    followers.master.clear();
+    followers.weight.clear();
+    for (const auto &of_follower : masters)
+      {
+        for (const auto &[master, weight] : of_follower)
+          {
+            followers.master.push_back(master);
+            followers.weight.push_back(weight);
+          }
+        followers.start.push_back(followers.master.size());
+      }
+  }
+
+
+
+  void
+  NodalConstraints::note_lost(const Equation    &equation,
+                              const unsigned int number)
+  {
+    // what is left of the equation, where all of its unknowns are given
+    double size = 0, rest = row_value, scale = std::abs(equation.value);
+    bool   known = true;
+    for (std::size_t i = equation.first; i < equation.last; ++i)
+      size = std::max(size, std::abs(coefficient[i]));
+    for (const auto &[e, a] : row)
+      {
+        known =
+          known && (constrained[e] != is_free || std::abs(a) < 1e-8 * size);
+        rest -= a * increment[e];
+        scale += std::abs(a * increment[e]);
+      }
+    if (known && std::abs(rest) <= 1e-8 * scale)
+      return;
+    std::string        winner = sources.front();
+    const unsigned int e      = entry[equation.first];
+    if (place[e] != none && equation_of_follower[place[e]] != none)
+      winner = sources[source_of_equation[equation_of_follower[place[e]]]];
+    else if (!source_of_entry.empty())
+      winner = sources[source_of_entry[e]];
+    conflicts.push_back({e,
+                         winner,
+                         sources[source_of_equation[number]],
+                         known ? std::abs(rest) / size : 0.,
+                         false});
+  }
+} // namespace isochor

@@ -1,0 +1,95 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/grid/grid_stretch.h>
+
+#include <algorithm>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  GridStretch<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.declare_entry(
+      "Stretch",
+      "",
+      Patterns::Anything(),
+      "A grid that follows a prescribed motion: 'axis: coordinate -> "
+      "displacement(t), coordinate -> displacement(t), ...', for example "
+      "'y: 0 -> 0, 0.1 -> 1e-3*t'. The grid planes at the given coordinates "
+      "move as told, those between them are interpolated linearly. Empty: the "
+      "grid rests.");
+  }
+
+
+
+  template <int dim>
+  void
+  GridStretch<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    for (const auto &motion :
+         split_named_list(prm.get("Stretch"), "Grid/Stretch"))
+      {
+        const std::string axes = "xyz";
+        AssertThrow(axis == -1 && motion.first.size() == 1 &&
+                      axes.substr(0, dim).find(motion.first) !=
+                        std::string::npos,
+                    ExcMessage("The parameter <Grid/Stretch> must name one "
+                               "axis of " +
+                               axes.substr(0, dim) + ", not <" + motion.first +
+                               ">."));
+        axis = axes.find(motion.first);
+        for (const auto &plane : split_formulas(motion.second, "Grid/Stretch"))
+          {
+            const auto arrow = plane.find("->");
+            AssertThrow(arrow != std::string::npos,
+                        ExcMessage("The entry <" + plane +
+                                   "> of the parameter <Grid/Stretch> must "
+                                   "have the form <coordinate -> "
+                                   "displacement>."));
+            planes.push_back(Utilities::string_to_double(
+              Utilities::trim(plane.substr(0, arrow))));
+            displacement.emplace_back(plane.substr(arrow + 2),
+                                      "Grid/Stretch",
+                                      FormulaVariables::time);
+            AssertThrow(planes.size() < 2 ||
+                          planes.back() > planes[planes.size() - 2],
+                        ExcMessage("The coordinates of <Grid/Stretch> must "
+                                   "ascend."));
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  GridStretch<dim>::place(const Point<dim> &reference, const double time) const
+  {
+    const double y     = reference[axis];
+    const auto   moved = [&](const unsigned int plane) {
+      return displacement[plane](Point<1>(planes[plane]), time);
+    };
+    const unsigned int above =
+      std::upper_bound(planes.begin(), planes.end(), y) - planes.begin();
+    Point<dim> x = reference;
+    if (above == 0)
+      x[axis] += moved(0);
+    else if (above == planes.size())
+      x[axis] += moved(above - 1);
+    else
+      {
+        const double s =
+          (y - planes[above - 1]) / (planes[above] - planes[above - 1]);
+        x[axis] += (1 - s) * moved(above - 1) + s * moved(above);
+      }
+    return x;
+  }
+
+
+
+  template class GridStretch<2>;
+  template class GridStretch<3>;
+} // namespace isochor

@@ -1,0 +1,106 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+// The members of Equilibrium that look for the acceleration at t = 0, and for the
+// weight that the stabilisation leaves out, which depends on it.
+#include <isochor/step/equilibrium.h>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  Equilibrium<dim>::set_weight()
+  {
+    set_weight(scene.inertia.mean_acceleration(setup.context()));
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::set_weight(const Tensor<1, dim> &mean_acceleration)
+  {
+    if (!scene.leaves_out_weight)
+      return;
+    Tensor<1, dim> gravity;
+    for (const auto &condition : scene.boundary_conditions)
+      gravity += condition->body_acceleration(setup.context().time);
+    // nothing without weight: an acceleration may be rounding over h²
+    scene.kernel.hydrostatic_acceleration =
+      gravity.norm() > 0 ? gravity - mean_acceleration : Tensor<1, dim>();
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  Equilibrium<dim>::find_initial_acceleration()
+  {
+    NewtonReport report;
+    report.converged = true;
+    if (!scene.has_inertia() || scene.time.step > 0)
+      return report;
+    InertiaTerm<dim> &inertia = scene.inertia;
+    // a trial errs by O(h); two, one of them back in time, by O(h²)
+    const StepContext<dim> step       = setup.context();
+    const auto            &conditions = scene.boundary_conditions;
+    for (const double trial : {step.step_size(), -step.step_size()})
+      {
+        inertia.start_trial(step, trial, conditions);
+        start_again();
+        at_start = true;
+        report   = trial > 0 ? solve_with_contact() : find_root();
+        if (report.converged && trial > 0)
+          settle_weight(report);
+        if (report.converged)
+          inertia.finish_trial(setup.context(),
+                               unknowns,
+                               conditions,
+                               setup.point_arrays());
+        inertia.end_trial(step, conditions);
+        if (!report.converged)
+          return report;
+      }
+    inertia.start_step(setup.context(),
+                       scene.boundary_conditions,
+                       scene.points,
+                       scene.time.step == 0);
+    start_again();
+    set_weight();
+    return report;
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::settle_weight(NewtonReport &report)
+  {
+    constexpr unsigned int max_repetitions = 3;
+    constexpr double       accuracy        = 1e-10;
+    for (unsigned int n = 0; n < max_repetitions && report.converged; ++n)
+      {
+        const Tensor<1, dim> before = scene.kernel.hydrostatic_acceleration,
+                             mean   = scene.inertia.mean_trial_acceleration(
+                               setup.context(), unknowns);
+        set_weight(mean);
+        const Tensor<1, dim> after = scene.kernel.hydrostatic_acceleration;
+        if ((after - before).norm() <=
+            accuracy * (after + mean).norm()) // of gravity
+          return;
+        report.continue_with(find_root());
+      }
+  }
+
+
+
+  template NewtonReport
+  Equilibrium<2>::find_initial_acceleration();
+  template void
+  Equilibrium<2>::set_weight();
+  template NewtonReport
+  Equilibrium<3>::find_initial_acceleration();
+  template void
+  Equilibrium<3>::set_weight();
+} // namespace isochor

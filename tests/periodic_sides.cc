@@ -1,0 +1,168 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Periodic cells: homogeneous states in closed form, and a cell with an
+// inclusion that is cut out of the periodic body elsewhere.
+
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  const std::string u  = "Formulation/Type = u\nMaterial/Poisson ratio = 0.3\n";
+  const std::string up = "Formulation/Type = u-p\nFormulation/Stabilisation = "
+                         "PPP\nMaterial/Poisson ratio = 0.5\n";
+  const std::string keep = "Grid reset/Steps between resets = 0\n"
+                           "Grid reset/Smallest element quality = 0\n"
+                           "Time/Step size = 0.25\n";
+
+  template <int dim>
+  std::string
+  cell(const std::string &pairs)
+  {
+    return std::string(dim == 2 ? "Grid/Subdivisions = 4, 4\n" :
+                                  "Grid/Subdivisions = 3, 3, 3\n") +
+           "Material/Young modulus = 3e4\nNewton/Tolerance = 1e-11\n"
+           "Boundary conditions/Hold periodic corner = true\n"
+           "Boundary conditions/Periodic sides = " +
+           pairs + '\n';
+  }
+
+  template <int dim>
+  double
+  force(const MaterialPointMethod<dim> &problem,
+        const std::string              &axis,
+        const std::string              &names)
+  {
+    return problem.last_statistics().get("Force " + axis + " through " + names +
+                                         " (N)");
+  }
+} // namespace
+
+/** Simple shear by γ: σ_xy = G γ. (With ν = 1/2 pressures would be unknown but
+ * for a constant.) */
+void
+test_shear()
+{
+  const std::string up    = ::up + "Material/Poisson ratio = 0.45\n";
+  const double      G     = 3e4 / 2.9;
+  const std::string pairs = "left: right; bottom: top, x = 0.3*t";
+  const auto        check = [&](const std::string &name,
+                         const std::string &settings,
+                         const double       G) {
+    const auto problem = test::run_scene<2>(cell<2>(pairs) + settings);
+    test::check_error("shear, " + name,
+                      std::abs(
+                        force(*problem, "x", "bottom and top") / (0.3 * G) - 1),
+                      1e-8);
+    // P e_x with P = τ F^-T and τ_yy = -G γ²/3
+    test::check_error(
+      "shear on the other side, " + name,
+      std::abs(force(*problem, "y", "left and right") / (0.3 * 1.03 * G) - 1),
+      1e-8);
+  };
+  check("u", u, 3e4 / 2.6);
+  check("u, kept grid", u + keep, 3e4 / 2.6);
+  for (const std::string quadrature :
+       {"points", "cell-filled", "cell-filled + boundary", "CPDI"})
+    check("u-p, " + quadrature,
+          up + "Quadrature/Type = " + quadrature + '\n',
+          G);
+  check("u-p, Block FGMRES", up + "Linear solver/Solver = Block FGMRES\n", G);
+  const auto in_space =
+    test::run_scene<3>(cell<3>("left: right; bottom: top, x = 0.3*t; front: "
+                               "back") +
+                       up + "Quadrature/Type = CPDI\n");
+  test::check_error("shear, 3D",
+                    std::abs(
+                      force(*in_space, "x", "bottom and top") / (0.3 * G) - 1),
+                    1e-8);
+}
+
+/** Tension with free contraction: an incompressible cube, σ = G (λ² - 1/λ²) in
+ * plane strain. */
+void
+test_tension()
+{
+  const auto problem = test::run_scene<2>(
+    cell<2>("left: right, x = 0.5*t; bottom: top, force y = 0") + up);
+  const double lambda = 1.5;
+  test::check_error("tension with a free jump",
+                    std::abs(force(*problem, "x", "left and right") /
+                               (1e4 * (lambda - std::pow(lambda, -3))) -
+                             1),
+                    1e-8);
+  test::check_error("the jump",
+                    std::abs(problem->last_statistics().get(
+                               "Jump y between bottom and top (m)") -
+                             (1 / lambda - 1)),
+                    1e-8);
+}
+
+/** The same periodic body, another cell of it. */
+void
+test_shift()
+{
+  for (const std::string &form : {u, up})
+    {
+      std::vector<double> forces;
+      for (const std::string inclusion :
+           {"max(abs(x-0.5), abs(y-0.5)) < 0.25",
+            "max(abs(abs(x-0.5)-0.5), abs(abs(y-0.5)-0.5)) < 0.25",
+            "max(abs(abs(x-0.5)-0.5), abs(y-0.5)) < 0.25"})
+        {
+          const auto problem = test::run_scene<2>(
+            cell<2>("left: right, x = 0.1*t; bottom: top, x = 0.2*t, force y "
+                    "= 100*t") +
+            "Grid/Subdivisions = 8, 8\nMaterial 2/Young modulus = "
+            "3e5\nMaterial 2/Poisson ratio = 0.3\nMaterial points/Materials in "
+            "zones = 2: " +
+            inclusion + '\n' + form);
+          forces.push_back(force(*problem, "x", "left and right"));
+          forces.push_back(force(*problem, "x", "bottom and top"));
+          forces.push_back(problem->last_statistics().get(
+            "Jump y between bottom and top (m)"));
+        }
+      double worst = 0;
+      for (unsigned int k = 3; k < forces.size(); ++k)
+        worst = std::max(worst, std::abs(forces[k] / forces[k % 3] - 1));
+      test::check_error(form == u ? "a shifted cell, u" : "a shifted cell, u-p",
+                        worst,
+                        1e-7);
+    }
+}
+
+void
+test_mismatch()
+{
+  std::string message;
+  try
+    {
+      test::run_scene<2>("Grid/Subdivisions = 4, 3\nBoundary "
+                         "conditions/Periodic sides = left: top\n");
+    }
+  catch (const ExceptionBase &exc)
+    {
+      std::ostringstream text;
+      exc.print_info(text);
+      message = test::one_line(text.str());
+    }
+  test::check("sides that don't match",
+              message.find("the sides <left> and <top> of <Boundary "
+                           "conditions/Periodic sides> don't match") !=
+                std::string::npos,
+              message);
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_shear();
+  test_tension();
+  test_shift();
+  test_mismatch();
+}
