@@ -96,6 +96,9 @@ namespace
                 "value.prm:2: the value <0.7> of the parameter "
                 "<Material/Poisson ratio> is not allowed; allowed is "
                 "[Double -1...0.5 (inclusive)]");
+    check_parameter("a value that is replaced need not be allowed",
+                    {"value.prm", "--set=Material/Poisson ratio=0.4"},
+                    "set Poisson ratio = 0.4");
     write("dim.prm", "set Dimension = 4\nset Nonsense = 1");
     check_error("illegal dimension",
                 {"dim.prm"},

@@ -25,12 +25,12 @@ def load(path):
     return module
 
 
-def mesh(geo, path, **numbers):
+def mesh(geo, path, options=(), **numbers):
     """Let gmsh mesh @p geo in 2D, unless @p path is there already."""
     if path.exists():
         return path
     path.parent.mkdir(parents=True, exist_ok=True)
-    command = ["gmsh", "-2", str(geo), "-o", str(path)]
+    command = ["gmsh", "-2", str(geo), "-o", str(path), *options]
     for name, value in numbers.items():
         command += ["-setnumber", name, str(value)]
     try:

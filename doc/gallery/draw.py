@@ -115,21 +115,34 @@ def plastic_cylinder(directory):
     draw("plastic_cylinder", [(points, "equivalent_plastic_strain", None)])
 
 
-def prandtl(directory):
+def footing(name, scene, directory):
+    """The ground under a footing at collapse."""
     mesh_file = directory / "prandtl.msh"
     mesh("prandtl/prandtl.geo", mesh_file, "-setnumber", "n", "16")
-    scene = PRM / "prandtl" / "prandtl.prm"
-    output.run(None, scene, {"Grid/File": mesh_file}, directory)
+    output.run(None, PRM / scene, {"Grid/File": mesh_file}, directory)
     points = output.read_points(directory)
     top = points["position"][:, 1].max()
     window = (0, 2.2, top - 1.2, top + 0.05)
     field = "equivalent_plastic_strain"
     # so that the fan shows beside the zone below the edge
     limits = (0, output.np.percentile(points[field], 97))
-    draw("prandtl", [(points, field, window)], limits=limits)
+    draw(name, [(points, field, window)], limits=limits)
 
 
-RUNS = {"column": column, "plastic_cylinder": plastic_cylinder, "prandtl": prandtl}
+def prandtl(directory):
+    footing("prandtl", "prandtl/prandtl.prm", directory)
+
+
+def circular_footing(directory):
+    footing("circular_footing", "circular_footing/circular_footing.prm", directory)
+
+
+RUNS = {
+    "column": column,
+    "plastic_cylinder": plastic_cylinder,
+    "prandtl": prandtl,
+    "circular_footing": circular_footing,
+}
 
 
 def main():

@@ -446,11 +446,16 @@ namespace isochor
                    ParameterHandler                      &prm)
   {
     const ParameterList declarations(prm);
+    // A value that a later one replaces need not be allowed: a scene in 3D may
+    // include one in 2D and give its own corners.
+    std::map<ParameterList::Path, const ParameterStatement *> last;
+    for (const ParameterStatement &statement : statements)
+      last[statement.path] = &statement;
     for (const ParameterStatement &statement : statements)
       {
         check_replaced(statement);
         check_declared(statement, declarations);
-        if (!statement.is_subsection)
+        if (!statement.is_subsection && last.at(statement.path) == &statement)
           set_parameter(statement,
                         declarations.entries.at(statement.path).pattern,
                         prm);

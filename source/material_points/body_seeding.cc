@@ -119,23 +119,12 @@ namespace isochor
                           const bool                 with_domains,
                           const unsigned int         n_materials) const
   {
-    const Expression<dim> in_body(parameters.region, "Material points/Region");
-    const auto            in_region = [&](const Point<dim> &x) {
-      return in_body(x, 0.) > 0;
-    };
     std::vector<Seed<dim>> seeds =
-      !parameters.body_mesh.empty()  ? seeds_in_body_mesh(grid, with_domains) :
-      parameters.lattice_spacing > 0 ? seeds_on_lattice(grid, with_domains) :
-                                       seeds_in_cells(grid.geometry(),
-                                                      grid.group_ids(),
-                                                      with_domains,
-                                                      in_region);
-    seeds.erase(std::remove_if(seeds.begin(),
-                               seeds.end(),
-                               [&](const Seed<dim> &seed) {
-                                 return !in_region(seed.location);
-                               }),
-                seeds.end());
+      !parameters.body_mesh.empty() ?
+        seeds_in_body_mesh(grid, with_domains) :
+      parameters.lattice_spacing > 0 ?
+        seeds_on_lattice(grid, with_domains) :
+        seeds_in_cells(grid.geometry(), grid.group_ids(), with_domains);
     AssertThrow(!seeds.empty(),
                 ExcMessage("No material point lies in the grid. Check the "
                            "parameters of <Material points>, which describe "
@@ -182,8 +171,7 @@ namespace isochor
   BodySeeding<dim>::seeds_in_cells(
     const SimplexGeometry<dim>                      &geometry,
     const std::map<std::string, types::material_id> &group_ids,
-    const bool                                       with_domains,
-    const std::function<bool(const Point<dim> &)>   &wanted) const
+    const bool                                       with_domains) const
   {
     struct Zone
     {
@@ -216,6 +204,7 @@ namespace isochor
                                "Material points/Points per cell in zones",
                                FormulaVariables::space));
 
+    const Expression<dim>  in_body(parameters.region, "Material points/Region");
     std::vector<Seed<dim>> seeds;
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       {
@@ -245,8 +234,8 @@ namespace isochor
                 for (unsigned int c = 0; c <= dim && with_domains; ++c)
                   seed.domain[c] += zones[zone].domains[q][c][d] * edge;
               }
-            // at once: a large empty grid would fill the memory
-            if (wanted(seed.location))
+            // at once: those of a large empty grid would fill the memory
+            if (in_body(seed.location, 0.) > 0)
               seeds.push_back(seed);
           }
       }
@@ -265,9 +254,7 @@ namespace isochor
       read_mesh<dim>(parameters.body_mesh, "Material points/Body mesh", body);
     const SimplexGeometry<dim> geometry(body);
     std::vector<Seed<dim>>     seeds =
-      seeds_in_cells(geometry, names.cells, with_domains, [](const auto &) {
-        return true;
-      });
+      seeds_in_cells(geometry, names.cells, with_domains);
     locate(grid, seeds);
     return seeds;
   }

@@ -239,21 +239,6 @@ namespace isochor
 
 
 
-  bool
-  NewtonSolver::is_stuck(const NewtonReport &report)
-  {
-    constexpr unsigned int n_short      = 2;
-    constexpr double       short_length = 0.25;
-    return report.n_iterations() >= n_short &&
-           std::all_of(report.iterations.end() - n_short,
-                       report.iterations.end(),
-                       [&](const NewtonIteration &iteration) {
-                         return iteration.step_length <= short_length;
-                       });
-  }
-
-
-
   NewtonSolver::LineSearch
   NewtonSolver::backtrack(const Problem     &problem,
                           const Gauge       &gauge,
@@ -312,11 +297,6 @@ namespace isochor
     bool matrix_is_current = true, expect_need = true;
     while (!finished(gauge, norms, report))
       {
-        if (problem.has_another_start && is_stuck(report))
-          {
-            report.failure = "Newton's method was stuck";
-            return report;
-          }
         // an old matrix is worth a try if the last iteration converged so fast
         // that it, or quadratic convergence, can be expected to be enough
         const bool reuse = reuse_ratio > 0 && last_ratio <= reuse_ratio &&

@@ -196,10 +196,8 @@ namespace isochor
   NewtonReport
   Equilibrium<dim>::solve()
   {
-    const bool predicted = predict();
-    has_another_start    = predicted;
-    NewtonReport report  = solve_with_contact();
-    has_another_start    = false;
+    const bool   predicted = predict();
+    NewtonReport report    = solve_with_contact();
     if (!report.converged && predicted)
       {
         start_from_rest();
@@ -354,7 +352,6 @@ namespace isochor
                  factorise && linear_step.report().analysed);
       return n;
     };
-    problem.has_another_start = has_another_start;
     problem.is_iterative      = [this]() { return linear_step.is_iterative(); };
     problem.has_factorisation = [this]() {
       return linear_step.has_factorisation();

@@ -27,18 +27,26 @@ namespace isochor
       const double difference = std::sqrt(sums[0] / sums[1]);
       if (!(difference > tolerated))
         return;
+      // on a grid that is kept it can be the error of the elements alone
+      const std::string cause =
+        step.grid_is_kept ?
+          " differ from cell to cell more than the pressure can follow, or "
+          "motions that no cell feels have grown from one reset of the grid to "
+          "the next. Use smaller cells where the deformation is large, or keep "
+          "the grid for longer (<Grid reset/Steps between resets>)." :
+          " hold the right volume: motions that no cell feels have grown from "
+          "one reset of the grid to the next. Loads may still look right, "
+          "displacements and stresses are not. Keep the grid for several steps "
+          "or all (<Grid reset/Steps between resets>), let it follow the body "
+          "(<Grid/Stretch>), use more <Material points/Points per cell>, "
+          "another <Quadrature/Type>, or <Formulation/Project volume change>.";
       step.warnings.add(
         "volumes of the points wander",
         "At t = " + rounded(step.time) +
           " the volumes of the material points differ by " +
           rounded(100 * difference) +
-          " % (root mean square) from what the pressure says, while the cells "
-          "hold the right volume: motions that no cell feels have grown from "
-          "one reset of the grid to the next. Loads may still look right, "
-          "displacements and stresses are not. Keep the grid for several steps "
-          "or all (<Grid reset/Steps between resets>), let it follow the body "
-          "(<Grid/Stretch>), use more <Material points/Points per cell>, "
-          "another <Quadrature/Type>, or <Formulation/Project volume change>.");
+          " % (root mean square) from what the pressure says, " +
+          (step.grid_is_kept ? "as volumes" : "while the cells") + cause);
     }
   } // namespace
 

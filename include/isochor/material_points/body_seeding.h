@@ -10,7 +10,6 @@
 #include <isochor/grid/background_grid.h>
 #include <isochor/material_points/seeding.h>
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -68,8 +67,7 @@ namespace isochor
     std::vector<Seed<dim>>
     seeds_in_cells(const SimplexGeometry<dim>                      &geometry,
                    const std::map<std::string, types::material_id> &group_ids,
-                   const bool                                     with_domains,
-                   const std::function<bool(const Point<dim> &)> &wanted) const;
+                   const bool with_domains) const;
     std::vector<Seed<dim>>
     seeds_in_body_mesh(const BackgroundGrid<dim> &grid,
                        const bool                 with_domains) const;

@@ -109,9 +109,6 @@ namespace isochor
       /** Whether there is a factorisation of a matrix of the present pattern.
        */
       std::function<bool()> has_factorisation;
-      /** Whether the owner has another start to try should this one fail: then
-       * it is given up as soon as it looks bad. */
-      bool has_another_start = false;
       /** Set the iterate to (the one at the last solve) + s (correction). */
       std::function<void(const double s)> advance;
     };
@@ -158,11 +155,6 @@ namespace isochor
     accuracy(const Gauge         &gauge,
              const ResidualNorms &norms,
              const double         reduction) const;
-
-    /** Whether the line search has shortened the last few corrections so much
-     * that the iteration leads nowhere. */
-    static bool
-    is_stuck(const NewtonReport &report);
 
     /** Whether the iteration ends here; @p report then says how. */
     bool

@@ -192,9 +192,7 @@ namespace isochor
     /** Forces of the boundary conditions that are terms of the equations. */
     NodalField boundary_force;
     /** Whether the iterate is where the step starts. */
-    bool at_start = true;
-    /** Whether a step that fails is tried from another start. */
-    bool   has_another_start = false;
+    bool   at_start    = true;
     double force_floor = 0, volume_floor = 0;
     bool   scene_checked = false;
   };
