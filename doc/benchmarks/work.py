@@ -109,9 +109,10 @@ def grid(work):
             "Grid/Upper corner": f"{columns / 20}, {rows / 20}",
             "Grid/Subdivisions": f"{columns}, {rows}",
             "Time/End time": steps * 0.01,
+            "Boundary conditions/Gravity": "0, -0.5*t",
         }
 
-    few, many = 1, 41
+    few, many = 1, 401
     cases = {
         (factor, n): (BLOCK, overrides(factor, n), None)
         for factor in area
@@ -391,10 +392,10 @@ def pairs(work):
             old / "tension_plate" / "tension_plate.prm",
             {"Grid/File": plate, "Material/Poisson ratio": 0.33},
         ),
-        "footing to w = 2 B, graded grid": (
+        "footing to w = B/2, graded grid": (
             PRM / "strip_footing" / "strip_footing.prm",
             old / "strip_footing" / "strip_footing.prm",
-            {"Grid/File": foot},
+            {"Grid/File": foot, "Time/End time": 0.5},
         ),
     }
     body = []
