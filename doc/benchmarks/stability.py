@@ -28,6 +28,7 @@ import harness  # noqa: E402
 import numpy as np  # noqa: E402
 import report  # noqa: E402
 import scenes  # noqa: E402
+from vertical_cut import cut  # noqa: E402
 from harness import ROOT, output  # noqa: E402
 
 plt = output.plt
@@ -49,11 +50,15 @@ class Bench:
     def run(self, prm, overrides, name, processes=1):
         """Statistics of a run. Raises OutputError with the end of its log."""
         run = harness.Run("", name, 0, prm, {**QUIET, **overrides}, False, processes)
-        place = self.directory / "runs" / run.name
+        place = self.place_of(name)
         harness.execute(
             self.arguments.executable, run, place, harness.Cost([], []), 1800
         )
         return output.read_statistics(place)
+
+    def place_of(self, name):
+        """Where run() writes."""
+        return self.directory / "runs" / harness.Run("", name, 0, COOK).name
 
     def check(self, test, what, value, bound, kept):
         self.results.setdefault(test, []).append(
@@ -468,19 +473,101 @@ def shear(bench):
     )
 
 
-def rotated_mesh(source, target, angle):
-    """A copy of the gmsh file (version 2) @p source, turned about (24, 30)."""
-    if target.exists():
-        return target
-    c, s = np.cos(angle), np.sin(angle)
+def transformed_mesh(source, target, place, permuted=False, reversed_=False):
+    """A copy of the gmsh file (version 2) @p source with each vertex at @p
+    place(x, y); vertices and cells in another order if @p permuted. A mirror
+    image has its triangles @p reversed_."""
     lines = source.read_text().split("\n")
     first = lines.index("$Nodes") + 2
-    for k in range(first, first + int(lines[first - 1])):
-        number, x, y, z = lines[k].split()
-        x, y = float(x) - 24, float(y) - 30
-        lines[k] = f"{number} {24 + c * x - s * y:.17g} {30 + s * x + c * y:.17g} {z}"
+    n = int(lines[first - 1])
+    random = np.random.default_rng(1)
+    order = random.permutation(n) if permuted else np.arange(n)
+    vertices = [line.split() for line in lines[first : first + n]]
+    number = {old[0]: str(k + 1) for k, old in enumerate(vertices[i] for i in order)}
+    for k, i in enumerate(order):
+        x, y = place(*map(float, vertices[i][1:3]))
+        lines[first + k] = f"{k + 1} {x:.17g} {y:.17g} 0"
+    first = lines.index("$Elements") + 2
+    n = int(lines[first - 1])
+    elements = []
+    for line in lines[first : first + n]:
+        words = line.split()
+        head = 3 + int(words[2])
+        corners = [number[c] for c in words[head:]]
+        if reversed_ and len(corners) == 3:
+            corners[1:] = reversed(corners[1:])
+        elements.append((words[1:head], corners))
+    if permuted:
+        elements = [elements[i] for i in random.permutation(n)]
+    for k, (head, corners) in enumerate(elements):
+        lines[first + k] = " ".join([str(k + 1), *head, *corners])
     target.write_text("\n".join(lines))
     return target
+
+
+def symmetry(bench):
+    """Cook's membrane, P = 10 in five steps, with its vertices and cells (and so its
+    points) in another order, turned by 90 degrees, mirrored, and moved far away: the
+    same displacement to rounding."""
+    meshes = bench.directory / "meshes"
+    straight = scenes.mesh(
+        SCENES / "cook_graded.geo",
+        meshes / "graded-8.msh",
+        options=("-format", "msh22"),
+        n=8,
+    )
+    # name: (matrix, shift, permuted, bound)
+    images = {
+        "as it is": ((1, 0, 0, 1), 0, False, 0),
+        "permuted": ((1, 0, 0, 1), 0, True, 1e-10),
+        "turned by 90 degrees": ((0, -1, 1, 0), 0, False, 1e-10),
+        "mirrored": ((1, 0, 0, -1), 0, False, 1e-10),
+        # coordinates lose three of their digits
+        "moved by 1e4 m": ((1, 0, 0, 1), 1e4, False, 1e-8),
+    }
+    for quadrature in ("points", "cell-filled", "CPDI"):
+        tips = {}
+        for name, ((a, b, c, d), shift, permuted, bound) in images.items():
+
+            def place(x, y):
+                return a * x + b * y + shift, c * x + d * y + shift
+
+            path = transformed_mesh(
+                straight,
+                meshes / ("image-" + name.split()[0] + ".msh"),
+                place,
+                permuted,
+                a * d - b * c < 0,
+            )
+            tip = place(48, 60)
+            numbers = bench.run(
+                COOK,
+                {
+                    "Grid/Type": "gmsh",
+                    "Grid/File": path,
+                    "Quadrature/Type": quadrature,
+                    "Boundary conditions/Traction":
+                    f"right: {b}*10*t/16, {d}*10*t/16",
+                    "Material points/Points per cell": 3,
+                    "Grid reset/Steps between resets": 1000,
+                    "Postprocess/Point probes": f"A: {tip[0]!r}, {tip[1]!r}",
+                    "Time/Step size": 0.2,
+                    "Newton/Tolerance": 1e-12,
+                },
+                f"symmetry {quadrature} {name}",
+            )
+            u = [numbers[f"Displacement {k} of A (m)"][-1] for k in "xy"]
+            # back to the frame of the first
+            tips[name] = b * u[0] + d * u[1]
+            error = abs(tips[name] / tips["as it is"] - 1)
+            if bound:
+                bench.check(
+                    "symmetry",
+                    f"u_y(A), {quadrature}, {name}",
+                    f"{error:.1e}",
+                    f"{bound:g}",
+                    error < bound,
+                )
 
 
 def turned(bench):
@@ -508,7 +595,14 @@ def turned(bench):
         for degrees in angles:
             angle = np.radians(degrees)
             c, s = np.cos(angle), np.sin(angle)
-            path = rotated_mesh(straight, meshes / f"turned-{n}-{degrees}.msh", angle)
+            path = transformed_mesh(
+                straight,
+                meshes / f"turned-{n}-{degrees}.msh",
+                lambda x, y: (
+                    24 + c * (x - 24) - s * (y - 30),
+                    30 + s * (x - 24) + c * (y - 30),
+                ),
+            )
             # the coordinate along the membrane, from the clamped side
             along = f"24 + ({c:.17g})*(x-24) + ({s:.17g})*(y-30)"
             tip = (24 + c * 24 - s * 30, 30 + s * 24 + c * 30)
@@ -711,7 +805,9 @@ TESTS = {
         load_steps,
         offsets,
         turned,
+        symmetry,
         units,
+        cut,
         strain,
         shear,
         cycles,
