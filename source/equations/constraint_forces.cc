@@ -31,7 +31,10 @@ namespace isochor
     for (unsigned int k = 0; k < equations.size(); ++k)
       {
         const auto &equation = equations[k];
-        if (equation.pivot == none)
+        // what it determines may be an unknown that only others refer to: then
+        // its force is part of theirs
+        if (equation.pivot == none ||
+            coefficient_at({k, none, equation.pivot}, equation.pivot) == 0.)
           continue;
         Node      &node          = by_node[equation.pivot / n_components];
         const bool between_nodes = equation.precedence >= Precedence::periodic;
