@@ -269,7 +269,8 @@ main(int argc, char **argv)
       const double slope = std::log2(beta[beta.size() - 2] / beta.back());
       test::check("with PPP, beta > 0.5 and does not fall with h, " + kind,
                   beta.back() > 0.5 && slope < 0.1,
-                  std::to_string(beta.back()) + ", slope " + std::to_string(slope));
+                  std::to_string(beta.back()) + ", slope " +
+                    std::to_string(slope));
     }
   for (const std::string kind : {"/", "jittered"})
     {
