@@ -297,6 +297,37 @@ namespace
 
 
 
+  /** A tube between rough plates, pressed by a fifth of its height: a section
+   * and a quarter in space, in cells of the same size. */
+  void
+  test_tube_in_3d()
+  {
+    const std::string scene =
+      "Grid/Diagonals = alternating\nMaterial/Poisson ratio = 0.49\n"
+      "Grid reset/Steps between resets = 0\n"
+      "Material points/Points per cell = 4\nTime/Step size = 0.25\n";
+    const auto section =
+      run_scene<2>(axisymmetric + scene +
+                   "Grid/Lower corner = 1, 0\nGrid/Upper corner = 2, 1\n"
+                   "Grid/Subdivisions = 6, 6\n"
+                   "Boundary conditions/Displacement = bottom: x = 0, y = 0; "
+                   "top: x = 0, y = -0.2*t\nPostprocess/Reactions = top\n");
+    const auto quarter = run_scene<3>(
+      scene +
+      "Grid/Type = annulus\nGrid/Radii = 1, 2\nGrid/Subdivisions = 6, 12, 6\n"
+      "Boundary conditions/Displacement = bottom: y = 0; top: x = 0; "
+      "front: x = 0, y = 0, z = 0; back: x = 0, y = 0, z = -0.2*t\n"
+      "Postprocess/Reactions = back\n");
+    check_error("tube between rough plates, section and quarter",
+                std::abs(
+                  4 * quarter->last_statistics().get("Reaction z on back (N)") /
+                    section->last_statistics().get("Reaction y on top (N)") -
+                  1),
+                0.003);
+  }
+
+
+
   void
   test_errors()
   {
@@ -348,6 +379,7 @@ main(int argc, char **argv)
   test_inflation();
   test_pressure();
   test_loads();
+  test_tube_in_3d();
   if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
     test_errors();
 }

@@ -111,10 +111,12 @@ test_tensions()
                     "Quadrature/Type = CPDI\nTime/Step size = 0.25\n");
   test_tension<2>("u-p, Block FGMRES",
                   up + "Linear solver/Solver = Block FGMRES\n");
-  test_tension<2>("u, Block FGMRES", u + "Linear solver/Solver = Block FGMRES\n");
+  test_tension<2>("u, Block FGMRES",
+                  u + "Linear solver/Solver = Block FGMRES\n");
   test_tension<3>("u", u);
   test_tension<3>("u-p, CPDI", up + "Quadrature/Type = CPDI\n");
-  test_tension<3>("u, Block FGMRES", u + "Linear solver/Solver = Block FGMRES\n");
+  test_tension<3>("u, Block FGMRES",
+                  u + "Linear solver/Solver = Block FGMRES\n");
   // in motion: velocity of the wall, masses, trial steps
   const std::string dynamic =
     "Dynamics/Inertia = true\nMaterial/Density = 1000\nTime/End time = "

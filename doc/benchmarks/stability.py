@@ -28,6 +28,7 @@ import harness  # noqa: E402
 import numpy as np  # noqa: E402
 import report  # noqa: E402
 import scenes  # noqa: E402
+from vertical_cut import cut  # noqa: E402
 from harness import ROOT, output  # noqa: E402
 
 plt = output.plt
@@ -49,11 +50,15 @@ class Bench:
     def run(self, prm, overrides, name, processes=1):
         """Statistics of a run. Raises OutputError with the end of its log."""
         run = harness.Run("", name, 0, prm, {**QUIET, **overrides}, False, processes)
-        place = self.directory / "runs" / run.name
+        place = self.place_of(name)
         harness.execute(
             self.arguments.executable, run, place, harness.Cost([], []), 1800
         )
         return output.read_statistics(place)
+
+    def place_of(self, name):
+        """Where run() writes."""
+        return self.directory / "runs" / harness.Run("", name, 0, COOK).name
 
     def check(self, test, what, value, bound, kept):
         self.results.setdefault(test, []).append(
@@ -802,6 +807,7 @@ TESTS = {
         turned,
         symmetry,
         units,
+        cut,
         strain,
         shear,
         cycles,

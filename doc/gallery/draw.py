@@ -115,14 +115,18 @@ def plastic_cylinder(directory):
     draw("plastic_cylinder", [(points, "equivalent_plastic_strain", None)])
 
 
-def footing(name, scene, directory):
-    """The ground under a footing at collapse."""
+def footing(name, scene, directory, rings=False):
+    """The ground under a footing at collapse. @p rings: points are those of a
+    section through a body of revolution, their volumes those of rings."""
     mesh_file = directory / "prandtl.msh"
     mesh("prandtl/prandtl.geo", mesh_file, "-setnumber", "n", "16")
     output.run(None, PRM / scene, {"Grid/File": mesh_file}, directory)
     points = output.read_points(directory)
+    if rings:
+        points["volume"] /= 2 * output.np.pi * points["position"][:, 0]
     top = points["position"][:, 1].max()
-    window = (0, 2.2, top - 1.2, top + 0.05)
+    width = 1.3 if rings else 2.2
+    window = (0, width, top - 0.55 * width, top + 0.05)
     field = "equivalent_plastic_strain"
     # so that the fan shows beside the zone below the edge
     limits = (0, output.np.percentile(points[field], 97))
@@ -134,7 +138,8 @@ def prandtl(directory):
 
 
 def circular_footing(directory):
-    footing("circular_footing", "circular_footing/circular_footing.prm", directory)
+    scene = "circular_footing/circular_footing.prm"
+    footing("circular_footing", scene, directory, rings=True)
 
 
 RUNS = {

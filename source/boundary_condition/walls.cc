@@ -5,7 +5,7 @@
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/contact_search.h>
-#include <isochor/boundary_condition/wall_surface.h>
+#include <isochor/boundary_condition/smooth_wall.h>
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
@@ -251,28 +251,8 @@ namespace isochor
     }
 
   private:
-    /** A node at a wall, and one of its normals; the same on all ranks. */
-    struct Node
-    {
-      unsigned int   vertex;
-      Tensor<1, dim> normal; ///< at the vertex
-      WallNode       contact;
-      /** On a grid that is kept, at a curved wall: how far the wall has come
-       * along its normal since the reset, from the boundary (m), and the node
-       * (m); and the normal and the gap where it is now. */
-      double         offset = 0;
-      Tensor<1, dim> moved, normal_now;
-      double         gap_now = 0;
-    };
-
-    struct Wall
-    {
-      std::string       boundary;
-      bool              one_sided;
-      Expression<dim>   displacement;
-      WallSurface<dim>  surface;
-      std::vector<Node> nodes;
-    };
+    using Wall = SmoothWall<dim>;
+    using Node = typename Wall::Node;
 
     std::string
     parameter() const
@@ -346,19 +326,6 @@ namespace isochor
       return motion(wall, i, step) - gap(wall, i, step);
     }
 
-    /** The normal displacement of node i in the step, on a rank that has it. */
-    static double
-    along(const Tensor<1, dim>   &normal,
-          const unsigned int      node,
-          const StepContext<dim> &step,
-          const NodalField       &unknowns)
-    {
-      double sum = 0;
-      for (unsigned int a = 0; a < dim; ++a)
-        sum += normal[a] * unknowns.local_element(node * step.n_components + a);
-      return sum;
-    }
-
     /** By walls and nodes one after the other. Collective. */
     std::vector<unsigned int>
     find_objections(
@@ -397,7 +364,7 @@ namespace isochor
                     objections.back() = Objection::pulls;
                 }
               else if (!is_tied[node] &&
-                       along(normals[i], node, step, unknowns) -
+                       Wall::along(normals[i], node, step, unknowns) -
                            increment(wall, i, step) <
                          -penetration)
                 objections.back() = Objection::penetrates;
@@ -422,8 +389,8 @@ namespace isochor
           const unsigned int node = step.nodes.node(wall.nodes[i].vertex);
           if (node >= step.nodes.n_owned())
             continue;
-          gaps[i] =
-            along(normals[i], node, step, unknowns) - increment(wall, i, step);
+          gaps[i] = Wall::along(normals[i], node, step, unknowns) -
+                    increment(wall, i, step);
           for (unsigned int a = 0; a < dim; ++a)
             moved[i * dim + a] =
               unknowns.local_element(node * step.n_components + a);

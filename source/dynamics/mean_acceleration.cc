@@ -67,10 +67,10 @@ namespace isochor
   InertiaTerm<2>::mean_acceleration(const StepContext<2> &) const;
   template Tensor<1, 2>
   InertiaTerm<2>::mean_trial_acceleration(const StepContext<2> &,
-                                            const NodalField &) const;
+                                          const NodalField &) const;
   template Tensor<1, 3>
   InertiaTerm<3>::mean_acceleration(const StepContext<3> &) const;
   template Tensor<1, 3>
   InertiaTerm<3>::mean_trial_acceleration(const StepContext<3> &,
-                                            const NodalField &) const;
+                                          const NodalField &) const;
 } // namespace isochor

@@ -2,8 +2,8 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-// The members of Equilibrium that look for the acceleration at t = 0, and for the
-// weight that the stabilisation leaves out, which depends on it.
+// The members of Equilibrium that look for the acceleration at t = 0, and for
+// the weight that the stabilisation leaves out, which depends on it.
 #include <isochor/step/equilibrium.h>
 
 namespace isochor

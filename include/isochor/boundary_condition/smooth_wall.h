@@ -1,0 +1,58 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_smooth_wall_h
+#define isochor_smooth_wall_h
+
+#include <isochor/base/expression.h>
+#include <isochor/boundary_condition/contact_search.h>
+#include <isochor/boundary_condition/wall_surface.h>
+#include <isochor/equations/equation_term.h>
+
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /** A smooth wall at a side of the grid, and what it knows of its nodes. */
+  template <int dim>
+  struct SmoothWall
+  {
+    /** A node at a wall, and one of its normals; the same on all ranks. */
+    struct Node
+    {
+      unsigned int   vertex;
+      Tensor<1, dim> normal; ///< at the vertex
+      WallNode       contact;
+      /** On a grid that is kept, at a curved wall: how far the wall has come
+       * along its normal since the reset, from the boundary (m), and the node
+       * (m); and the normal and the gap where it is now. */
+      double         offset = 0;
+      Tensor<1, dim> moved, normal_now;
+      double         gap_now = 0;
+    };
+
+    std::string       boundary;
+    bool              one_sided;
+    Expression<dim>   displacement;
+    WallSurface<dim>  surface;
+    std::vector<Node> nodes;
+
+    /** The displacement (m) in the step along @p normal of @p node, on a rank
+     * that has it. */
+    static double
+    along(const Tensor<1, dim>   &normal,
+          const unsigned int      node,
+          const StepContext<dim> &step,
+          const NodalField       &unknowns)
+    {
+      double sum = 0;
+      for (unsigned int a = 0; a < dim; ++a)
+        sum += normal[a] * unknowns.local_element(node * step.n_components + a);
+      return sum;
+    }
+  };
+} // namespace isochor
+
+#endif

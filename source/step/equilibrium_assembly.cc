@@ -1,0 +1,174 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+// The members of Equilibrium that assemble and measure the residual.
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/mpi_sums.h>
+#include <isochor/step/equilibrium.h>
+#include <isochor/step/scene_checks.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isochor
+{
+  template <int dim>
+  ResidualNorms
+  Equilibrium<dim>::assemble(const bool with_matrix)
+  {
+    TimerOutput::Scope     scope(terminal.timer(), "assembly");
+    const StepContext<dim> step       = setup.context();
+    const bool             is_pending = update_pending();
+    const bool             is_dragged = update_boundary_force(step);
+    const EvaluationStatus status     = assemble_terms(step, with_matrix);
+    const ResidualNorms    norms =
+      measure_residual(status, is_pending || is_dragged);
+    terminal.work().count("assemblies of the matrix", with_matrix);
+    if (with_matrix && !scene_checked)
+      {
+        scene_checked = true;
+        if (scene.time.step == 0) // resumed: said when it started
+          check_first_step(scene, step, system.matrix());
+      }
+    return norms;
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::update_pending()
+  {
+    constexpr double rounding = 1e-12;
+    bool             any      = false;
+    for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
+      if (constraints.constrained[i])
+        {
+          double &rest = pending.local_element(i);
+          rest         = constraints.increment[i] - unknowns.local_element(i);
+          any =
+            any ||
+            (constraints.constrained[i] != NodalConstraints::follows &&
+             std::abs(rest) > rounding * std::abs(constraints.increment[i]));
+        }
+    // what follows comes where those that it follows will be
+    const Followers &followers = constraints.followers;
+    for (unsigned int k = 0; k < followers.size(); ++k)
+      {
+        double     size = std::abs(followers.value[k]);
+        const auto goal = [&](const unsigned int i) {
+          return constraints.constrained[i] ? constraints.increment[i] :
+                                              unknowns.local_element(i);
+        };
+        const double place =
+          followers.value[k] + followers.sum(k, [&](const unsigned int i) {
+            size = std::max(size, std::abs(goal(i)));
+            return goal(i);
+          });
+        double &rest = pending.local_element(followers.entry[k]);
+        rest         = place - unknowns.local_element(followers.entry[k]);
+        if (std::abs(rest) <= rounding * size)
+          rest = 0.;
+        any = any || rest != 0.;
+      }
+    return any;
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::update_boundary_force(const StepContext<dim> &step)
+  {
+    bool is_dragged = false;
+    boundary_force  = 0.;
+    boundary_force.zero_out_ghost_values();
+    for (const auto &condition : scene.boundary_conditions)
+      {
+        if (at_start && condition->moves_body(step))
+          is_dragged = true;
+        condition->add_boundary_force(step, unknowns, boundary_force);
+      }
+    boundary_force.compress(VectorOperation::add);
+    return is_dragged;
+  }
+
+
+
+  template <int dim>
+  EvaluationStatus
+  Equilibrium<dim>::assemble_terms(const StepContext<dim> &step,
+                                   const bool              with_matrix)
+  {
+    system.start_assembly(with_matrix);
+    EvaluationStatus status = EvaluationStatus::success;
+    for (unsigned int t = 0; t < terms.size(); ++t)
+      status = std::max(status,
+                        terms[t]->assemble(step,
+                                           unknowns,
+                                           pending,
+                                           setup.first_of_term()[t],
+                                           with_matrix,
+                                           system));
+    system.finish_assembly(external_force);
+    const bool curved = with_matrix && !scene.inertia.in_trial();
+    for (unsigned int t = 0; curved && t < terms.size(); ++t)
+      if (const auto *condition =
+            dynamic_cast<const BoundaryCondition<dim> *>(terms[t]);
+          condition && condition->relinearises())
+        condition->add_constraint_stiffness(
+          step, unknowns, constraints, setup.first_of_term()[t], system);
+    return status;
+  }
+
+
+
+  template <int dim>
+  ResidualNorms
+  Equilibrium<dim>::measure_residual(const EvaluationStatus status,
+                                     const bool anything_pending) const
+  {
+    const MPI_Comm        comm         = scene.grid.communicator();
+    const unsigned int    n_components = scene.n_components;
+    std::array<double, 4> squares{}; // displacement, pressure, reaction, load
+    for (unsigned int i = 0; i < setup.active_nodes().n_owned() * n_components;
+         ++i)
+      {
+        const double r = system.residual.local_element(i);
+        const double f =
+          external_force.local_element(i) + boundary_force.local_element(i);
+        const bool pressure = (i % n_components == dim);
+        squares[constraints.constrained[i] ? 2 : (pressure ? 1 : 0)] += r * r;
+        // what walls and rigid sides do, apart from prescribed unknowns
+        const unsigned char how = constraints.constrained[i];
+        if (system.has_equations() && system.is_held(i) &&
+            how != NodalConstraints::prescribed &&
+            how != NodalConstraints::in_contact)
+          squares[2] += std::pow(system.reaction().local_element(i), 2);
+        if (!pressure)
+          squares[3] += f * f;
+      }
+    ResidualNorms norms;
+    norms.status = static_cast<EvaluationStatus>(
+      Utilities::MPI::max(static_cast<unsigned int>(status), comm));
+    norms.pending =
+      Utilities::MPI::max(static_cast<int>(anything_pending), comm) != 0;
+    sum_over_ranks(squares, comm);
+    norms.displacement = std::sqrt(squares[0]);
+    norms.pressure     = std::sqrt(squares[1]);
+    norms.force_scale =
+      norms.pending ? 0. : std::sqrt(std::max(squares[2], squares[3]));
+    norms.displacement_floor = force_floor;
+    norms.pressure_floor     = volume_floor;
+    return norms;
+  }
+
+
+
+  template ResidualNorms
+  Equilibrium<2>::assemble(const bool);
+  template ResidualNorms
+  Equilibrium<3>::assemble(const bool);
+} // namespace isochor
