@@ -264,11 +264,13 @@ main(int argc, char **argv)
   };
   for (const std::string kind : {"/", "alternating", "criss-cross", "jittered"})
     {
-      const auto   beta  = refine(kind, 1, 32);
-      const double slope = std::log2(beta[2] / beta[3]);
+      // criss-cross has twice the nodes: dense matrices get too large
+      const auto   beta  = refine(kind, 1, kind == "criss-cross" ? 16 : 32);
+      const double slope = std::log2(beta[beta.size() - 2] / beta.back());
       test::check("with PPP, beta > 0.5 and does not fall with h, " + kind,
-                  beta[3] > 0.5 && slope < 0.1,
-                  std::to_string(beta[3]) + ", slope " + std::to_string(slope));
+                  beta.back() > 0.5 && slope < 0.1,
+                  std::to_string(beta.back()) + ", slope " +
+                    std::to_string(slope));
     }
   for (const std::string kind : {"/", "jittered"})
     {
