@@ -362,6 +362,10 @@ namespace isochor
         }
       force.compress(VectorOperation::add);
 
+      // in statics nothing reacts before the first step, unless the body is
+      // stressed from the start
+      const bool starts_unloaded =
+        result.time.step == 0 && initial_energy == 0.;
       std::map<unsigned int, double> new_reactions;
       double                         work = 0;
       for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
@@ -380,8 +384,10 @@ namespace isochor
             const double R     = follows ? result.system.follower_force(i) :
                                            result.system.residual.local_element(i);
             const auto   old_R = reactions.find(entry);
-            work +=
-              (R + (old_R == reactions.end() ? R : old_R->second)) / 2 * moved;
+            work += (R + (old_R != reactions.end() ? old_R->second :
+                          starts_unloaded          ? 0. :
+                                                     R)) /
+                    2 * moved;
             new_reactions[entry] = R;
           }
       reactions.swap(new_reactions);

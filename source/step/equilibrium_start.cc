@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 // The members of Equilibrium that look for the acceleration at t = 0, and for
 // the weight that the stabilisation leaves out, which depends on it.
+#include <isochor/equations/connected_parts.h>
 #include <isochor/step/equilibrium.h>
 
 namespace isochor
@@ -23,12 +24,21 @@ namespace isochor
   {
     if (!scene.leaves_out_weight)
       return;
+    // gravity at the time of the acceleration: in free fall they are the same
+    const StepContext<dim> step = setup.context();
+    const double   time = scene.has_inertia() && !scene.inertia.in_trial() ?
+                            step.old_time :
+                            step.time;
     Tensor<1, dim> gravity;
     for (const auto &condition : scene.boundary_conditions)
-      gravity += condition->body_acceleration(setup.context().time);
-    // nothing without weight: an acceleration may be rounding over h²
+      gravity += condition->body_acceleration(time);
+    // nothing without weight: an acceleration may be rounding over h². And
+    // bodies apart from each other have no acceleration in common.
+    const bool has_weight =
+      gravity.norm() > 0 &&
+      !(scene.has_inertia() && number_of_parts(step, setup.all_elements()) > 1);
     scene.kernel.hydrostatic_acceleration =
-      gravity.norm() > 0 ? gravity - mean_acceleration : Tensor<1, dim>();
+      has_weight ? gravity - mean_acceleration : Tensor<1, dim>();
   }
 
 

@@ -126,12 +126,13 @@ namespace isochor
         inspect.idle({"Formulation", "PPP coefficient"},
                      "with <Formulation/Stabilisation = none>");
       if (!has_inertia)
-        inspect.idle_section({"Dynamics"},
-                             inspect.value({"Dynamics", "Scheme"}) ==
-                                 "statics" ?
-                               "with <Dynamics/Scheme = statics>" :
-                               "with <Dynamics/Inertia = false>",
-                             "Inertia");
+        inspect.idle_section(
+          {"Dynamics"},
+          inspect.value({"Dynamics", "Scheme"}) == "statics" ?
+            "with <Dynamics/Scheme = statics>" :
+            "with <Dynamics/Inertia = false>",
+          inspect.value({"Dynamics", "Scheme"}) == "statics" ? "Scheme" :
+                                                               "Inertia");
     }
 
 

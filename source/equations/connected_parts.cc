@@ -1,0 +1,102 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/equations/connected_parts.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Sets of nodes that are merged one by one. */
+    class DisjointSets
+    {
+    public:
+      explicit DisjointSets(const unsigned int n)
+        : parent(n)
+      {
+        std::iota(parent.begin(), parent.end(), 0);
+      }
+
+      unsigned int
+      root(unsigned int i)
+      {
+        while (parent[i] != i)
+          i = parent[i] = parent[parent[i]];
+        return i;
+      }
+
+      void
+      merge(const unsigned int i, const unsigned int j)
+      {
+        parent[root(i)] = root(j);
+      }
+
+    private:
+      std::vector<unsigned int> parent;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  unsigned int
+  number_of_parts(const StepContext<dim> &step, const ElementNodes &elements)
+  {
+    const unsigned int n_local = step.nodes.n_local();
+    DisjointSets       sets(n_local);
+    for (unsigned int e = 0; e < elements.size(); ++e)
+      for (std::size_t i = elements.start[e] + 1; i < elements.start[e + 1];
+           ++i)
+        sets.merge(elements.node[elements.start[e]], elements.node[i]);
+
+    // the least vertex of a part is its name; what ranks have in common lets it
+    // go round
+    NodalField name;
+    step.nodes.initialize(name, 1);
+    for (unsigned int node = 0; node < n_local; ++node)
+      name.local_element(node) = step.nodes.vertex(node);
+    const MPI_Comm comm = step.grid.communicator();
+    for (bool changed = true; changed;)
+      {
+        std::vector<double> least(n_local, std::numeric_limits<double>::max());
+        for (unsigned int node = 0; node < n_local; ++node)
+          {
+            double &of_part = least[sets.root(node)];
+            of_part         = std::min(of_part, name.local_element(node));
+          }
+        changed = false;
+        for (unsigned int node = 0; node < n_local; ++node)
+          if (const double least_name = least[sets.root(node)];
+              name.local_element(node) != least_name)
+            {
+              name.local_element(node) = least_name;
+              changed                  = true;
+            }
+        changed = Utilities::MPI::max(changed ? 1 : 0, comm) != 0;
+        if (Utilities::MPI::n_mpi_processes(comm) == 1)
+          break;
+        name.compress(VectorOperation::min);
+        name.update_ghost_values();
+      }
+    unsigned int n_parts = 0;
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      if (name.local_element(node) == step.nodes.vertex(node))
+        ++n_parts;
+    return Utilities::MPI::sum(n_parts, comm);
+  }
+
+
+
+  template unsigned int
+  number_of_parts(const StepContext<2> &, const ElementNodes &);
+  template unsigned int
+  number_of_parts(const StepContext<3> &, const ElementNodes &);
+} // namespace isochor
