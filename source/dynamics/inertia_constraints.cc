@@ -80,10 +80,69 @@ namespace isochor
                               dt);
       }
     project(step, momentum, followers, given_velocity, velocity);
-    add_convective_acceleration(step, conditions, start);
+    if (by_stresses && !prescribed)
+      note_pressed(step, constraints, contact, {&start, &middle, &end});
+    const bool from_walls = by_stresses && !pressed_followers.entry.empty();
+    if (from_walls)
+      {
+        followers          = pressed_followers;
+        given_acceleration = pressed_acceleration;
+      }
+    add_convective_acceleration(step,
+                                conditions,
+                                from_walls ? pressed_constraints : start);
+    const std::vector<unsigned char> held_now = held;
+    if (by_stresses)
+      for (const Stopped &node : pressed)
+        {
+          held[node.entry] = 1;
+          if (node.entry < step.nodes.n_owned() * dim)
+            acceleration.local_element(node.entry) = node.acceleration;
+        }
     project(
       step, force, followers, given_acceleration, acceleration, by_stresses);
+    held       = held_now;
     prescribed = true;
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::note_pressed(
+    const StepContext<dim>                       &step,
+    const NodalConstraints                       &constraints,
+    const std::array<NodalConstraints, 3>        &contact,
+    const std::array<const NodalConstraints *, 3> at)
+  {
+    const unsigned int nc = step.n_components;
+    pressed               = stopped;
+    pressed_followers     = {};
+    pressed_acceleration.clear();
+    bool walls = false;
+    for (const auto &equation : contact[0].equations)
+      walls = walls || equation.how == NodalConstraints::in_contact;
+    if (Utilities::MPI::max(walls ? 1 : 0, step.grid.communicator()) == 0)
+      return;
+    std::array<Followers, 3> places;
+    for (unsigned int k = 0; k < 3; ++k)
+      {
+        NodalConstraints all = contact[k];
+        if (all.equations.empty())
+          all = *at[k];
+        all.ties = constraints.ties;
+        all.resolve(nc);
+        places[k] = displacement_followers(all, nc);
+        if (k == 0)
+          pressed_constraints = all;
+      }
+    pressed_followers = places[0];
+    for (unsigned int k = 0; k < pressed_followers.size(); ++k)
+      pressed_acceleration.push_back(
+        parabola_at_start(places[1].value[k] - places[0].value[k],
+                          places[2].value[k] - places[1].value[k],
+                          step.step_size())
+          .second);
   }
 
 

@@ -247,6 +247,14 @@ namespace isochor
     note_stopping_walls(const std::array<NodalConstraints, 3> &constraints,
                         const unsigned int                     n_components,
                         const double                           dt);
+    /** The search for contact begins: keep in pressed what it begins with, of
+     * the constraints @p at the start, the middle and the end of the step and,
+     * with one-sided walls, @p contact. */
+    void
+    note_pressed(const StepContext<dim>                       &step,
+                 const NodalConstraints                       &constraints,
+                 const std::array<NodalConstraints, 3>        &contact,
+                 const std::array<const NodalConstraints *, 3> at);
     /** Let new_velocity and new_acceleration have the motion of these walls. */
     void
     stop_at_walls();
@@ -274,6 +282,14 @@ namespace isochor
       double       velocity, acceleration;
     };
     std::vector<Stopped> stopped;
+    /** What walls held at the end of the last step: their force on the body is
+     * not among those that accelerations from stresses are made of, so that
+     * these nodes start with the acceleration of the wall. By components, and
+     * by equations of walls; the same in all of the search for contact. */
+    std::vector<Stopped> pressed;
+    Followers            pressed_followers;
+    std::vector<double>  pressed_acceleration;
+    NodalConstraints     pressed_constraints;
     /** The same for a wall that holds a combination Σ a_j x_j. */
     struct StoppedAlong
     {
