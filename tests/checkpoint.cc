@@ -164,6 +164,10 @@ void
 test_linear_equations(const MPI_Comm comm)
 {
   std::vector<std::pair<std::string, std::string>> scene = {
+    {"Grid/Lower corner", "1.2, 1"},
+    {"Grid/Upper corner", "2.2, 2.4"},
+    {"Grid/Subdivisions", "5, 7"},
+    {"Dynamics/Initial velocity", "0.1*(y-1), 0"},
     {"Grid reset/Steps between resets", "3"},
     {"Boundary conditions/Displacement", ""},
     {"Boundary conditions/Walls", "bottom: n >= -0.002*(1+x)"},

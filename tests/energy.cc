@@ -172,6 +172,72 @@ test_box(const std::string &quadrature, const std::string &stabilisation)
               problem->all_warnings().summary());
 }
 
+/** Bodies in free fall, in which the stabilisation must not see a weight: under
+ * a gravity that grows, and two of them on ways of their own. */
+void
+test_free_fall(const std::string &what,
+               const std::string &region,
+               const std::string &gravity,
+               const std::string &velocity)
+{
+  test::run_scene<2>(
+    "Quadrature/Type = CPDI\nGrid/Lower corner = -1, -3\n"
+    "Grid/Upper corner = 2, 2\nGrid/Subdivisions = 12, 20\n"
+    "Material points/Region = " +
+    region +
+    "\nMaterial/Young modulus = 1e5\nMaterial/Poisson ratio = 0.5\n"
+    "Dynamics/Inertia = true\nDynamics/Initial velocity = " +
+    velocity + "\nBoundary conditions/Gravity = 0, " + gravity +
+    "\nTime/End time = 0.3\nTime/Step size = 0.05\n");
+  double error = 0;
+  for (const double strain : columns()["Strain energy (J)"])
+    test::add_error(error,
+                    std::abs(strain) / columns()["Kinetic energy (J)"].back());
+  test::check_error("free fall, " + what + ", strain energy", error, 1e-9);
+}
+
+/** A block on a smooth floor that it may leave: after it has settled, the mean
+ * reaction is its weight. */
+void
+test_resting(const std::string &floor)
+{
+  test::run_scene<2>(
+    "Quadrature/Type = CPDI\nGrid/Upper corner = 0.6, 0.4\n"
+    "Grid/Subdivisions = 9, 6\nMaterial points/Region = x < 0.4 && y < 0.2\n"
+    "Material/Young modulus = 1e6\nMaterial/Poisson ratio = 0.3\n"
+    "Dynamics/Inertia = true\nBoundary conditions/Gravity = 0, -10\n"
+    "Boundary conditions/" +
+    floor +
+    "\nPostprocess/Reactions = bottom\nTime/End time = 0.5\n"
+    "Time/Step size = 0.01\n");
+  const auto &R   = columns()["Reaction y on bottom (N)"];
+  double      sum = 0;
+  for (unsigned int i = R.size() / 2; i < R.size(); ++i)
+    sum += R[i];
+  test::check_error("reaction of a floor, " + floor.substr(0, 5),
+                    std::abs(sum / (R.size() - R.size() / 2) /
+                               (10 * columns()["Mass (kg)"].back()) -
+                             1),
+                    0.01);
+}
+
+/** Statics in one step: the work of the prescribed displacement u is R u/2. */
+void
+test_work_of_first_step()
+{
+  test::run_scene<2>(
+    "Grid/Subdivisions = 4, 4\nMaterial/Young modulus = 1e5\n"
+    "Boundary conditions/Displacement = bottom: x = 0, y = 0; "
+    "top: y = -0.001*t\nPostprocess/Reactions = top\n"
+    "Postprocess/Write energies = always\nTime/Step size = 1\n");
+  test::check_error("work of the first step",
+                    std::abs(
+                      columns()["External work (J)"][0] /
+                        (-0.0005 * columns()["Reaction y on top (N)"][0]) -
+                      1),
+                    1e-10);
+}
+
 /** The smooth box again, without weight, between walls that move by @p u(t)
  * from rest with the acceleration @p a(t): the body moves with them, so that
  * the walls exert its mass times a. */
@@ -257,6 +323,15 @@ main(int argc, char **argv)
        {"points", "cell-filled", "cell-filled + boundary", "CPDI"})
     test_box<2>(quadrature, "PPP");
   test_box<3>("CPDI", "PPP");
+  const std::string block = "x >= 0 && x <= 1 && y >= 0 && y <= 1";
+  test_free_fall("growing gravity", block, "-10*t", "0, 0");
+  test_free_fall("two bodies",
+                 block + " || x >= -0.75 && x <= -0.25 && y >= -2 && y <= -1.5",
+                 "-10",
+                 "0, if(x < 0, 1, 0)");
+  test_resting("Displacement = bottom: y >= 0");
+  test_resting("Walls = bottom: n >= 0");
+  test_work_of_first_step();
   test_walls(
     "0.1*t", [](const double) { return 0.; }, 1e-6);
   test_walls(

@@ -81,7 +81,7 @@ namespace isochor
       }
     project(step, momentum, followers, given_velocity, velocity);
     if (by_stresses && !prescribed)
-      note_pressed(step, constraints, contact, {&start, &middle, &end});
+      note_pressed(step, constraints, contact, {{&start, &middle, &end}});
     const bool from_walls = by_stresses && !pressed_followers.entry.empty();
     if (from_walls)
       {

@@ -38,10 +38,27 @@ namespace isochor
   {
     if (!is_active())
       return {};
-    return mean_over_mass(step,
-                          [&](const unsigned int node, const unsigned int d) {
-                            return acceleration.local_element(node * dim + d);
-                          });
+    Tensor<1, dim> mean =
+      mean_over_mass(step, [&](const unsigned int node, const unsigned int d) {
+        return acceleration.local_element(node * dim + d);
+      });
+    if (!by_stresses)
+      return mean;
+    // the points have what a_n differs by from the acceleration of the forces
+    std::array<double, dim + 1> sums{};
+    const PointArrays<dim>     &points = step.points;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          for (unsigned int d = 0; d < dim; ++d)
+            sums[d] += points.mass[q] * points.acceleration[q][d];
+          sums[dim] += points.mass[q];
+        }
+    sum_over_ranks(sums, step.grid.communicator());
+    for (unsigned int d = 0; d < dim; ++d)
+      mean[d] -= sums[d] / sums[dim];
+    return mean;
   }
 
 

@@ -151,29 +151,29 @@ namespace isochor
 } // namespace isochor
 
 /** Register class @p Class as plugin @p name of interface @p Interface. */
-#define ISOCHOR_REGISTER(Interface, Class, name) \
-  static const bool isochor_registered_##Class = \
-    ::isochor::PluginRegistry<Interface>::add(   \
-      name,                                      \
-      []() -> std::unique_ptr<Interface> {       \
-        return std::make_unique<Class>();        \
-      },                                         \
+#define ISOCHOR_REGISTER(Interface, Class, name)                  \
+  [[maybe_unused]] static const bool isochor_registered_##Class = \
+    ::isochor::PluginRegistry<Interface>::add(                    \
+      name,                                                       \
+      []() -> std::unique_ptr<Interface> {                        \
+        return std::make_unique<Class>();                         \
+      },                                                          \
       &Class::declare_parameters);
 
 /** Register the class template @p Class for dim = 2 and 3. */
-#define ISOCHOR_REGISTER_FOR_DIMENSION(Interface, Class, name) \
-  static const bool isochor_registered_##Class =               \
-    ::isochor::PluginRegistry<Interface<2>>::add(              \
-      name,                                                    \
-      []() -> std::unique_ptr<Interface<2>> {                  \
-        return std::make_unique<Class<2>>();                   \
-      },                                                       \
-      &Class<2>::declare_parameters) &&                        \
-    ::isochor::PluginRegistry<Interface<3>>::add(              \
-      name,                                                    \
-      []() -> std::unique_ptr<Interface<3>> {                  \
-        return std::make_unique<Class<3>>();                   \
-      },                                                       \
+#define ISOCHOR_REGISTER_FOR_DIMENSION(Interface, Class, name)    \
+  [[maybe_unused]] static const bool isochor_registered_##Class = \
+    ::isochor::PluginRegistry<Interface<2>>::add(                 \
+      name,                                                       \
+      []() -> std::unique_ptr<Interface<2>> {                     \
+        return std::make_unique<Class<2>>();                      \
+      },                                                          \
+      &Class<2>::declare_parameters) &&                           \
+    ::isochor::PluginRegistry<Interface<3>>::add(                 \
+      name,                                                       \
+      []() -> std::unique_ptr<Interface<3>> {                     \
+        return std::make_unique<Class<3>>();                      \
+      },                                                          \
       &Class<3>::declare_parameters);
 
 #endif
