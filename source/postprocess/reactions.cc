@@ -26,12 +26,15 @@ namespace isochor
       prm.declare_entry("Reactions",
                         "",
                         Patterns::List(Patterns::Anything()),
-                        "Boundaries of the grid whose reaction goes into the "
-                        "statistics: the sum of the constraint forces at all "
-                        "of their nodes. Nodes that two boundaries share, as "
-                        "at corners, count in both, whichever of them holds "
-                        "the node: the sum over boundaries that meet is not "
-                        "the whole force.");
+                        "Boundaries of the grid, separated by commas, whose "
+                        "reaction goes into the statistics: the sum of the "
+                        "constraint forces at all of their nodes. Nodes that "
+                        "two boundaries share, as at corners, count in both, "
+                        "whichever of them holds the node: the sum over "
+                        "boundaries that meet is not the whole force, and a "
+                        "smooth wall shows what the wall next to it carries "
+                        "at the corner. <Displacement of body>, <Rigid sides> "
+                        "and <Periodic sides> have columns of their own.");
     }
 
     void
