@@ -225,6 +225,8 @@ namespace isochor
   {
     if (!std::isfinite(gauge.merit(norms)))
       report.failure = describe(norms.status);
+    else if (!std::isfinite(norms.force_scale))
+      report.failure = "a reaction is not a number";
     else if (gauge.converged(norms, tolerance))
       {
         report.converged   = true;
