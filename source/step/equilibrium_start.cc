@@ -13,7 +13,8 @@ namespace isochor
   void
   Equilibrium<dim>::set_weight()
   {
-    set_weight(scene.inertia.mean_acceleration(setup.context()));
+    if (scene.leaves_out_weight)
+      set_weight(scene.inertia.mean_acceleration(setup.context()));
   }
 
 
@@ -22,8 +23,6 @@ namespace isochor
   void
   Equilibrium<dim>::set_weight(const Tensor<1, dim> &mean_acceleration)
   {
-    if (!scene.leaves_out_weight)
-      return;
     // gravity at the time of the acceleration: in free fall they are the same
     const StepContext<dim> step = setup.context();
     const double   time = scene.has_inertia() && !scene.inertia.in_trial() ?
@@ -89,7 +88,9 @@ namespace isochor
   {
     constexpr unsigned int max_repetitions = 3;
     constexpr double       accuracy        = 1e-10;
-    for (unsigned int n = 0; n < max_repetitions && report.converged; ++n)
+    for (unsigned int n = 0;
+         n < max_repetitions && report.converged && scene.leaves_out_weight;
+         ++n)
       {
         const Tensor<1, dim> before = scene.kernel.hydrostatic_acceleration,
                              mean   = scene.inertia.mean_trial_acceleration(

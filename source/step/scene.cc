@@ -215,8 +215,9 @@ namespace isochor
     kernel.ppp_coefficient = mixed() && prm.get("Stabilisation") == "PPP" ?
                                prm.get_double("PPP coefficient") :
                                0.;
-    leaves_out_weight      = prm.get_bool("PPP leaves out weight");
-    kernel.axisymmetric    = prm.get("Geometry") == "axisymmetric";
+    leaves_out_weight =
+      prm.get_bool("PPP leaves out weight") && kernel.ppp_coefficient > 0;
+    kernel.axisymmetric = prm.get("Geometry") == "axisymmetric";
     prm.leave_subsection();
     AssertThrow(dim == 2 || !kernel.axisymmetric,
                 ExcMessage("The parameter <Formulation/Geometry = "

@@ -94,8 +94,8 @@ namespace isochor
 
     /** The materials, and PPP's coefficient. */
     MixedKernel<dim> kernel;
-    /** Whether the stabilisation leaves out the pressure that carries weight.
-     */
+    /** Whether there is a stabilisation, and it leaves out the pressure that
+     * carries weight. */
     bool leaves_out_weight = true;
     /** Unknowns of a node: dim in the u form, dim + 1 in the u-p form. */
     unsigned int n_components = dim + 1;
