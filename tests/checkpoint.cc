@@ -177,6 +177,9 @@ test_linear_equations(const MPI_Comm comm)
   for (const std::string periodic : {"", "left: right"})
     {
       scene.emplace_back("Boundary conditions/Periodic sides", periodic);
+      if (!periodic.empty()) // which would hold the rotation
+        scene.emplace_back("Boundary conditions/Rigid sides",
+                           "top: x = 0, rotation = 0, force y = -200*t");
       const std::string a = "checkpoint-linear-a", b = "checkpoint-linear-b",
                         name =
                           "linear equations" +

@@ -148,8 +148,8 @@ test_collision()
 }
 
 /** A block of an incompressible material in a box with smooth walls cannot
- * move: in each step the bottom carries its weight. The block ends within
- * cells. */
+ * move: in each step the bottom carries its weight. In 2D the block ends within
+ * cells (in 3D the quadrature of such cells has an error of its own). */
 template <int dim>
 void
 test_box(const std::string &quadrature, const std::string &stabilisation)
@@ -160,8 +160,8 @@ test_box(const std::string &quadrature, const std::string &stabilisation)
     "Formulation/Stabilisation = " + stabilisation + "\nGrid/Subdivisions = " +
     (in_3D ? "2, 3, 2" : "4, 5") + "\nGrid/Upper corner = 1, 1" +
     (in_3D ? ", 1" : "") + "\nMaterial points/Points per cell = 4\n" +
-    "Material points/Region = 0.9 - y\n"
-    "Material/Young modulus = 1e7\nMaterial/Poisson ratio = 0.5\n"
+    "Material points/Region = " + (in_3D ? "0.67 - y" : "0.9 - y") +
+    "\nMaterial/Young modulus = 1e7\nMaterial/Poisson ratio = 0.5\n"
     "Dynamics/Inertia = true\nBoundary conditions/Gravity = 0, -10" +
     (in_3D ? ", 0" : "") +
     "\nBoundary conditions/Displacement = left: x = 0; right: x = 0; " +
