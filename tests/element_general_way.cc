@@ -109,21 +109,7 @@ test_axisymmetry()
           }
         return energy;
       };
-      e.evaluate(false);
-      const auto residual = e.element.residual;
-      for (unsigned int i = 0; i < e.n_dofs; ++i)
-        {
-          const double h = 1e-5, value = e.unknown(i);
-          e.unknown(i)       = value + h * e.unit(i);
-          const double plus  = potential();
-          e.unknown(i)       = value - h * e.unit(i);
-          const double minus = potential();
-          e.unknown(i)       = value;
-          error.add(
-            std::abs((plus - minus) / (2 * h) - residual[i] * e.unit(i)) /
-              (e.volume * G),
-            "element " + std::to_string(n) + ", entry " + std::to_string(i));
-        }
+      add_potential_error(e, potential, "element " + std::to_string(n), error);
     }
   error.report("axisymmetric residual as gradient of the potential", 1e-8);
 }

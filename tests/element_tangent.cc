@@ -92,21 +92,7 @@ test_potential()
                           (squares - (dim + 1) * mean * mean) /
                           ((dim + 1) * (dim + 2));
       };
-      e.evaluate(false);
-      const auto residual = e.element.residual;
-      for (unsigned int i = 0; i < e.n_dofs; ++i)
-        {
-          const double h = 1e-5, value = e.unknown(i);
-          e.unknown(i)       = value + h * e.unit(i);
-          const double plus  = potential();
-          e.unknown(i)       = value - h * e.unit(i);
-          const double minus = potential();
-          e.unknown(i)       = value;
-          error.add(
-            std::abs((plus - minus) / (2 * h) - residual[i] * e.unit(i)) /
-              (e.volume * G),
-            "element " + std::to_string(n) + ", entry " + std::to_string(i));
-        }
+      add_potential_error(e, potential, "element " + std::to_string(n), error);
     }
   error.report("residual as gradient of the potential, dim " +
                  std::to_string(dim),

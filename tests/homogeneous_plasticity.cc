@@ -7,14 +7,12 @@
 // shear and plane-strain tension with free sides. The references are written
 // here from the equations of the laws, with 2 x 2 matrices and bisection.
 
-#include <isochor/base/expression.h>
-#include <isochor/boundary_condition/boundary_condition.h>
-
 #include <algorithm>
 #include <array>
 #include <functional>
 
 #include "scene.h"
+#include "simple_shear.h"
 
 using namespace isochor;
 
@@ -28,52 +26,6 @@ const std::array<std::pair<std::string, std::string>, 2> formulations = {
 const std::string material_settings =
   "Material/Young modulus = 70\nMaterial/Poisson ratio = 0.3\n"
   "Material/J2/Yield stress = 0.5\nMaterial/Mohr-Coulomb/Cohesion = 0.2\n";
-
-namespace isochor
-{
-  /** Shears all active nodes, u_x = γ(t) y: for more than one step, in which
-   * points cross cells and plain integration is not in balance. */
-  template <int dim>
-  class SimpleShear : public BoundaryCondition<dim>
-  {
-  public:
-    static void
-    declare_parameters(ParameterHandler &prm)
-    {
-      prm.declare_entry("Simple shear", "", Patterns::Anything());
-    }
-
-    void
-    parse_parameters(ParameterHandler &prm) override
-    {
-      if (!prm.get("Simple shear").empty())
-        gamma = std::make_unique<Expression<dim>>(prm.get("Simple shear"),
-                                                  "Simple shear");
-    }
-
-    void
-    constrain(const StepContext<dim> &step,
-              NodalConstraints       &constraints) const override
-    {
-      if (!gamma)
-        return;
-      const double increment = (*gamma)(Point<dim>(), step.time) -
-                               (*gamma)(Point<dim>(), step.old_time);
-      for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
-        {
-          const Point<dim> x =
-            step.grid.geometry().vertices()[step.nodes.vertex(node)];
-          constraints.constrain(node * step.n_components, increment * x[1]);
-          constraints.constrain(node * step.n_components + 1, 0.);
-        }
-    }
-
-  private:
-    std::unique_ptr<Expression<dim>> gamma;
-  };
-
-  ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition, SimpleShear, "Simple shear")
-} // namespace isochor
 
 /** Cauchy stresses xx, yy, zz, xy. */
 using Stress = std::array<double, 4>;
@@ -193,7 +145,7 @@ test_shear(const std::string &model,
              "Grid/Upper corner = 2, 1\nGrid/Subdivisions = 8, 4\n"
              "Grid/Diagonals = alternating\n"
              "Material points/Region = x < 1\n"
-             "Boundary conditions/Simple shear = t\n") +
+             "Boundary conditions/Shear = t\n") +
           "Material points/Points per cell = 6\nNewton/Tolerance = 1e-11\n"
           "Newton/Maximum iterations = 40\n"
           "Time/Step size = " +

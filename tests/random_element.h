@@ -232,6 +232,31 @@ struct ScaledMatrix
   }
 };
 
+/** What the residual of @p e differs by from the central differences of its
+ * @p potential(). */
+template <int dim, int n_components, typename Potential>
+void
+add_potential_error(RandomElement<dim, n_components> &e,
+                    const Potential                  &potential,
+                    const std::string                &where,
+                    test::WorstError                 &error)
+{
+  e.evaluate(false);
+  const auto residual = e.element.residual;
+  for (unsigned int i = 0; i < e.n_dofs; ++i)
+    {
+      const double h = 1e-5, value = e.unknown(i);
+      e.unknown(i)       = value + h * e.unit(i);
+      const double plus  = potential();
+      e.unknown(i)       = value - h * e.unit(i);
+      const double minus = potential();
+      e.unknown(i)       = value;
+      error.add(std::abs((plus - minus) / (2 * h) - residual[i] * e.unit(i)) /
+                  (e.volume * e.G),
+                where + ", entry " + std::to_string(i));
+    }
+}
+
 /** A weight that changes the pressure by some G over an element, as far as the
  * laws have a density. */
 template <int dim>

@@ -224,15 +224,12 @@ namespace isochor
           return status;
         if constexpr (n_components == dim + 1)
           if (kernel.ppp_coefficient > 0)
-            {
-              CellCompliance compliance;
-              for (unsigned int q = begin; q < end; ++q)
-                kernel.add_compliance(points, q, points.measure(q), compliance);
-              kernel.add_pressure_projection(element,
-                                             compliance,
-                                             points.corners(geometry, k),
-                                             with_matrix);
-            }
+            kernel.add_pressure_projection(element,
+                                           kernel.compliance_of_points(points,
+                                                                       begin,
+                                                                       end),
+                                           points.corners(geometry, k),
+                                           with_matrix);
         system.add_element(first_element + k,
                            element.residual.data(),
                            with_matrix ? element.matrix.data() : nullptr,

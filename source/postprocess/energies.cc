@@ -264,19 +264,11 @@ namespace isochor
           add(cell.cell, cell.compliance, cell.corners);
       else
         for (unsigned int k = 0; k < points.cell.size(); ++k)
-          {
-            CellCompliance compliance;
-            for (unsigned int q = points.cell_start[k];
-                 q < points.cell_start[k + 1];
-                 ++q)
-              step.kernel.add_compliance(points,
-                                         q,
-                                         points.measure(q),
-                                         compliance);
-            add(points.cell[k],
-                compliance,
-                points.corners(step.grid.geometry(), k));
-          }
+          add(points.cell[k],
+              step.kernel.compliance_of_points(points,
+                                               points.cell_start[k],
+                                               points.cell_start[k + 1]),
+              points.corners(step.grid.geometry(), k));
       return energy;
     }
 

@@ -36,8 +36,10 @@ namespace isochor
     const bool has_weight =
       gravity.norm() > 0 &&
       !(scene.has_inertia() && number_of_parts(step, setup.all_elements()) > 1);
-    scene.kernel.hydrostatic_acceleration =
-      has_weight ? gravity - mean_acceleration : Tensor<1, dim>();
+    Tensor<1, dim> &weight = scene.kernel.hydrostatic_acceleration;
+    weight = has_weight ? gravity - mean_acceleration : Tensor<1, dim>();
+    if (scene.kernel.axisymmetric)
+      weight[0] = 0.; // radial accelerations add up to none
   }
 
 

@@ -120,11 +120,13 @@ namespace isochor
     inspect_equations(const Inspector &inspect, const bool has_inertia)
     {
       if (inspect.value({"Formulation", "Type"}) == "u")
-        for (const char *name : {"Stabilisation", "PPP coefficient"})
+        for (const char *name :
+             {"Stabilisation", "PPP coefficient", "PPP leaves out weight"})
           inspect.idle({"Formulation", name}, "with <Formulation/Type = u>");
       else if (inspect.value({"Formulation", "Stabilisation"}) == "none")
-        inspect.idle({"Formulation", "PPP coefficient"},
-                     "with <Formulation/Stabilisation = none>");
+        for (const char *name : {"PPP coefficient", "PPP leaves out weight"})
+          inspect.idle({"Formulation", name},
+                       "with <Formulation/Stabilisation = none>");
       if (!has_inertia)
         inspect.idle_section(
           {"Dynamics"},

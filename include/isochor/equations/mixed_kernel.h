@@ -106,6 +106,18 @@ namespace isochor
       compliance.mass += V * material.density() / material.shear_modulus();
     }
 
+    /** That of the points [begin, end) of a cell. */
+    CellCompliance
+    compliance_of_points(const PointArrays<dim> &points,
+                         const unsigned int      begin,
+                         const unsigned int      end) const
+    {
+      CellCompliance compliance;
+      for (unsigned int q = begin; q < end; ++q)
+        add_compliance(points, q, points.measure(q), compliance);
+      return compliance;
+    }
+
     /** Whether evaluate() can be used: what multiplies the unknowns in the
      * strain is the same at all points of an element. */
     bool
