@@ -4,48 +4,15 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/disjoint_sets.h>
 #include <isochor/equations/connected_parts.h>
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace isochor
 {
-  namespace
-  {
-    /** Sets of nodes that are merged one by one. */
-    class DisjointSets
-    {
-    public:
-      explicit DisjointSets(const unsigned int n)
-        : parent(n)
-      {
-        std::iota(parent.begin(), parent.end(), 0);
-      }
-
-      unsigned int
-      root(unsigned int i)
-      {
-        while (parent[i] != i)
-          i = parent[i] = parent[parent[i]];
-        return i;
-      }
-
-      void
-      merge(const unsigned int i, const unsigned int j)
-      {
-        parent[root(i)] = root(j);
-      }
-
-    private:
-      std::vector<unsigned int> parent;
-    };
-  } // namespace
-
-
-
   template <int dim>
   unsigned int
   number_of_parts(const StepContext<dim> &step, const ElementNodes &elements)
@@ -57,13 +24,29 @@ namespace isochor
            ++i)
         sets.merge(elements.node[elements.start[e]], elements.node[i]);
 
+    const auto is_vertex = [&](const unsigned int node) {
+      return step.nodes.control_node(node) == nullptr;
+    };
+    const MPI_Comm comm    = step.grid.communicator();
+    unsigned int   n_parts = 0;
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      {
+        std::vector<bool> seen(n_local, false);
+        for (unsigned int node = 0; node < n_local; ++node)
+          if (is_vertex(node) && !seen[sets.root(node)])
+            {
+              seen[sets.root(node)] = true;
+              ++n_parts;
+            }
+        return n_parts;
+      }
+
     // the least vertex of a part is its name; what ranks have in common lets it
     // go round
     NodalField name;
     step.nodes.initialize(name, 1);
     for (unsigned int node = 0; node < n_local; ++node)
       name.local_element(node) = step.nodes.vertex(node);
-    const MPI_Comm comm = step.grid.communicator();
     for (bool changed = true; changed;)
       {
         std::vector<double> least(n_local, std::numeric_limits<double>::max());
@@ -81,14 +64,12 @@ namespace isochor
               changed                  = true;
             }
         changed = Utilities::MPI::max(changed ? 1 : 0, comm) != 0;
-        if (Utilities::MPI::n_mpi_processes(comm) == 1)
-          break;
         name.compress(VectorOperation::min);
         name.update_ghost_values();
       }
-    unsigned int n_parts = 0;
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
-      if (name.local_element(node) == step.nodes.vertex(node))
+      if (is_vertex(node) &&
+          name.local_element(node) == step.nodes.vertex(node))
         ++n_parts;
     return Utilities::MPI::sum(n_parts, comm);
   }

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/disjoint_sets.h>
 #include <isochor/base/mpi_sums.h>
 #include <isochor/material_points/point_spacing.h>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <unordered_map>
 
 namespace isochor
 {
@@ -40,14 +42,18 @@ namespace isochor
       return sum;
     }
 
-    /** The entries of all ranks. */
+    /** The entries of all ranks, each once and in order. */
     std::vector<unsigned int>
-    gather_from_all(const std::set<unsigned int> &cells, const MPI_Comm comm)
+    gather_from_all(const std::vector<unsigned int> &cells, const MPI_Comm comm)
     {
       std::vector<unsigned int> all;
-      for (const auto &of_rank : Utilities::MPI::all_gather(
-             comm, std::vector<unsigned int>(cells.begin(), cells.end())))
-        all.insert(all.end(), of_rank.begin(), of_rank.end());
+      if (Utilities::MPI::n_mpi_processes(comm) == 1) // packing takes its time
+        all = cells;
+      else
+        for (const auto &of_rank : Utilities::MPI::all_gather(comm, cells))
+          all.insert(all.end(), of_rank.begin(), of_rank.end());
+      std::sort(all.begin(), all.end());
+      all.erase(std::unique(all.begin(), all.end()), all.end());
       return all;
     }
 
@@ -127,7 +133,8 @@ namespace isochor
       held.insert(corner.second);
     std::set<unsigned int> body = held;
     body.insert(bare.begin(), bare.end());
-    const unsigned int n_held = n_pieces(held), n_body = n_pieces(body);
+    const unsigned int n_held = n_pieces({held.begin(), held.end()}),
+                       n_body = n_pieces({body.begin(), body.end()});
     if (n_held > n_body)
       text << " The body falls apart into " << n_held << " pieces instead of "
            << n_body << ".";
@@ -145,9 +152,10 @@ namespace isochor
     // domains connect what the cells of the points don't
     if (points.has_stencils())
       return;
-    const std::set<unsigned int> cells(points.cell.begin(), points.cell.end());
-    const unsigned int           by_faces = n_pieces(cells),
-                       by_vertices        = n_pieces(cells, false);
+    const unsigned int by_faces = n_pieces(points.cell);
+    if (by_faces == 1)
+      return;
+    const unsigned int by_vertices = n_pieces(points.cell, false);
     if (by_faces == by_vertices)
       return;
     warnings.add("a part of the body hangs on a vertex",
@@ -308,39 +316,30 @@ namespace isochor
 
   template <int dim>
   unsigned int
-  PointSpacing<dim>::n_pieces(const std::set<unsigned int> &cells,
-                              const bool                    by_faces) const
+  PointSpacing<dim>::n_pieces(const std::vector<unsigned int> &own_cells,
+                              const bool                       by_faces) const
   {
-    // trees over the cells, of which the lowest is the root
-    std::map<unsigned int, unsigned int> parent;
-    const auto                           root = [&](unsigned int cell) {
-      while (parent.at(cell) != cell)
-        cell = parent[cell] = parent.at(parent.at(cell));
-      return cell;
-    };
-    for (const unsigned int cell : gather_from_all(cells, grid.communicator()))
-      parent.emplace(cell, cell);
-    std::map<unsigned int, unsigned int> cell_at_vertex;
-    const auto                           connect = [&](const unsigned int cell,
-                             const unsigned int other) {
-      const unsigned int a = root(cell), b = root(other);
-      parent[std::max(a, b)] = std::min(a, b);
-    };
-    for (const auto &entry : parent)
-      if (by_faces)
-        {
-          for (const unsigned int other :
-               grid.geometry().neighbours(entry.first))
-            if (parent.count(other) != 0)
-              connect(entry.first, other);
-        }
-      else
-        for (const unsigned int v : grid.geometry().vertex_indices(entry.first))
-          connect(entry.first,
-                  cell_at_vertex.emplace(v, entry.first).first->second);
-    return std::count_if(parent.begin(), parent.end(), [](const auto &entry) {
-      return entry.first == entry.second;
-    });
+    const SimplexGeometry<dim>     &geometry = grid.geometry();
+    const std::vector<unsigned int> cells =
+      gather_from_all(own_cells, grid.communicator());
+    DisjointSets pieces(cells.size());
+    if (by_faces)
+      for (unsigned int k = 0; k < cells.size(); ++k)
+        for (const unsigned int other : geometry.neighbours(cells[k]))
+          {
+            const auto place =
+              std::lower_bound(cells.begin(), cells.begin() + k, other);
+            if (place != cells.begin() + k && *place == other)
+              pieces.merge(k, place - cells.begin());
+          }
+    else
+      {
+        std::unordered_map<unsigned int, unsigned int> cell_at_vertex;
+        for (unsigned int k = 0; k < cells.size(); ++k)
+          for (const unsigned int v : geometry.vertex_indices(cells[k]))
+            pieces.merge(k, cell_at_vertex.emplace(v, k).first->second);
+      }
+    return pieces.size();
   }
 
 

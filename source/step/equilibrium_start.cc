@@ -33,9 +33,11 @@ namespace isochor
       gravity += condition->body_acceleration(time);
     // nothing without weight: an acceleration may be rounding over h². And
     // bodies apart from each other have no acceleration in common.
+    if (gravity.norm() > 0 && scene.has_inertia() &&
+        (setup.was_laid_out() || n_parts == 0))
+      n_parts = number_of_parts(step, setup.all_elements());
     const bool has_weight =
-      gravity.norm() > 0 &&
-      !(scene.has_inertia() && number_of_parts(step, setup.all_elements()) > 1);
+      gravity.norm() > 0 && !(scene.has_inertia() && n_parts > 1);
     Tensor<1, dim> &weight = scene.kernel.hydrostatic_acceleration;
     weight = has_weight ? gravity - mean_acceleration : Tensor<1, dim>();
     if (scene.kernel.axisymmetric)

@@ -10,7 +10,8 @@
 
 namespace isochor
 {
-  /** How many parts the active nodes fall into if the nodes of an element of
+  /** How many parts the active nodes (control nodes don't count) fall into if
+   * the nodes of an element of
    * @p elements (those of this rank) belong together: bodies that touch no cell
    * in common are parts of their own. Collective. */
   template <int dim>

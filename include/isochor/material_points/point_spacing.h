@@ -76,8 +76,8 @@ namespace isochor
     /** Into how many pieces, not connected by any face, or by any vertex, the
      * cells of all ranks fall. */
     unsigned int
-    n_pieces(const std::set<unsigned int> &cells,
-             const bool                    by_faces = true) const;
+    n_pieces(const std::vector<unsigned int> &own_cells,
+             const bool                       by_faces = true) const;
     /** Warn if, at the start, a part of the body hangs on a vertex. */
     void
     warn_of_hinges(const PointArrays<dim> &points, Warnings &warnings) const;

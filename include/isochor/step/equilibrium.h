@@ -126,7 +126,8 @@ namespace isochor
     void
     set_external_force();
     /** What the stabilisation takes for the body's weight: gravity at the end
-     * of the step less the mean acceleration at its start. */
+     * of the step; with inertia gravity less the mean acceleration, both at its
+     * start. */
     void
     set_weight();
     void
@@ -195,6 +196,9 @@ namespace isochor
     bool   at_start    = true;
     double force_floor = 0, volume_floor = 0;
     bool   scene_checked = false;
+    /** How many bodies apart from each other the active nodes form (0: not
+     * counted yet). */
+    unsigned int n_parts = 0;
   };
 } // namespace isochor
 
