@@ -196,10 +196,11 @@ namespace isochor
   NewtonReport
   Equilibrium<dim>::solve()
   {
-    const bool   predicted = predict();
-    NewtonReport report    = solve_with_contact();
-    if (!report.converged && predicted)
+    is_predicted        = predict();
+    NewtonReport report = solve_with_contact();
+    if (!report.converged && is_predicted)
       {
+        is_predicted = false;
         start_from_rest();
         report = solve_with_contact();
       }
@@ -362,6 +363,7 @@ namespace isochor
       relinearise();
       system.project_changing(unknowns);
     };
+    problem.has_other_start = is_predicted;
     relinearise();
     system.interpolate_followers(unknowns); // wherever it starts from
     return newton_solver.solve(problem, terminal.log());

@@ -111,6 +111,10 @@ namespace isochor
       std::function<bool()> has_factorisation;
       /** Set the iterate to (the one at the last solve) + s (correction). */
       std::function<void(const double s)> advance;
+      /** Whether the caller has a safer place to start from: this one is then
+       * given up when two corrections one after another had to be shortened to
+       * a quarter or less. */
+      bool has_other_start = false;
     };
 
     static void
@@ -158,7 +162,8 @@ namespace isochor
 
     /** Whether the iteration ends here; @p report then says how. */
     bool
-    finished(const Gauge         &gauge,
+    finished(const Problem       &problem,
+             const Gauge         &gauge,
              const ResidualNorms &norms,
              NewtonReport        &report) const;
 

@@ -193,7 +193,9 @@ namespace isochor
     /** Forces of the boundary conditions that are terms of the equations. */
     NodalField boundary_force;
     /** Whether the iterate is where the step starts. */
-    bool   at_start    = true;
+    bool at_start = true;
+    /** Whether the step starts from the last motion, extrapolated. */
+    bool   is_predicted = false;
     double force_floor = 0, volume_floor = 0;
     bool   scene_checked = false;
     /** How many bodies apart from each other the active nodes form (0: not
