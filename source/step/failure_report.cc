@@ -301,6 +301,18 @@ namespace isochor
               "). Lower <Time/Minimum step size>, look for what happens at "
               "the place of the residual, or use <Dynamics/Inertia = true> "
               "where the body snaps.";
+    else if (evidence.has_lost_stiffness() && !(evidence.plastic_share > 0))
+      text +=
+        "No equilibrium found near t = " + rounded(time.time) +
+        ", and nothing has yielded. Evidence: " + evidence.text() +
+        ". An elastic body may buckle or snap: to follow it, prescribe "
+        "displacements instead of loads, or give it inertia "
+        "(<Dynamics/Inertia = true>). " +
+        (failure.forces_jump ?
+           "But with this quadrature forces jump where points change cells, "
+           "which alone can end a run: try <Quadrature/Type = CPDI> first." :
+           "It may also be a cell that has folded: try a finer grid, more "
+           "points or smaller steps.");
     else if (evidence.has_lost_stiffness())
       text +=
         "No equilibrium found: limit load near t = " + rounded(time.time) +

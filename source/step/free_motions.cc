@@ -418,4 +418,43 @@ namespace isochor
       }
     return free_bodies;
   }
+
+
+
+  bool
+  has_free_pressure(const SparseSystem &A)
+  {
+    // A v for v = 1 at the pressures, and |A| v: by displacement equation, and
+    // summed over the pressure equations at last
+    const types::global_dof_index    n = A.n_equations;
+    std::vector<double>              sum(n + 1, 0.), size(n + 1, 0.);
+    bool                             any = false;
+    for (unsigned int i = 0; i + 1 < A.row_start.size(); ++i)
+      for (std::size_t k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
+        {
+          const unsigned int j      = A.column[k];
+          const bool         row    = !is_displacement(A, i);
+          const bool         column = !is_displacement(A, j);
+          const auto add = [&](const types::global_dof_index at) {
+            sum[at] += A.values[k];
+            size[at] += std::abs(A.values[k]);
+          };
+          any = any || row;
+          if (column)
+            add(row ? n : A.global_equation[i]);
+          if (row && A.symmetric && i != j)
+            add(column ? n : A.global_equation[j]);
+        }
+    Utilities::MPI::sum(sum, A.comm, sum);
+    Utilities::MPI::sum(size, A.comm, size);
+    const auto largest = [](const std::vector<double> &values) {
+      double result = 0;
+      for (unsigned int i = 0; i + 1 < values.size(); ++i)
+        result = std::max(result, std::abs(values[i]));
+      return result;
+    };
+    return Utilities::MPI::max(any ? 1 : 0, A.comm) != 0 &&
+           largest(sum) <= relative_zero * largest(size) &&
+           std::abs(sum[n]) <= relative_zero * size[n];
+  }
 } // namespace isochor

@@ -152,6 +152,7 @@ namespace isochor
                                    dragged,
                                    loaded,
                                    scene.has_inertia(),
+                                   scene.quadrature->forces_jump(),
                                    output_directory});
   }
 

@@ -115,6 +115,15 @@ namespace isochor
       postprocessor->check_scene(step);
     if (!scene.has_inertia())
       check_supports(matrix, step.warnings);
+    if (scene.mixed() && has_free_pressure(matrix))
+      step.warnings.add(
+        "a pressure that nothing determines",
+        "The material is incompressible (<Material/Poisson ratio> = 0.5) and "
+        "the whole surface of the body is held, so that a pressure that is "
+        "the same everywhere acts on nothing: pressures are known up to a "
+        "constant only, which may be anything and change from step to step. "
+        "Look at differences of pressure, leave a part of the surface free, or "
+        "let the material be compressible (0.4999).");
   }
 
 

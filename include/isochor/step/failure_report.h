@@ -38,8 +38,10 @@ namespace isochor
       /** Whether boundary points drag the body. */
       bool dragged;
       /** Whether loads act, not displacements only. */
-      bool               loaded;
-      bool               dynamic;
+      bool loaded;
+      bool dynamic;
+      /** Whether forces jump when points change cells, see BodyQuadrature. */
+      bool               forces_jump;
       const std::string &directory;
     };
 

@@ -35,6 +35,12 @@ namespace isochor
    */
   std::vector<FreeBody>
   find_free_bodies(const SparseSystem &A);
+
+  /** Whether a pressure that is the same everywhere acts on nothing in the
+   * matrix @p A: the bodies are incompressible and held all around, so that
+   * their pressure is known up to a constant only. Collective. */
+  bool
+  has_free_pressure(const SparseSystem &A);
 } // namespace isochor
 
 #endif
