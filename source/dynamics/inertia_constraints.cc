@@ -308,6 +308,9 @@ namespace isochor
       return;
     for (auto &equation : constraints.equations)
       {
+        // an equation has displacements or pressures, not both
+        if (constraints.entry[equation.first] % nc == dim)
+          continue;
         equation.value = 0;
         for (std::size_t i = equation.first; i < equation.last; ++i)
           equation.value += constraints.coefficient[i] *
