@@ -34,7 +34,8 @@ namespace isochor
         return;
       const auto &vertices = step.grid.geometry().vertices();
       for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
-        if (vertices[step.nodes.vertex(node)][0] <= rounding)
+        if (!step.nodes.control_node(node) &&
+            vertices[step.nodes.vertex(node)][0] <= rounding)
           constraints.constrain(node * step.n_components, 0.);
     }
 

@@ -11,42 +11,31 @@
 
 namespace isochor
 {
-  namespace
+  template <int dim>
+  GridSide<dim>
+  side_of(const BackgroundGrid<dim> &grid,
+          const std::string         &boundary,
+          const std::string         &parameter)
   {
-    /** A side of the grid: the mean direction into the grid, of length one
-     * where it is flat, and the largest cell. */
-    template <int dim>
-    struct Side
-    {
-      Tensor<1, dim> inwards;
-      double         cell_size = 0;
-    };
-
-    template <int dim>
-    Side<dim>
-    side_of(const BackgroundGrid<dim> &grid, const std::string &boundary)
-    {
-      const SimplexGeometry<dim> &geometry = grid.geometry();
-      const types::boundary_id    id =
-        grid.boundary_id(boundary, "Boundary conditions/Displacement");
-      Side<dim> side;
-      double    area = 0;
-      for (const BoundaryFace &face : grid.boundary_faces())
-        if (face.id == id)
-          {
-            // |e| ∇N of the opposite vertex is the face's area over dim
-            const Tensor<1, dim> normal =
-              geometry.measure(face.cell) *
-              geometry.gradients(face.cell)[face.opposite_vertex];
-            side.inwards += normal;
-            area += normal.norm();
-            side.cell_size =
-              std::max(side.cell_size, cell_size(geometry, face.cell));
-          }
-      side.inwards /= area;
-      return side;
-    }
-  } // namespace
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    const types::boundary_id    id = grid.boundary_id(boundary, parameter);
+    GridSide<dim>               side;
+    double                      area = 0;
+    for (const BoundaryFace &face : grid.boundary_faces())
+      if (face.id == id)
+        {
+          // |e| ∇N of the opposite vertex is the face's area over dim
+          const Tensor<1, dim> normal =
+            geometry.measure(face.cell) *
+            geometry.gradients(face.cell)[face.opposite_vertex];
+          side.inwards += normal;
+          area += normal.norm();
+          side.cell_size =
+            std::max(side.cell_size, cell_size(geometry, face.cell));
+        }
+    side.inwards /= area;
+    return side;
+  }
 
 
 
@@ -99,16 +88,18 @@ namespace isochor
   template <int dim>
   void
   warn_of_wall_inside(const StepContext<dim> &step,
+                      const std::string      &parameter,
                       const std::string      &boundary,
                       const unsigned int      component,
                       const int               side)
   {
-    if (side * side_of(step.grid, boundary).inwards[component] >= -0.5)
+    if (side * side_of(step.grid, boundary, parameter).inwards[component] >=
+        -0.5)
       return;
     step.warnings.add(
       "a wall that pushes outwards",
-      "<Boundary conditions/Displacement = " + boundary + ": " +
-        "xyz"[component] + " " + (side > 0 ? ">" : "<") +
+      "<" + parameter + " = " + boundary + ": " + "xyz"[component] + " " +
+        (side > 0 ? ">" : "<") +
         "= ...> holds the body only as long as it is pulled away from the "
         "boundary, as if a wall stood inside of it. A wall at this boundary "
         "is '" +
@@ -120,16 +111,16 @@ namespace isochor
   template <int dim>
   void
   warn_of_lost_body(const StepContext<dim> &step,
+                    const std::string      &parameter,
                     const std::string      &boundary,
                     const unsigned int      component,
                     const double            push)
   {
-    warn_of_body_left_behind(step,
-                             boundary,
-                             "Boundary conditions/Displacement = " + boundary +
-                               ": " + "xyz"[component] + " = ...",
-                             push *
-                               side_of(step.grid, boundary).inwards[component]);
+    warn_of_body_left_behind(
+      step,
+      boundary,
+      parameter + " = " + boundary + ": " + "xyz"[component] + " = ...",
+      push * side_of(step.grid, boundary, parameter).inwards[component]);
   }
 
 
@@ -141,7 +132,7 @@ namespace isochor
                            const std::string      &condition,
                            const double            along)
   {
-    const double size = side_of(step.grid, boundary).cell_size;
+    const double size = side_of(step.grid, boundary, condition).cell_size;
     if (along <= 0.5 * size)
       return;
     step.warnings.add(
@@ -158,6 +149,10 @@ namespace isochor
 
 
 
+  template GridSide<2>
+  side_of(const BackgroundGrid<2> &, const std::string &, const std::string &);
+  template GridSide<3>
+  side_of(const BackgroundGrid<3> &, const std::string &, const std::string &);
   template void
   warn_if_untouched<2>(const StepContext<2> &,
                        const std::string &,
@@ -173,20 +168,24 @@ namespace isochor
   template void
   warn_of_wall_inside(const StepContext<2> &,
                       const std::string &,
+                      const std::string &,
                       const unsigned int,
                       const int);
   template void
   warn_of_wall_inside(const StepContext<3> &,
+                      const std::string &,
                       const std::string &,
                       const unsigned int,
                       const int);
   template void
   warn_of_lost_body(const StepContext<2> &,
                     const std::string &,
+                    const std::string &,
                     const unsigned int,
                     const double);
   template void
   warn_of_lost_body(const StepContext<3> &,
+                    const std::string &,
                     const std::string &,
                     const unsigned int,
                     const double);

@@ -60,7 +60,7 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm) override
     {
-      const std::string name = "Boundary conditions/Displacement";
+      const std::string name = parameter();
       for (const auto &entry : split_named_list(prm.get("Displacement"), name))
         for (const auto &item : split_formulas(entry.second, name))
           parse_item(entry.first, item, name);
@@ -74,9 +74,7 @@ namespace isochor
         {
           const bool everywhere = condition.boundary == "everywhere";
           const types::boundary_id id =
-            everywhere ? 0 :
-                         grid.boundary_id(condition.boundary,
-                                          "Boundary conditions/Displacement");
+            everywhere ? 0 : grid.boundary_id(condition.boundary, parameter());
           std::set<unsigned int> vertices;
           for (const BoundaryFace &face : grid.boundary_faces())
             if (everywhere || face.id == id)
@@ -105,27 +103,38 @@ namespace isochor
     void
     check_scene(const StepContext<dim> &step) const override
     {
-      const std::string     parameter = "Boundary conditions/Displacement";
       std::set<std::string> done;
       for (const auto &condition : conditions)
         if (done.insert(condition.boundary).second)
           {
             const bool everywhere = condition.boundary == "everywhere";
             warn_if_untouched(step,
-                              parameter,
+                              parameter(),
                               condition.boundary,
                               everywhere ?
                                 0 :
                                 step.grid.boundary_id(condition.boundary,
-                                                      parameter),
+                                                      parameter()),
                               everywhere);
           }
       for (const auto &condition : conditions)
         if (condition.side != 0 && condition.boundary != "everywhere")
           warn_of_wall_inside(step,
+                              parameter(),
                               condition.boundary,
                               condition.component,
                               condition.side);
+    }
+
+    std::vector<unsigned int>
+    held_vertices() const override
+    {
+      std::vector<unsigned int> held;
+      for (const auto &condition : conditions)
+        held.insert(held.end(),
+                    condition.vertices.begin(),
+                    condition.vertices.end());
+      return held;
     }
 
     void
@@ -202,6 +211,12 @@ namespace isochor
     }
 
   private:
+    std::string
+    parameter() const
+    {
+      return NamedPlugin::parameter("Displacement");
+    }
+
     struct Condition
     {
       std::string  boundary;
@@ -227,7 +242,8 @@ namespace isochor
             push = u;
         }
       if (push != 0)
-        warn_of_lost_body(step, condition.boundary, condition.component, push);
+        warn_of_lost_body(
+          step, parameter(), condition.boundary, condition.component, push);
     }
 
     void
@@ -456,10 +472,7 @@ namespace isochor
         if (objects)
           names += (names.empty() ? "" : ", ") + condition.boundary;
       }
-    return search.change(objections,
-                         nodes,
-                         "Boundary conditions/Displacement",
-                         names);
+    return search.change(objections, nodes, parameter(), names);
   }
 
   ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition,

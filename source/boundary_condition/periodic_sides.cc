@@ -131,6 +131,22 @@ namespace isochor
           touched.push_back(nodes.control_vertex(first_control + k));
     }
 
+    void
+    set_held_vertices(const std::vector<unsigned int> &held) override
+    {
+      vertices.share(held);
+    }
+
+    std::string
+    force_column(const std::string &boundary) const override
+    {
+      for (const Pair &pair : pairs)
+        if (boundary == pair.first || boundary == pair.second)
+          return "Force x through " + pair.first + " and " + pair.second +
+                 " (N)";
+      return {};
+    }
+
     std::vector<unsigned int>
     vertices_never_tied() const override
     {
@@ -167,7 +183,9 @@ namespace isochor
               for (const unsigned int k : image.pairs)
                 if (a < dim)
                   terms.emplace_back(control(step, k) * nc + a, -1.);
-              constraints.add(Precedence::periodic, terms, 0.).n_pivots = 0;
+              auto &equation = constraints.add(Precedence::periodic, terms, 0.);
+              equation.n_pivots     = 0;
+              equation.known_to_all = image.shared;
             }
         }
       if (hold_corner)

@@ -109,6 +109,7 @@ namespace isochor
   {
     all_images.clear();
     images_of_root.clear();
+    shared.clear();
     std::vector<std::map<unsigned int, unsigned int>> first_of;
     std::set<unsigned int>                            seconds;
     for (const auto &pair : pairs)
@@ -119,7 +120,7 @@ namespace isochor
       }
     for (const unsigned int vertex : seconds)
       {
-        Image image{vertex, vertex, {}};
+        Image image{vertex, vertex, {}, true};
         for (bool moved = true; moved;)
           {
             moved = false;
@@ -142,7 +143,28 @@ namespace isochor
         std::sort(image.pairs.begin(), image.pairs.end());
         all_images.push_back(image);
         images_of_root[image.root].push_back(vertex);
+        shared[image.root] = true;
       }
+  }
+
+
+
+  template <int dim>
+  void
+  PeriodicVertices<dim>::share(const std::vector<unsigned int> &held)
+  {
+    for (const auto &root : images_of_root)
+      {
+        const auto is_held = [&held](const unsigned int v) {
+          return std::binary_search(held.begin(), held.end(), v);
+        };
+        shared[root.first] =
+          is_held(root.first) +
+            std::count_if(root.second.begin(), root.second.end(), is_held) >
+          1;
+      }
+    for (Image &image : all_images)
+      image.shared = shared.at(image.root);
   }
 
 
@@ -202,7 +224,7 @@ namespace isochor
           return grid.vertex_owner(v) == rank;
         };
         if (by_any[k] != 0 &&
-            (by_this[k] != 0 || owns(root.first) ||
+            (by_this[k] != 0 || shared.at(root.first) || owns(root.first) ||
              std::any_of(root.second.begin(), root.second.end(), owns)))
           {
             touched.push_back(root.first);

@@ -399,6 +399,29 @@ namespace isochor
 
 
 
+  template <int dim>
+  std::pair<double, double>
+  RigidSide<dim>::moved_by(const BackgroundGrid<dim> &grid,
+                           const Tensor<1, dim>      &direction) const
+  {
+    // at t = 0 the reference point was at centre - moved
+    double largest = 0, along = 0;
+    for (const unsigned int v : side_vertices)
+      {
+        const Vector3 r =
+          in_space(grid.geometry().vertices()[v]) - (centre - moved);
+        const Vector3 u = moved + R * r - r;
+        largest         = std::max(largest, u.norm());
+        double product  = 0;
+        for (unsigned int d = 0; d < dim; ++d)
+          product += u[d] * direction[d];
+        along = std::max(along, product);
+      }
+    return {largest, along};
+  }
+
+
+
   template class RigidSide<2>;
   template class RigidSide<3>;
 } // namespace isochor

@@ -122,6 +122,40 @@ namespace isochor
 
 
   template <int dim>
+  bool
+  RigidSide<dim>::rotation_is_pinned(const StepContext<dim> &step,
+                                     const NodalConstraints &constraints) const
+  {
+    const unsigned int turned = rotation_node(step);
+    if (turned == numbers::invalid_unsigned_int)
+      return false;
+    bool pinned = false;
+    for (unsigned int r = 0; r < n_rotations; ++r)
+      {
+        if (rotation[r])
+          return false;
+        pinned =
+          pinned || constraints.constrained[turned * step.n_components + r] ==
+                      NodalConstraints::follows;
+      }
+    return pinned;
+  }
+
+
+
+  template <int dim>
+  void
+  RigidSide<dim>::take_given_moment(const StepContext<dim> &step,
+                                    std::array<double, 6>  &resultant) const
+  {
+    const Vector3 M = moment_at(step.time);
+    for (unsigned int d = 0; d < 3; ++d)
+      resultant[3 + d] = M[d];
+  }
+
+
+
+  template <int dim>
   typename RigidSide<dim>::Vector3
   RigidSide<dim>::total_after(const Vector3      &step,
                               const Tensor<2, 3> &R_after) const
@@ -235,6 +269,12 @@ namespace isochor
                                  const unsigned int,
                                  const double,
                                  std::array<double, 6> &) const;
+  template bool
+  RigidSide<2>::rotation_is_pinned(const StepContext<2> &,
+                                   const NodalConstraints &) const;
+  template void
+  RigidSide<2>::take_given_moment(const StepContext<2> &,
+                                  std::array<double, 6> &) const;
   template Tensor<1, 3>
   RigidSide<2>::total_after(const Tensor<1, 3> &, const Tensor<2, 3> &) const;
   template void
@@ -269,6 +309,12 @@ namespace isochor
                                  const unsigned int,
                                  const double,
                                  std::array<double, 6> &) const;
+  template bool
+  RigidSide<3>::rotation_is_pinned(const StepContext<3> &,
+                                   const NodalConstraints &) const;
+  template void
+  RigidSide<3>::take_given_moment(const StepContext<3> &,
+                                  std::array<double, 6> &) const;
   template Tensor<1, 3>
   RigidSide<3>::total_after(const Tensor<1, 3> &, const Tensor<2, 3> &) const;
   template void

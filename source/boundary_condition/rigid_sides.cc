@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/rigid_side.h>
 
@@ -156,6 +157,15 @@ namespace isochor
         }
     }
 
+    std::vector<unsigned int>
+    held_vertices() const override
+    {
+      std::vector<unsigned int> held;
+      for (const auto &side : sides)
+        held.insert(held.end(), side.vertices().begin(), side.vertices().end());
+      return held;
+    }
+
     void
     constrain(const StepContext<dim> &step,
               NodalConstraints       &constraints) const override
@@ -296,13 +306,48 @@ namespace isochor
       for (unsigned int s = 0; s < sides.size(); ++s)
         {
           sum_over_ranks(sums[s], step.grid.communicator());
+          if (sides[s].rotation_is_pinned(step, constraints))
+            sides[s].take_given_moment(step, sums[s]);
           sides[s].set_statistics(step, unknowns, sums[s], statistics);
         }
+    }
+
+    std::string
+    why_points_left(const StepContext<dim> &step) const override
+    {
+      std::string text;
+      for (const auto &side : sides)
+        {
+          const auto place =
+            isochor::side_of(step.grid, side.name(), parameter());
+          const double outward =
+            side.moved_by(step.grid, -place.inwards).second;
+          if (outward > 0)
+            text += (text.empty() ? "" : " ") + ("<" + parameter() + "> has ") +
+                    "moved <" + side.name() + "> by " + rounded(outward) +
+                    " m out of the grid, whose cells there have a size of " +
+                    rounded(place.cell_size) +
+                    " m: a side that takes the body along needs a grid that "
+                    "is kept, <Grid reset/Steps between resets = 0> and "
+                    "<Grid reset/Smallest element quality = 0>.";
+        }
+      return text;
     }
 
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override
     {
+      if (step.old_time > 0 && !step.grid_is_kept && !step.grid.is_moving())
+        for (const auto &side : sides)
+          warn_of_body_left_behind(
+            step,
+            side.name(),
+            parameter() + " = " + side.name() + ": ...",
+            side
+              .moved_by(
+                step.grid,
+                isochor::side_of(step.grid, side.name(), parameter()).inwards)
+              .second);
       for (auto &side : sides)
         side.advance(step, unknowns);
     }

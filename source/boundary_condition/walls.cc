@@ -135,6 +135,15 @@ namespace isochor
                           step.grid.boundary_id(wall.boundary, parameter()));
     }
 
+    std::vector<unsigned int>
+    held_vertices() const override
+    {
+      std::vector<unsigned int> held;
+      for (const Wall &wall : walls)
+        wall.add_vertices(held);
+      return held;
+    }
+
     void
     constrain(const StepContext<dim> &step,
               NodalConstraints       &constraints) const override

@@ -159,9 +159,13 @@ namespace isochor
     StepContext<dim> until = step;
     until.time             = step.old_time + part * step.step_size();
     NodalConstraints constraints;
-    constraints.reinit(step.nodes.n_local() * step.n_components);
+    constraints.reinit(step.nodes.n_local() * step.n_components,
+                       step.nodes.control_entries(step.n_components));
     for (const auto &condition : conditions)
-      condition->constrain(until, constraints);
+      {
+        constraints.source = condition->name;
+        condition->constrain(until, constraints);
+      }
     if (part > 0 && constraints.equations.empty())
       return constraints; // nothing but prescribed unknowns
     contact = constraints;
@@ -308,6 +312,9 @@ namespace isochor
       return;
     for (auto &equation : constraints.equations)
       {
+        // an equation has displacements or pressures, not both
+        if (constraints.entry[equation.first] % nc == dim)
+          continue;
         equation.value = 0;
         for (std::size_t i = equation.first; i < equation.last; ++i)
           equation.value += constraints.coefficient[i] *

@@ -108,6 +108,21 @@ namespace isochor
 
 
   template <int dim>
+  std::vector<unsigned int>
+  ActiveNodes<dim>::control_entries(const unsigned int n_components) const
+  {
+    std::vector<unsigned int> entries;
+    for (unsigned int k = 0; k < control.size(); ++k)
+      if (const unsigned int i = node(control_vertex(k));
+          i != numbers::invalid_unsigned_int)
+        for (unsigned int a = 0; a < n_components; ++a)
+          entries.push_back(i * n_components + a);
+    return entries;
+  }
+
+
+
+  template <int dim>
   void
   ActiveNodes<dim>::initialize(NodalField        &field,
                                const unsigned int n_components) const

@@ -35,12 +35,10 @@ namespace isochor
                            const NodalConstraints &constraints,
                            const bool              symmetric)
   {
-    const MPI_Comm comm = nodes.grid.communicator();
-    const bool     changed =
-      nodes_changed || n_components != n_components_ ||
-      system.symmetric != symmetric || !(elements == elements_) ||
-      constrained != constraints.constrained ||
-      !tied.followers().same_structure(constraints.followers);
+    const MPI_Comm comm    = nodes.grid.communicator();
+    const bool     changed = nodes_changed || n_components != n_components_ ||
+                         system.symmetric != symmetric ||
+                         !(elements == elements_) || !fits(constraints);
     if (Utilities::MPI::max(static_cast<unsigned int>(changed), comm) == 0)
       {
         update_followers(constraints);

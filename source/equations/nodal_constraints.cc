@@ -2,6 +2,8 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <deal.II/base/exceptions.h>
+
 #include <isochor/equations/nodal_constraints.h>
 
 #include <algorithm>
@@ -24,8 +26,14 @@ namespace isochor
 
 
   void
-  NodalConstraints::reinit(const unsigned int n_entries)
+  NodalConstraints::reinit(const unsigned int               n_entries,
+                           const std::vector<unsigned int> &control)
   {
+    is_control.clear();
+    if (!control.empty())
+      is_control.assign(n_entries, 0);
+    for (const unsigned int i : control)
+      is_control[i] = 1;
     constrained.assign(n_entries, is_free);
     increment.assign(n_entries, 0.);
     ties.clear();
@@ -189,8 +197,8 @@ namespace isochor
   unsigned int
   NodalConstraints::find_pivot(const Equation &equation) const
   {
-    constexpr double rounding = 1e-8, equal = 1 - 1e-6;
-    double           size = 0, largest = 0;
+    constexpr double rounding = 1e-8, small = 1e-3, equal = 1 - 1e-6;
+    double           size = 0;
     for (std::size_t i = equation.first; i < equation.last; ++i)
       size = std::max(size, std::abs(coefficient[i]));
     const auto allowed = [&](const unsigned int e) {
@@ -199,14 +207,46 @@ namespace isochor
       return constrained[e] == is_free &&
              (equation.n_pivots == 0 || std::find(begin, end, e) != end);
     };
-    for (const auto &[e, a] : row)
-      if (allowed(e))
-        largest = std::max(largest, std::abs(a));
-    if (largest > rounding * size)
-      for (unsigned int i = 0; i < row.size(); ++i)
-        if (allowed(row[i].first) && std::abs(row[i].second) >= equal * largest)
+    const auto largest_of = [&](const bool control, const double least) {
+      const auto candidate = [&](const unsigned int e) {
+        return allowed(e) &&
+               (!is_control.empty() && is_control[e] != 0) == control;
+      };
+      double largest = 0;
+      for (const auto &[e, a] : row)
+        if (candidate(e))
+          largest = std::max(largest, std::abs(a));
+      for (unsigned int i = 0; i < row.size() && largest > least * size; ++i)
+        if (candidate(row[i].first) &&
+            std::abs(row[i].second) >= equal * largest)
           return i;
-    return none;
+      return none;
+    };
+    unsigned int i = largest_of(false, small);
+    if (i == none)
+      i = largest_of(true, rounding);
+    return i != none ? i : largest_of(false, rounding);
+  }
+
+
+
+  void
+  NodalConstraints::check_pivot(const Equation    &equation,
+                                const unsigned int number) const
+  {
+    using namespace dealii;
+    AssertThrow(
+      is_control.empty() || is_control[equation.pivot] == 0 ||
+        equation.known_to_all ||
+        std::find(entry.begin() + equation.first,
+                  entry.begin() + equation.first + equation.n_pivots,
+                  equation.pivot) !=
+          entry.begin() + equation.first + equation.n_pivots,
+      ExcMessage("<Boundary conditions/" + sources[source_of_equation[number]] +
+                 "> meets nodes of which other conditions determine all, so "
+                 "that it would determine the motion of a rigid side or a "
+                 "jump between periodic sides. Prescribe that motion or "
+                 "jump, or leave these nodes out of the other condition."));
   }
 
 
@@ -227,6 +267,7 @@ namespace isochor
         note_lost(equation, number);
         return;
       }
+    check_pivot(equation, number);
     const double a = row[i].second;
     row.erase(row.begin() + i);
     for (auto &term : row)

@@ -48,8 +48,20 @@ namespace isochor
     {
       for (const std::string &name : names)
         {
-          const types::boundary_id id =
-            grid.boundary_id(name, this->parameter("Reactions"));
+          const std::string parameter = this->parameter("Reactions");
+          AssertThrow(grid.boundary_names().count(name) != 0,
+                      ExcMessage(
+                        "The parameter <" + parameter +
+                        "> names the boundary <" + name +
+                        ">, which the grid does not have. It has: " +
+                        known_names(grid) + ". If <" + name +
+                        "> is a surface of the body (<Surfaces of body>), the "
+                        "force that holds it needs no entry here: it is in "
+                        "the columns <Reaction x on " +
+                        name +
+                        " by boundary points (N)>, and so on, if <Displacement "
+                        "of body> names it."));
+          const types::boundary_id id = grid.boundary_id(name, parameter);
           vertices.emplace_back();
           for (const BoundaryFace &face : grid.boundary_faces())
             if (face.id == id)
@@ -104,7 +116,7 @@ namespace isochor
                 }
             }
           sum_over_ranks(force, step.grid.communicator());
-          if (result.time.step == 0)
+          if (result.time.step == 0 && !tell_column(result, names[i]))
             warn_if_free(step, names[i], touched, held);
           for (unsigned int a = 0; a < dim; ++a)
             statistics.set(std::string("Reaction ") + "xyz"[a] + " on " +
@@ -114,6 +126,40 @@ namespace isochor
     }
 
   private:
+    static std::string
+    known_names(const BackgroundGrid<dim> &grid)
+    {
+      std::string known;
+      for (const auto &entry : grid.boundary_names())
+        known += (known.empty() ? "" : ", ") + entry.first;
+      return known;
+    }
+
+    /** Warn of a boundary whose force is in a column of its condition's own;
+     * whether it is. */
+    bool
+    tell_column(const StepResult<dim> &result, const std::string &name) const
+    {
+      for (const auto &condition : result.conditions)
+        {
+          const std::string column = condition->force_column(name);
+          if (column.empty())
+            continue;
+          result.step.warnings.add(
+            "the force on <" + name + "> is in another column",
+            "<" + this->parameter("Reactions") + "> names the boundary <" +
+              name + "> of <" +
+              condition->parameter(
+                condition->name.substr(0, condition->name.find(':'))) +
+              ">. The force through it is not in <Reaction x on " + name +
+              " (N)>, where only nodes count that something else holds, but "
+              "in the column <" +
+              column + "> and those of the other components.");
+          return true;
+        }
+      return false;
+    }
+
     void
     warn_if_free(const StepContext<dim> &step,
                  const std::string      &name,

@@ -289,7 +289,8 @@ namespace isochor
     const unsigned int     n_components = scene.n_components;
     const auto             previous     = constraints.constrained;
     const Followers        old          = constraints.followers;
-    constraints.reinit(setup.active_nodes().n_local() * n_components);
+    constraints.reinit(setup.active_nodes().n_local() * n_components,
+                       setup.active_nodes().control_entries(n_components));
     for (const auto &condition : scene.boundary_conditions)
       {
         constraints.source = condition->name;
@@ -329,8 +330,14 @@ namespace isochor
         }
     if (!any)
       return;
+    constraints.conflicts.clear(); // were told at the start
     constraints.resolve(scene.n_components);
-    system.update_followers(constraints);
+    // other coefficients may make another unknown follow
+    const bool fits = system.fits(constraints);
+    if (Utilities::MPI::min(fits ? 1 : 0, scene.grid.communicator()) == 1)
+      system.update_followers(constraints);
+    else
+      lay_out_system(false);
   }
 
 

@@ -69,7 +69,7 @@ namespace isochor
           {
             AssertThrow(false,
                         ExcMessage(
-                          plain_message(exc) + " " +
+                          plain_message(exc) + " " + setup.why_points_left() +
                           FailureReport<dim>::write_points(setup.context(),
                                                            scene.points,
                                                            output_directory)));

@@ -11,6 +11,7 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <algorithm>
 #include <numeric>
 #include <sstream>
 
@@ -63,8 +64,50 @@ namespace isochor
         condition->set_first_control_node(n_control_nodes);
         n_control_nodes += condition->control_nodes().size();
       }
+    share_held_vertices();
     if (needs_occupancy)
       find_walls();
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::share_held_vertices()
+  {
+    if (control_nodes().empty())
+      return;
+    std::vector<unsigned int> held;
+    for (const auto &condition : scene.boundary_conditions)
+      for (const unsigned int vertex : condition->held_vertices())
+        held.push_back(vertex);
+    std::sort(held.begin(), held.end());
+    for (const auto &condition : scene.boundary_conditions)
+      condition->set_held_vertices(held);
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::touch_masters()
+  {
+    // what one condition adds may need more by another one
+    const auto touch = [this](const std::size_t before) {
+      for (const auto &condition : scene.boundary_conditions)
+        condition->touch_masters(nodes, touched_vertices);
+      if (touched_vertices.size() > before)
+        {
+          std::sort(touched_vertices.begin(), touched_vertices.end());
+          touched_vertices.erase(std::unique(touched_vertices.begin(),
+                                             touched_vertices.end()),
+                                 touched_vertices.end());
+        }
+      return Utilities::MPI::max(touched_vertices.size() != before ? 1 : 0,
+                                 scene.grid.communicator()) != 0;
+    };
+    while (touch(touched_vertices.size()))
+      ;
   }
 
 
@@ -103,7 +146,8 @@ namespace isochor
                                 scene.time.next_time(),
                                 scene.warnings};
     NodalConstraints       held;
-    held.reinit(all_nodes.n_local() * n_components);
+    held.reinit(all_nodes.n_local() * n_components,
+                all_nodes.control_entries(n_components));
     for (const auto &condition : scene.boundary_conditions)
       {
         held.source = condition->name;
@@ -215,8 +259,7 @@ namespace isochor
         extension.exempt(never);
         extension.update(arrays, touched_vertices);
       }
-    for (const auto &condition : scene.boundary_conditions)
-      condition->touch_masters(nodes, touched_vertices);
+    touch_masters();
   }
 
 
@@ -229,6 +272,7 @@ namespace isochor
       condition->grid_changed(scene.grid, scene.time.step == 0);
     for (const auto &postprocessor : scene.postprocessors)
       postprocessor->grid_changed(scene.grid);
+    share_held_vertices();
     if (needs_occupancy)
       find_walls();
   }
@@ -310,11 +354,27 @@ namespace isochor
   std::pair<types::global_dof_index, types::global_dof_index>
   StepSetup<dim>::n_active_cells_and_nodes() const
   {
-    const MPI_Comm comm = scene.grid.communicator();
+    const MPI_Comm          comm    = scene.grid.communicator();
+    types::global_dof_index n_nodes = 0;
+    for (unsigned int node = 0; node < nodes.n_owned(); ++node)
+      n_nodes += nodes.control_node(node) == nullptr;
     return {Utilities::MPI::sum(
               static_cast<types::global_dof_index>(arrays.cell.size()), comm),
-            Utilities::MPI::sum(
-              static_cast<types::global_dof_index>(nodes.n_owned()), comm)};
+            Utilities::MPI::sum(n_nodes, comm)};
+  }
+
+
+
+  template <int dim>
+  std::string
+  StepSetup<dim>::why_points_left() const
+  {
+    std::string text = grid_reset.why();
+    for (const auto &condition : scene.boundary_conditions)
+      if (const std::string why = condition->why_points_left(context());
+          !why.empty())
+        text += (text.empty() ? "" : " ") + why;
+    return text.empty() ? text : text + " ";
   }
 
 

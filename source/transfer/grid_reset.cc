@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/plain_message.h>
 #include <isochor/equations/nodal_unknowns.h>
 #include <isochor/transfer/grid_reset.h>
 
@@ -68,7 +69,8 @@ namespace isochor
                           PointArrays<dim>       &points)
   {
     ++n_steps_since;
-    is_due = (n_steps_since == interval);
+    bad_quality = 1;
+    is_due      = (n_steps_since == interval);
     if (is_due)
       return;
     advance_massless_points(step, unknowns, points);
@@ -77,6 +79,36 @@ namespace isochor
       Utilities::MPI::min(advance_cells(step, unknowns, points),
                           step.grid.communicator());
     is_due = !(worst > 0 && worst >= smallest_quality);
+    if (is_due)
+      bad_quality = worst;
+  }
+
+
+
+  template <int dim>
+  std::string
+  GridReset<dim>::why() const
+  {
+    if (always())
+      return {};
+    std::string cause =
+      "<Grid reset/Steps between resets> = " + std::to_string(interval);
+    std::string remedy = "Set it to 0 if no points have to change cells.";
+    if (!(bad_quality > 0))
+      {
+        cause  = "a cell was turned inside out";
+        remedy = "Use smaller steps, or a grid that is distorted less.";
+      }
+    else if (bad_quality < 1)
+      {
+        cause = "the quality of a cell, " + rounded(bad_quality) +
+                ", has fallen below <Grid reset/Smallest element quality> = " +
+                rounded(smallest_quality);
+        remedy = "With 0 there it goes on moving with the body until a cell is "
+                 "turned inside out.";
+      }
+    return "The grid, which moved with the body, was put back before, since " +
+           cause + ". " + remedy;
   }
 
 

@@ -91,7 +91,9 @@ namespace isochor
 
   /**
    * The subsections "@p kind: name" that the statements mention, in their
-   * order. Throws ParameterError if one has no name or no `Type`.
+   * order. Throws ParameterError if one has no name or no `Type`, and if a file
+   * has two of the same name. A file that includes another may open a section
+   * of that again, to set its parameters anew.
    */
   std::vector<NamedSection>
   named_subsections(const std::vector<ParameterStatement> &statements,

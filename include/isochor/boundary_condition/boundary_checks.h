@@ -11,6 +11,22 @@
 
 namespace isochor
 {
+  /** A side of the grid: the mean direction into the grid, of length one where
+   * it is flat, and the largest cell (m). */
+  template <int dim>
+  struct GridSide
+  {
+    Tensor<1, dim> inwards;
+    double         cell_size = 0;
+  };
+
+  /** @p parameter names it @p boundary. */
+  template <int dim>
+  GridSide<dim>
+  side_of(const BackgroundGrid<dim> &grid,
+          const std::string         &boundary,
+          const std::string         &parameter);
+
   /**
    * Warn if no active node is on the boundary called @p name, whose id is
    * @p id (any if @p everywhere), so that the entry of @p parameter for it has
@@ -26,22 +42,25 @@ namespace isochor
                     const bool               everywhere = false);
 
   /** A wall stands outside of the grid and pushes inwards: warn of a one-sided
-   * condition u >= ... (@p side 1) or u <= ... (-1) on @p component of
-   * @p boundary that could only push outwards. All ranks alike. */
+   * condition u >= ... (@p side 1) or u <= ... (-1) of @p parameter on
+   * @p component of @p boundary that could only push outwards. All ranks alike.
+   */
   template <int dim>
   void
   warn_of_wall_inside(const StepContext<dim> &step,
+                      const std::string      &parameter,
                       const std::string      &boundary,
                       const unsigned int      component,
                       const int               side);
 
-  /** On a grid that is put back, a @p boundary that has pushed the body by
-   * @p push (m, along the axis @p component) out of the row of cells there
-   * hands hardly anything on to it: warn from half a cell on. All ranks alike.
-   */
+  /** On a grid that is put back, a @p boundary that by @p parameter has pushed
+   * the body by @p push (m, along the axis @p component) out of the row of
+   * cells there hands hardly anything on to it: warn from half a cell on. All
+   * ranks alike. */
   template <int dim>
   void
   warn_of_lost_body(const StepContext<dim> &step,
+                    const std::string      &parameter,
                     const std::string      &boundary,
                     const unsigned int      component,
                     const double            push);

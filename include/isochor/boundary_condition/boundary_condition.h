@@ -85,6 +85,36 @@ namespace isochor
                   std::vector<unsigned int> & /*vertices*/)
     {}
 
+    /** Vertices whose displacements constrain() may determine, ahead of what is
+     * periodic. */
+    virtual std::vector<unsigned int>
+    held_vertices() const
+    {
+      return {};
+    }
+    /** What held_vertices() of all conditions name, sorted: once they are
+     * initialised, and when the grid has changed. */
+    virtual void
+    set_held_vertices(const std::vector<unsigned int> & /*vertices*/)
+    {}
+
+    /** Where evaluate() puts the force through @p boundary, if it isn't in its
+     * nodes' reactions: the name of the column, with x for the component. */
+    virtual std::string
+    force_column(const std::string & /*boundary*/) const
+    {
+      return {};
+    }
+
+    /** Material points have left the grid as it was put back: what of this
+     * condition may be the cause, for the message. @p step is the one that
+     * would begin. The same on all ranks. */
+    virtual std::string
+    why_points_left(const StepContext<dim> & /*step*/) const
+    {
+      return {};
+    }
+
     /** Vertices that are not to be tied for want of material, see
      * DiscreteExtension::exempt(). */
     virtual std::vector<unsigned int>

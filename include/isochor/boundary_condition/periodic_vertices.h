@@ -28,6 +28,8 @@ namespace isochor
     {
       unsigned int              vertex, root;
       std::vector<unsigned int> pairs; ///< by which it is the root's image
+      /** Whether all ranks know it. */
+      bool shared = true;
     };
 
     /** Find the images for the @p pairs of boundary names, first and second.
@@ -44,6 +46,13 @@ namespace isochor
       return all_images;
     }
 
+    /** Other conditions determine the displacements of @p held vertices
+     * (sorted). Where two that are the same place are held, what is periodic
+     * may determine unknowns that all ranks know: all of them then have to know
+     * these vertices, from touch_images() on. */
+    void
+    share(const std::vector<unsigned int> &held);
+
     /** All vertices on the sides. */
     std::vector<unsigned int>
     all() const;
@@ -53,8 +62,9 @@ namespace isochor
     corners() const;
 
     /**
-     * Add to @p touched all images and the root of vertices in it, and of those
-     * that this rank owns and others touch; whether there are any. Collective.
+     * Add to @p touched all images and the root of vertices in it, of those
+     * that this rank owns and others touch, and of those that all ranks share
+     * and any touches; whether there are any. Collective.
      */
     bool
     touch_images(const BackgroundGrid<dim> &grid,
@@ -70,6 +80,7 @@ namespace isochor
 
     std::vector<Image>                                all_images;
     std::map<unsigned int, std::vector<unsigned int>> images_of_root;
+    std::map<unsigned int, bool>                      shared; ///< by root
   };
 } // namespace isochor
 

@@ -140,6 +140,17 @@ namespace isochor
                      const unsigned int      equation,
                      const double            multiplier,
                      std::array<double, 6>  &sum) const;
+    /** Whether it would turn freely, but @p constraints at its nodes that come
+     * later, as periodic sides, leave it no rotation. */
+    bool
+    rotation_is_pinned(const StepContext<dim> &step,
+                       const NodalConstraints &constraints) const;
+    /** What holds a pinned rotation acts at nodes of the side and counts in its
+     * @p resultant, too: put the moment that acts on the side in place of
+     * their sum. */
+    void
+    take_given_moment(const StepContext<dim> &step,
+                      std::array<double, 6>  &resultant) const;
     void
     set_statistics(const StepContext<dim>      &step,
                    const NodalField            &unknowns,
@@ -147,6 +158,11 @@ namespace isochor
                    Statistics                  &statistics) const;
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns);
+    /** How far its vertices have moved since t = 0: the largest distance, and
+     * the largest along @p direction (m). */
+    std::pair<double, double>
+    moved_by(const BackgroundGrid<dim> &grid,
+             const Tensor<1, dim>      &direction) const;
 
     void
     save(std::ostream &state) const;

@@ -39,6 +39,13 @@ namespace isochor
     WallSurface<dim>  surface;
     std::vector<Node> nodes;
 
+    void
+    add_vertices(std::vector<unsigned int> &vertices) const
+    {
+      for (const Node &node : nodes)
+        vertices.push_back(node.vertex);
+    }
+
     /** The displacement (m) in the step along @p normal of @p node, on a rank
      * that has it. */
     static double

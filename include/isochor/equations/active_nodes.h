@@ -107,6 +107,11 @@ namespace isochor
                &control[vertices[node] - control_vertex(0)];
     }
 
+    /** The entries of the control nodes that this rank knows, of fields with
+     * @p n_components per node. */
+    std::vector<unsigned int>
+    control_entries(const unsigned int n_components) const;
+
     /** Where a local node is on the undeformed grid. */
     const Point<dim> &
     position(const unsigned int node) const

@@ -45,6 +45,15 @@ namespace isochor
            const NodalConstraints &constraints,
            const bool              symmetric);
 
+    /** Whether the same unknowns are free, held, or follow the same others as
+     * in the last call of reinit(), on this rank. */
+    bool
+    fits(const NodalConstraints &constraints) const
+    {
+      return constrained == constraints.constrained &&
+             tied.followers().same_structure(constraints.followers);
+    }
+
     /** The weights and values of the followers in @p constraints have changed,
      * which are the same as in the last call of reinit(). */
     void

@@ -120,7 +120,9 @@ namespace isochor
    * order of Precedence, and of the calls of add() within it: what others have
    * determined before is inserted (chains, several normals at a node), and the
    * *pivot* follows from what is left. All ranks that know the pivot have to
-   * add the same equation and know all its unknowns.
+   * add the same equation and know all its unknowns. The unknowns of control
+   * nodes, which all ranks know, are pivots only of equations of which nothing
+   * else is left, and which all ranks know.
    */
   struct NodalConstraints
   {
@@ -146,6 +148,8 @@ namespace isochor
       /** Whether the coefficients depend on the unknowns, see
        * BoundaryCondition::relinearise(). */
       bool changes = false;
+      /** Whether all ranks have added it. */
+      bool known_to_all = false;
       /** Whose it is, and which of its equations. */
       const void  *owner = nullptr;
       unsigned int label = 0;
@@ -179,8 +183,10 @@ namespace isochor
     /** Who constrains from now on, for messages: "Displacement". */
     std::string source;
 
+    /** @p control: the entries of control nodes. */
     void
-    reinit(const unsigned int n_entries);
+    reinit(const unsigned int               n_entries,
+           const std::vector<unsigned int> &control = {});
 
     /** Prescribe an unknown. Of several calls for it the last one counts; that
      * of another source with another value is a conflict. */
@@ -222,6 +228,8 @@ namespace isochor
     unsigned int
     find_pivot(const Equation &equation) const;
     void
+    check_pivot(const Equation &equation, const unsigned int number) const;
+    void
     note_lost(const Equation &equation, const unsigned int number);
     void
     append_follower(const unsigned int  entry,
@@ -235,6 +243,8 @@ namespace isochor
     std::vector<std::string>   sources;
     std::vector<unsigned int>  source_of_equation;
     std::vector<unsigned char> source_of_entry;
+    /** By entry, if there are control nodes. */
+    std::vector<unsigned char> is_control;
 
     /** What resolve() works with: by entry its place in the followers; by
      * follower its equation; the expression Σ row = row_value. */

@@ -161,6 +161,11 @@ namespace isochor
       return first_element;
     }
 
+    /** Points have left the grid, as it was put back for the step to come: what
+     * may be the cause, besides what the error says. */
+    std::string
+    why_points_left() const;
+
   private:
     void
     reset_grid(const std::vector<EquationTerm<dim> *> &terms,
@@ -171,6 +176,12 @@ namespace isochor
     /** Of all boundary conditions. */
     std::vector<ControlNode<dim>>
     control_nodes() const;
+    /** Tell the boundary conditions what vertices the others hold. */
+    void
+    share_held_vertices();
+    /** Add the vertices that equations of boundary conditions need. */
+    void
+    touch_masters();
     /** Tell the occupancy where boundary conditions hold the body. */
     void
     find_walls();

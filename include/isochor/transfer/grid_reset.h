@@ -74,6 +74,11 @@ namespace isochor
       return n_steps_since;
     }
 
+    /** Why a grid that is kept for several steps was put back last, for
+     * messages; nothing if it is after each step. */
+    std::string
+    why() const;
+
     /**
      * A step has converged: decide whether the next one starts with a reset;
      * if not, let the grid move on, in the @p points, those of @p step.
@@ -122,6 +127,8 @@ namespace isochor
     bool         is_due        = true;
     unsigned int n_steps_since = 0;
     double       reset_time    = 0;
+    /** The quality for which the grid was put back last; one: not for it. */
+    double bad_quality = 1;
   };
 } // namespace isochor
 
