@@ -144,6 +144,15 @@ namespace
                    "Boundary conditions/Traction on body = top: 0, 9000\n"),
            {"very first step", "Young modulus", "Minimum step size"});
     expect_files("first step", true);
+    // an elastic body has no limit load in the sense of plasticity
+    expect("elastic",
+           failure(block + "Material/Model = Neo-Hookean\n"
+                           "Material/Poisson ratio = 0.3\n"
+                           "Quadrature/Type = points\n"
+                           "Boundary conditions/Traction on body =\n"
+                           "Boundary conditions/Surfaces of body =\n"
+                           "Boundary conditions/Gravity = 0, -4e6*t\n"),
+           {"the material is elastic", "Quadrature/Type = CPDI"});
     expect("bad step",
            failure("Grid/Subdivisions = 4, 4\n"
                    "Boundary conditions/Displacement = bottom: y = 0; left: x "

@@ -116,6 +116,16 @@ namespace
     expect("... in u",
            messages<2>(no_load + "Formulation/Type = u\n"),
            {"translation in x, translation in y, rotation"});
+    const std::string enclosed =
+      "Grid/Subdivisions = 4, 4\nMaterial/Poisson ratio = 0.5\n"
+      "Boundary conditions/Displacement = everywhere: x = 0.1*t*x, y = "
+      "-0.1*t*y/(1 + 0.1*t)\n";
+    expect("a pressure that nothing determines",
+           messages<2>(enclosed),
+           {"WARNING", "up to a constant", "Poisson ratio"});
+    expect("... but the compressible one is",
+           messages<2>(enclosed + "Material/Poisson ratio = 0.4999\n"),
+           {});
     expect("... may move in dynamics",
            messages<2>(no_load + "Dynamics/Inertia = true\n"),
            {});

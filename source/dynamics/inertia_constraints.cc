@@ -82,18 +82,18 @@ namespace isochor
     project(step, momentum, followers, given_velocity, velocity);
     if (by_stresses && !prescribed)
       note_pressed(step, constraints, contact, {{&start, &middle, &end}});
-    const bool from_walls = by_stresses && !pressed_followers.entry.empty();
+    const bool from_walls = by_stresses && !pressed.followers.entry.empty();
     if (from_walls)
       {
-        followers          = pressed_followers;
-        given_acceleration = pressed_acceleration;
+        followers          = pressed.followers;
+        given_acceleration = pressed.acceleration;
       }
     add_convective_acceleration(step,
                                 conditions,
-                                from_walls ? pressed_constraints : start);
+                                from_walls ? pressed.constraints : start);
     const std::vector<unsigned char> held_now = held;
     if (by_stresses)
-      for (const Stopped &node : pressed)
+      for (const Stopped &node : pressed.components)
         {
           held[node.entry] = 1;
           if (node.entry < step.nodes.n_owned() * dim)
@@ -116,9 +116,9 @@ namespace isochor
     const std::array<const NodalConstraints *, 3> at)
   {
     const unsigned int nc = step.n_components;
-    pressed               = stopped;
-    pressed_followers     = {};
-    pressed_acceleration.clear();
+    pressed.components    = stopped;
+    pressed.followers     = {};
+    pressed.acceleration.clear();
     bool walls = false;
     for (const auto &equation : contact[0].equations)
       walls = walls || equation.how == NodalConstraints::in_contact;
@@ -134,11 +134,11 @@ namespace isochor
         all.resolve(nc);
         places[k] = displacement_followers(all, nc);
         if (k == 0)
-          pressed_constraints = all;
+          pressed.constraints = all;
       }
-    pressed_followers = places[0];
-    for (unsigned int k = 0; k < pressed_followers.size(); ++k)
-      pressed_acceleration.push_back(
+    pressed.followers = places[0];
+    for (unsigned int k = 0; k < pressed.followers.size(); ++k)
+      pressed.acceleration.push_back(
         parabola_at_start(places[1].value[k] - places[0].value[k],
                           places[2].value[k] - places[1].value[k],
                           step.step_size())

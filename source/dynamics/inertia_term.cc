@@ -210,8 +210,8 @@ namespace isochor
       return;
     for (unsigned int e = 0; e < mass.n_elements(step); ++e)
       {
-        mass.element_nodes(step, e, nodes);
-        elements.add(nodes.begin(), nodes.end());
+        mass.element_nodes(step, e, element.nodes);
+        elements.add(element.nodes.begin(), element.nodes.end());
       }
   }
 
@@ -246,28 +246,28 @@ namespace isochor
         }
     for (unsigned int e = 0; e < mass.n_elements(step); ++e)
       {
-        mass.element_nodes(step, e, nodes);
-        mass.element_matrix(step, e, element_mass);
-        const unsigned int n = nodes.size(), n_dofs = n * nc;
-        element_residual.assign(n_dofs, 0.);
+        mass.element_nodes(step, e, element.nodes);
+        mass.element_matrix(step, e, element.mass);
+        const unsigned int n = element.nodes.size(), n_dofs = n * nc;
+        element.residual.assign(n_dofs, 0.);
         for (unsigned int I = 0; I < n; ++I)
           for (unsigned int J = 0; J < n; ++J)
             for (unsigned int d = 0; d < dim; ++d)
-              element_residual[I * nc + d] +=
-                element_mass[I * n + J] *
-                inertial_acceleration.local_element(nodes[J] * dim + d);
+              element.residual[I * nc + d] +=
+                element.mass[I * n + J] *
+                inertial_acceleration.local_element(element.nodes[J] * dim + d);
         if (with_matrix)
           {
-            element_matrix.assign(n_dofs * n_dofs, 0.);
+            element.matrix.assign(n_dofs * n_dofs, 0.);
             for (unsigned int I = 0; I < n; ++I)
               for (unsigned int J = 0; J < n; ++J)
                 for (unsigned int d = 0; d < dim; ++d)
-                  element_matrix[(I * nc + d) * n_dofs + J * nc + d] =
-                    stiffness * element_mass[I * n + J];
+                  element.matrix[(I * nc + d) * n_dofs + J * nc + d] =
+                    stiffness * element.mass[I * n + J];
           }
         system.add_element(first_element + e,
-                           element_residual.data(),
-                           with_matrix ? element_matrix.data() : nullptr,
+                           element.residual.data(),
+                           with_matrix ? element.matrix.data() : nullptr,
                            pending);
       }
     return EvaluationStatus::success;

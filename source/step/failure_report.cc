@@ -301,10 +301,10 @@ namespace isochor
               "). Lower <Time/Minimum step size>, look for what happens at "
               "the place of the residual, or use <Dynamics/Inertia = true> "
               "where the body snaps.";
-    else if (evidence.has_lost_stiffness() && !(evidence.plastic_share > 0))
+    else if (evidence.has_lost_stiffness() && evidence.plastic_share < 0)
       text +=
         "No equilibrium found near t = " + rounded(time.time) +
-        ", and nothing has yielded. Evidence: " + evidence.text() +
+        ", and the material is elastic. Evidence: " + evidence.text() +
         ". An elastic body may buckle or snap: to follow it, prescribe "
         "displacements instead of loads, or give it inertia "
         "(<Dynamics/Inertia = true>). " +

@@ -426,16 +426,16 @@ namespace isochor
   {
     // A v for v = 1 at the pressures, and |A| v: by displacement equation, and
     // summed over the pressure equations at last
-    const types::global_dof_index    n = A.n_equations;
-    std::vector<double>              sum(n + 1, 0.), size(n + 1, 0.);
-    bool                             any = false;
+    const types::global_dof_index n = A.n_equations;
+    std::vector<double>           sum(n + 1, 0.), size(n + 1, 0.);
+    bool                          any = false;
     for (unsigned int i = 0; i + 1 < A.row_start.size(); ++i)
       for (std::size_t k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
         {
           const unsigned int j      = A.column[k];
           const bool         row    = !is_displacement(A, i);
           const bool         column = !is_displacement(A, j);
-          const auto add = [&](const types::global_dof_index at) {
+          const auto         add    = [&](const types::global_dof_index at) {
             sum[at] += A.values[k];
             size[at] += std::abs(A.values[k]);
           };

@@ -286,10 +286,14 @@ namespace isochor
      * not among those that accelerations from stresses are made of, so that
      * these nodes start with the acceleration of the wall. By components, and
      * by equations of walls; the same in all of the search for contact. */
-    std::vector<Stopped> pressed;
-    Followers            pressed_followers;
-    std::vector<double>  pressed_acceleration;
-    NodalConstraints     pressed_constraints;
+    struct Pressed
+    {
+      std::vector<Stopped> components;
+      Followers            followers;
+      std::vector<double>  acceleration;
+      NodalConstraints     constraints;
+    };
+    Pressed pressed;
     /** The same for a wall that holds a combination Σ a_j x_j. */
     struct StoppedAlong
     {
@@ -304,9 +308,13 @@ namespace isochor
     bool                prescribed = false;
 
     /** What assemble() works with. */
-    NodalField                inertial_acceleration;
-    std::vector<unsigned int> nodes;
-    std::vector<double>       element_mass, element_residual, element_matrix;
+    struct Scratch
+    {
+      std::vector<unsigned int> nodes;
+      std::vector<double>       mass, residual, matrix;
+    };
+    NodalField inertial_acceleration;
+    Scratch    element;
   };
 } // namespace isochor
 
