@@ -118,8 +118,9 @@ namespace
            {"translation in x, translation in y, rotation"});
     const std::string enclosed =
       "Grid/Subdivisions = 4, 4\nMaterial/Poisson ratio = 0.5\n"
-      "Boundary conditions/Displacement = everywhere: x = 0.1*t*x, y = "
-      "-0.1*t*y/(1 + 0.1*t)\n";
+      "Boundary conditions/Displacement = left: x=0, y=0; right: x=0, y=0; "
+      "bottom: x=0, y=0; top: x=0, y=0\n"
+      "Boundary conditions/Gravity = 0, -t\nMaterial/Density = 1\n";
     expect("a pressure that nothing determines",
            messages<2>(enclosed),
            {"WARNING", "up to a constant", "Poisson ratio"});

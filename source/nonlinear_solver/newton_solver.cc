@@ -239,7 +239,10 @@ namespace isochor
       }
     else if (problem.has_other_start && n >= 3 && is_short(n) &&
              is_short(n - 1))
-      report.failure = "the corrections from the extrapolated start are poor";
+      {
+        report.given_up = true;
+        report.failure = "the corrections from the extrapolated start are poor";
+      }
     else if (report.n_factorisations >= max_iterations ||
              n >= 4 * max_iterations)
       report.failure = "Newton's method did not converge in " +

@@ -194,8 +194,8 @@ namespace isochor
     NodalField boundary_force;
     /** Whether the iterate is where the step starts. */
     bool at_start = true;
-    /** Whether the step starts from the last motion, extrapolated. */
-    bool   is_predicted = false;
+    /** Whether the step may be started from somewhere else, too. */
+    bool   has_other_start = false;
     double force_floor = 0, volume_floor = 0;
     bool   scene_checked = false;
     /** How many bodies apart from each other the active nodes form (0: not
