@@ -119,7 +119,7 @@ namespace isochor
       const auto   stencil = step.points.stencil(step.grid.geometry(), k, q);
       const auto   stress  = load_symmetric<dim>(&properties[l.stress]);
       const double V = step.points.measure(q) * determinant(step.points.F[q]) *
-                       step.kernel.hoop_stretch(&properties[l.history]);
+                       step.kernel.hoop_stretch(properties.data() + l.history);
       for (unsigned int I = 0; I < stencil.n_nodes; ++I)
         {
           const unsigned int entry =

@@ -55,7 +55,7 @@ namespace isochor
     if (points.has_stencils())
       {
         for (unsigned int q = 0; q < points.n_points(); ++q)
-          add(&points.stencil_vertex[points.stencil_start[q]],
+          add(points.stencil_vertex.data() + points.stencil_start[q],
               points.stencil_start[q + 1] - points.stencil_start[q]);
         for (const auto &cell : points.overlapped_cells)
           add(grid.geometry().vertex_indices(cell.cell).data(), dim + 1);

@@ -64,6 +64,7 @@ namespace isochor
               changed                  = true;
             }
         changed = Utilities::MPI::max(changed ? 1 : 0, comm) != 0;
+        name.set_ghost_state(false);
         name.compress(VectorOperation::min);
         name.update_ghost_values();
       }

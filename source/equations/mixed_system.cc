@@ -271,9 +271,10 @@ namespace isochor
     element_is_constrained.assign(elements.size(), 0);
     for (unsigned int e = 0; e < elements.size(); ++e)
       {
-        const unsigned int *const node = &elements.node[elements.start[e]];
-        const unsigned int        n = elements.start[e + 1] - elements.start[e];
-        const unsigned int        n_own =
+        const unsigned int *const node =
+          elements.node.data() + elements.start[e];
+        const unsigned int n = elements.start[e + 1] - elements.start[e];
+        const unsigned int n_own =
           this->elements.start[e + 1] - this->elements.start[e];
         for (unsigned int I = 0; I < n; ++I)
           {

@@ -32,9 +32,10 @@ namespace isochor
                               const unsigned int row_stride,
                               const unsigned int column_stride)
   {
-    const unsigned int *const row_of = &equations[row_node * n_components];
+    const unsigned int *const row_of =
+      equations.data() + row_node * n_components;
     const unsigned int *const column_of =
-      &equations[column_node * n_components];
+      equations.data() + column_node * n_components;
     // of the columns of a symmetric matrix left of the diagonal none is stored
     const bool   triangle  = system.symmetric && row_node == column_node;
     unsigned int n_skipped = 0;
@@ -67,7 +68,7 @@ namespace isochor
   {
     const unsigned int        nc     = n_components;
     const unsigned int        n_dofs = n_nodes * nc;
-    const unsigned int       *offset = &block_offset[block_start[e]];
+    const unsigned int       *offset = block_offset.data() + block_start[e];
     const std::size_t *const  start  = system.row_start.data();
     const unsigned int *const first  = equations.data();
     double *const             values = system.values.data();
@@ -126,7 +127,7 @@ namespace isochor
                                 const double      *element_matrix,
                                 const NodalField  &pending)
   {
-    const unsigned int *const node = &elements.node[elements.start[e]];
+    const unsigned int *const node = elements.node.data() + elements.start[e];
     const unsigned int n_nodes     = elements.start[e + 1] - elements.start[e];
 
     double *const nodal_residual = residual.begin();
@@ -149,14 +150,14 @@ namespace isochor
   MixedSystem<dim>::add_matrix(const unsigned int e,
                                const double      *element_matrix)
   {
-    const unsigned int *node    = &elements.node[elements.start[e]];
+    const unsigned int *node    = elements.node.data() + elements.start[e];
     unsigned int        n_nodes = elements.start[e + 1] - elements.start[e];
     if (tied.touches(e))
       {
         element_matrix =
           tied.eliminate(e, n_nodes, element_matrix, system.symmetric);
         const ElementNodes &extended = tied.extended();
-        node                         = &extended.node[extended.start[e]];
+        node                         = extended.node.data() + extended.start[e];
         n_nodes = extended.start[e + 1] - extended.start[e];
       }
     if (!element_is_constrained[e])
@@ -166,7 +167,7 @@ namespace isochor
       }
     const unsigned int n_dofs = n_nodes * n_components;
 
-    const unsigned int *offset = &block_offset[block_start[e]];
+    const unsigned int *offset = block_offset.data() + block_start[e];
     for (unsigned int I = 0; I < n_nodes; ++I)
       for (unsigned int J = (system.symmetric ? I : 0); J < n_nodes; ++J)
         {

@@ -251,9 +251,9 @@ namespace isochor
       length.empty() ? 0 : *std::max_element(length.begin(), length.end()), 0.);
     for (std::size_t r = 0; r < n_rows; ++r)
       if (length[r] > 0)
-        check(
-          local->InsertMyValues(r, length[r], zeros.data(), &column[start[r]]),
-          "InsertMyValues");
+        check(local->InsertMyValues(
+                r, length[r], zeros.data(), column.data() + start[r]),
+              "InsertMyValues");
     check(local->FillComplete(columns.owned_map, rows.owned_map),
           "FillComplete");
     check(local->OptimizeStorage(), "OptimizeStorage");

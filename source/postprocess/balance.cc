@@ -51,7 +51,7 @@ namespace isochor
       for (unsigned int q = 0; q < points.weight.size(); ++q)
         volume += points.measure(q) * determinant(points.F[q]) *
                   result.step.kernel.hoop_stretch(
-                    &points.history[q * std::size_t(points.n_history)]);
+                    points.history.data() + q * std::size_t(points.n_history));
       statistics.set("Volume in the grid " + unit(result),
                      Utilities::MPI::sum(volume,
                                          result.step.grid.communicator()));

@@ -134,7 +134,7 @@ namespace isochor
           step_energy += std::abs(work) * state.J * properties[l.volume] *
                          arrays.thickness(q);
         }
-      std::copy_n(history.begin(), l.n_history, &properties[l.history]);
+      std::copy_n(history.begin(), l.n_history, properties.data() + l.history);
       if (step.mixed())
         {
           const double excess =

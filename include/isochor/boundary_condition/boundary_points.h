@@ -114,9 +114,9 @@ namespace isochor
     {
       const std::size_t begin = stencil_start[b];
       return {static_cast<unsigned int>(stencil_start[b + 1] - begin),
-              &stencil_vertex[begin],
-              &stencil_shape[begin],
-              &stencil_gradient[begin]};
+              stencil_vertex.data() + begin,
+              stencil_shape.data() + begin,
+              stencil_gradient.data() + begin};
     }
 
     /** The size of the cells that point @p b acts on (m), see cell_size(). */

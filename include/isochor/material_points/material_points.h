@@ -319,9 +319,9 @@ namespace isochor
                 gradients(geometry, k).data()};
       const std::size_t begin = stencil_start[q];
       return {static_cast<unsigned int>(stencil_start[q + 1] - begin),
-              &stencil_vertex[begin],
-              &stencil_shape[begin],
-              &stencil_gradient[begin]};
+              stencil_vertex.data() + begin,
+              stencil_shape.data() + begin,
+              stencil_gradient.data() + begin};
     }
 
     /** Whether @p c is in the list of cells. */
