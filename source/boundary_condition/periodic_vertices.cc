@@ -51,6 +51,12 @@ namespace isochor
   {
     const std::string pair =
       "the sides <" + first + "> and <" + second + "> of <" + parameter + ">";
+    const std::string remedy =
+      grid.is_adaptive() ?
+        " Periodic sides need the same mesh: the cells on both have to be "
+        "refined alike, as by a formula in <Adaptive grid/Cell size> that is "
+        "the same on both and small enough for the other criteria." :
+        " Periodic sides need the same mesh.";
     const auto &x    = grid.geometry().vertices();
     const auto  from = vertices_on(grid, first, parameter);
     const auto  to   = vertices_on(grid, second, parameter);
@@ -58,8 +64,7 @@ namespace isochor
                 ExcMessage("The vertices of " + pair +
                            " don't match: there are " +
                            std::to_string(from.size()) + " and " +
-                           std::to_string(to.size()) +
-                           " of them. Periodic sides need the same mesh."));
+                           std::to_string(to.size()) + " of them." + remedy));
     Tensor<1, dim> shift;
     double         smallest = std::numeric_limits<double>::max();
     for (unsigned int i = 0; i < from.size(); ++i)
@@ -90,8 +95,8 @@ namespace isochor
                       rounded(distance) + " m away from the image of " +
                       text(x[*nearest]) + " on <" + first +
                       ">, if the sides are moved on top of each other by the "
-                      "distance of their means. Periodic sides need the same "
-                      "mesh."));
+                      "distance of their means." +
+                      remedy));
         image[v] = *nearest;
         left.erase(nearest);
       }

@@ -6,6 +6,7 @@
 
 #include <isochor/equations/constraint_forces.h>
 
+#include <algorithm>
 #include <map>
 
 namespace isochor
@@ -38,7 +39,11 @@ namespace isochor
           continue;
         Node      &node          = by_node[equation.pivot / n_components];
         const bool between_nodes = equation.precedence >= Precedence::periodic;
-        node.hands_on            = node.hands_on || between_nodes;
+        if (between_nodes)
+          node.kind = std::min(node.kind,
+                               constraints.is_of_control_node(equation.pivot) ?
+                                 relation_of_control :
+                                 relation);
         node.rows.push_back({k, none, equation.pivot});
         for (std::size_t i = equation.first;
              i < equation.last && !between_nodes;
@@ -55,7 +60,7 @@ namespace isochor
       if (followers.has(k, Followers::is_tie))
         {
           const unsigned int node = followers.entry[k] / n_components;
-          by_node[node].hands_on  = true;
+          by_node[node].kind      = tie;
           by_node[node].rows.push_back(
             {none, tie_of_node[node], followers.entry[k]});
         }
@@ -137,24 +142,25 @@ namespace isochor
   ConstraintForces::find(const unsigned int n_owned_nodes, NodalField &force)
   {
     // first what hands on to others, then who may have got something
-    for (const bool hands_on : {true, false})
+    for (const Kind kind : {tie, relation, relation_of_control, none_of_them})
       {
         for (const Node &node : nodes)
-          if (node.node < n_owned_nodes && node.hands_on == hands_on)
+          if (node.node < n_owned_nodes &&
+              (node.kind == kind || kind == none_of_them))
             {
               solve(node, force);
               for (unsigned int k = 0; k < node.rows.size(); ++k)
                 {
                   const Row &row = node.rows[k];
+                  if (hands_on(row) == (kind == none_of_them))
+                    continue;
                   if (row.equation != none)
                     multipliers[row.equation] = solution[k];
-                  if (row.equation == none ||
-                      equations[row.equation].precedence >=
-                        Precedence::periodic)
+                  if (hands_on(row))
                     take_away(row, solution[k], force);
                 }
             }
-        if (hands_on)
+        if (kind != none_of_them)
           force.compress(VectorOperation::add);
       }
   }

@@ -209,8 +209,7 @@ namespace isochor
     };
     const auto largest_of = [&](const bool control, const double least) {
       const auto candidate = [&](const unsigned int e) {
-        return allowed(e) &&
-               (!is_control.empty() && is_control[e] != 0) == control;
+        return allowed(e) && is_of_control_node(e) == control;
       };
       double largest = 0;
       for (const auto &[e, a] : row)
@@ -235,13 +234,11 @@ namespace isochor
                                 const unsigned int number) const
   {
     using namespace dealii;
+    const auto begin = entry.begin() + equation.first,
+               end   = begin + equation.n_pivots;
     AssertThrow(
-      is_control.empty() || is_control[equation.pivot] == 0 ||
-        equation.known_to_all ||
-        std::find(entry.begin() + equation.first,
-                  entry.begin() + equation.first + equation.n_pivots,
-                  equation.pivot) !=
-          entry.begin() + equation.first + equation.n_pivots,
+      !is_of_control_node(equation.pivot) || equation.known_to_all ||
+        std::find(begin, end, equation.pivot) != end,
       ExcMessage("<Boundary conditions/" + sources[source_of_equation[number]] +
                  "> meets nodes of which other conditions determine all, so "
                  "that it would determine the motion of a rigid side or a "

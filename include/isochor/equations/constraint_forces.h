@@ -70,12 +70,29 @@ namespace isochor
       unsigned int pivot;
     };
 
+    /** What hands forces on to other nodes, in the order in which it has to:
+     * each may hand on to the ones after it. */
+    enum Kind : unsigned char
+    {
+      tie,
+      relation,            ///< Precedence::periodic
+      relation_of_control, ///< the same, with its pivot at a control node
+      none_of_them
+    };
+
     struct Node
     {
       unsigned int     node;
-      bool             hands_on = false;
+      Kind             kind = none_of_them; ///< the first of its rows
       std::vector<Row> rows;
     };
+
+    bool
+    hands_on(const Row &row) const
+    {
+      return row.equation == none ||
+             equations[row.equation].precedence >= Precedence::periodic;
+    }
 
     double
     coefficient_at(const Row &row, const unsigned int entry) const;

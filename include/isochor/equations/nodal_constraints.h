@@ -206,6 +206,13 @@ namespace isochor
     void
     drop_contact();
 
+    /** Whether an entry is of a control node. */
+    bool
+    is_of_control_node(const unsigned int entry) const
+    {
+      return !is_control.empty() && is_control[entry] != 0;
+    }
+
     /** Find the followers. Can be called again after coefficients and values
      * have changed. */
     void

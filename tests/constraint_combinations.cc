@@ -1,0 +1,258 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Walls, rigid sides and periodic sides together, on adaptive grids, and in
+// motion: sums of forces are exact, and what is the same body has the same
+// answer.
+
+#include <sstream>
+
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  const std::string keep = "Grid reset/Steps between resets = 0\n"
+                           "Grid reset/Smallest element quality = 0\n";
+
+  /** Coarse cells of a quarter, smaller ones as far as x = 0.25 + t/2. */
+  const std::string adaptive =
+    "Grid/Type = adaptive\nGrid/Subdivisions = 4, 4\n"
+    "Adaptive grid/Maximum level = 1\n"
+    "Adaptive grid/Cell size = if(x < 0.3 + 0.5*t, 0.12, 0.3)\n";
+
+  template <int dim>
+  double
+  get(const MaterialPointMethod<dim> &problem, const std::string &column)
+  {
+    return problem.last_statistics().get(column);
+  }
+
+  double
+  relative(const double value, const double expected)
+  {
+    return std::abs(value / expected - 1);
+  }
+
+  std::string
+  message(const std::string &settings)
+  {
+    try
+      {
+        test::run_scene<2>(settings);
+      }
+    catch (const std::exception &exception)
+      {
+        return test::one_line(exception.what());
+      }
+    return "no error";
+  }
+} // namespace
+
+/** A block rests on a smooth plane of 30 degrees, and on a stop, while the grid
+ * changes from step to step. */
+void
+test_walls_on_adaptive_grid(const std::string &settings)
+{
+  const double       c = std::sqrt(0.75), s = 0.5;
+  std::ostringstream corners;
+  corners.precision(17);
+  corners << "0, 0; " << c << ", " << s << "; " << c - s << ", " << s + c
+          << "; " << -s << ", " << c << '\n';
+  for (const std::string walls :
+       {"left: n = 0; bottom: n = 0", "left: n >= 0; bottom: n >= 0"})
+    {
+      const auto problem = test::run_scene<2>(
+        adaptive + settings +
+        "Grid/Coarse cells = trapezoid\nGrid/Corners = " + corners.str() +
+        "Material/Young modulus = 1e5\nMaterial/Density = 100\n"
+        "Postprocess/Reactions = bottom, left\nNewton/Tolerance = 1e-10\n"
+        "Boundary conditions/Gravity = 0, -10*t\nTime/Step size = 0.25\n"
+        "Boundary conditions/Walls = " +
+        walls + '\n');
+      const auto along =
+        [&](const std::string &name, const double x, const double y) {
+          return x * get(*problem, "Reaction x on " + name + " (N)") +
+                 y * get(*problem, "Reaction y on " + name + " (N)");
+        };
+      test::check("the grid changes", get(*problem, "Changes of grid") > 1, "");
+      test::check_error("weight on a plane, " + walls,
+                        relative(along("bottom", -s, c), 1000 * c),
+                        1e-8);
+      test::check_error("weight at the stop, " + walls,
+                        relative(along("left", c, s), 1000 * s),
+                        1e-8);
+    }
+}
+
+/** A side that is moved without a rotation, and the same node by node, while
+ * the grid changes; both ends are in equilibrium. */
+void
+test_rigid_sides_on_adaptive_grid(const std::string &settings)
+{
+  const std::string block =
+    adaptive + settings +
+    "Material/Young modulus = 1e4\nNewton/Tolerance = 1e-10\n"
+    "Postprocess/Reactions = bottom\nTime/Step size = 0.25\n"
+    "Boundary conditions/Displacement = bottom: x = 0, y = 0";
+  const auto by_side = test::run_scene<2>(
+    block + "\nBoundary conditions/Rigid sides = top: x = 0.05*t, y = -0.04*t, "
+            "rotation = 0\n");
+  const auto by_nodes =
+    test::run_scene<2>(block + "; top: x = 0.05*t, y = -0.04*t\n");
+  for (const std::string a : {"x", "y"})
+    {
+      const double reaction =
+        get(*by_nodes, "Reaction " + a + " on bottom (N)");
+      test::check_error(
+        "rigid side on an adaptive grid, " + a,
+        relative(get(*by_side, "Reaction " + a + " on bottom (N)"), reaction),
+        1e-7);
+      test::check_error("its force, " + a,
+                        relative(get(*by_side,
+                                     "Force " + a + " of rigid side top (N)"),
+                                 -reaction),
+                        1e-7);
+    }
+}
+
+/** Simple shear by γ of a periodic cell with three sizes of triangles, σ_xy =
+ * G γ; and sides that are not refined alike. */
+void
+test_periodic_sides_on_adaptive_grid()
+{
+  const std::string cell =
+    "Grid/Type = adaptive\nGrid/Subdivisions = 4, 4\n"
+    "Adaptive grid/Maximum level = 2\nMaterial/Young modulus = 3e4\n"
+    "Newton/Tolerance = 1e-11\nBoundary conditions/Hold periodic corner = "
+    "true\nBoundary conditions/Periodic sides = left: right; bottom: top, x = "
+    "0.3*t\n";
+  for (const std::string form : {"u", "u-p"})
+    {
+      const auto problem = test::run_scene<2>(
+        cell + "Material/Poisson ratio = 0.45\nFormulation/Type = " + form +
+        "\nAdaptive grid/Cell size = if(abs(x-0.5) + abs(y-0.5) < 0.3, 0.07, "
+        "0.3)\n");
+      test::check_error("periodic shear on an adaptive grid, " + form,
+                        relative(get(*problem,
+                                     "Force x through bottom and top (N)"),
+                                 0.3 * 3e4 / 2.9),
+                        1e-8);
+    }
+  const std::string uneven =
+    message(cell + "Adaptive grid/Cell size = if(x < 0.3, 0.12, 0.3)\n");
+  test::check("sides that are refined differently",
+              uneven.find("the sides <left> and <right> of <Boundary "
+                          "conditions/Periodic sides> don't match") !=
+                  std::string::npos &&
+                uneven.find("<Adaptive grid") != std::string::npos,
+              uneven);
+}
+
+/** A rigid side between periodic ones, with the loads that act on it; and what
+ * a moment on it does if what is periodic lets it not turn. */
+void
+test_rigid_between_periodic(const std::string &settings)
+{
+  const std::string block =
+    "Grid/Subdivisions = 4, 5\nMaterial/Young modulus = 1e4\n"
+    "Newton/Tolerance = 1e-11\n"
+    "Boundary conditions/Displacement = bottom: x = 0, y = 0.01*t*sin(2*pi*x)\n" +
+    settings;
+  const auto run = [&](const std::string &sides, const std::string &pairs) {
+    return test::run_scene<2>(
+      block + "Boundary conditions/Rigid sides = " + sides +
+      "\nBoundary conditions/Periodic sides = " + pairs + '\n');
+  };
+  const auto held =
+    run("top: force x = 50*t, force y = -300*t, rotation = 0", "left: right");
+  const auto pinned =
+    run("top: force x = 50*t, force y = -300*t, moment = 7*t", "left: right");
+  const auto jump = run("top: force x = 50*t, force y = -300*t, rotation = 0",
+                        "left: right, force y = 20*t");
+  const std::string through = "Force y through left and right (N)",
+                    moment  = "Moment of rigid side top (N m)";
+  double worst = 0, motion = 0;
+  for (const auto *problem : {held.get(), pinned.get(), jump.get()})
+    for (const std::string a : {"x", "y"})
+      {
+        test::add_error(worst,
+                        std::abs(get(*problem,
+                                     "Force " + a + " of rigid side top (N)") -
+                                 (a == "x" ? 50 : -300)));
+        const std::string u = "Translation " + a + " of rigid side top (m)";
+        test::add_error(motion, relative(get(*problem, u), get(*held, u)));
+      }
+  test::check_error("forces on a rigid side between periodic ones",
+                    worst,
+                    1e-5);
+  test::check_error("the same motion, whoever holds the rotation",
+                    motion,
+                    1e-8);
+  // the couple of the forces through the sides, 1 m apart, holds it instead
+  const double couple = get(*pinned, through) - get(*held, through);
+  test::check_error("moment on a pinned rotation",
+                    std::abs(get(*pinned, moment) - 7),
+                    1e-9);
+  test::check_error("the couple that pins it",
+                    std::abs(get(*pinned, moment) - get(*held, moment) -
+                             couple),
+                    1e-5);
+  test::check_error("moment with a given force through the sides",
+                    std::abs(get(*jump, moment) - get(*held, moment) -
+                             (20 - get(*held, through))),
+                    1e-5);
+}
+
+/** One cell of a periodic body in motion, and two of them side by side. */
+void
+test_periodic_motion(const std::string &settings)
+{
+  const auto run = [&](const unsigned int n) {
+    const std::string width = std::to_string(n);
+    return test::run_scene<2>(
+      "Grid/Upper corner = " + width +
+      ", 1\nGrid/Subdivisions = " + std::to_string(4 * n) +
+      ", 4\nMaterial/Young modulus = 1e4\nMaterial/Density = 10\n"
+      "Material/Poisson ratio = 0.4\nFormulation/Type = u-p\n"
+      "Formulation/Stabilisation = PPP\nNewton/Tolerance = 1e-11\n"
+      "Dynamics/Inertia = true\nDynamics/Initial velocity = 2*y + "
+      "sin(2*pi*x)*y, cos(2*pi*x)*y\n"
+      "Time/End time = 0.02\nTime/Step size = 0.005\n"
+      "Postprocess/Point probes = A: 0.4, 0.6\n" +
+      keep + settings +
+      "Boundary conditions/Displacement = bottom: x = 0, y = 0\n"
+      "Boundary conditions/Periodic sides = left: right\n"
+      "Boundary conditions/Rigid sides = top: force y = -20*" +
+      width + ", rotation = 0\n");
+  };
+  const auto one   = run(1);
+  const auto two   = run(2);
+  double     worst = 0;
+  for (const std::string column :
+       {"Displacement x of A (m)", "Displacement y of A (m)"})
+    test::add_error(worst, relative(get(*two, column), get(*one, column)));
+  test::check_error("two cells in motion are as one", worst, 1e-8);
+  test::check_error("their energy",
+                    relative(get(*two, "Kinetic energy (J)"),
+                             2 * get(*one, "Kinetic energy (J)")),
+                    1e-8);
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const std::string up = "Formulation/Type = u-p\nFormulation/Stabilisation = "
+                         "PPP\nMaterial/Poisson ratio = 0.45\n";
+  const std::string cpdi = "Quadrature/Type = CPDI\n"
+                           "Material points/Points per cell = 4\n";
+  test_walls_on_adaptive_grid(up + cpdi);
+  test_rigid_sides_on_adaptive_grid(up + cpdi);
+  test_periodic_sides_on_adaptive_grid();
+  test_rigid_between_periodic(up);
+  test_periodic_motion("");
+}

@@ -1,0 +1,393 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Linear equations in 3D: curved walls against the closed form of a hollow
+// sphere, rigid sides of which only some rotations are free, and a slab between
+// periodic sides against the same body in plane strain.
+
+#include <isochor/boundary_condition/finite_rotation.h>
+#include <isochor/boundary_condition/wall_surface.h>
+
+#include <fstream>
+
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  using Vector3 = Tensor<1, 3>;
+
+  const std::string keep = "Grid reset/Steps between resets = 0\n"
+                           "Grid reset/Smallest element quality = 0\n";
+
+  double
+  relative(const double value, const double expected)
+  {
+    return std::abs(value / expected - 1);
+  }
+
+  template <int dim>
+  double
+  get(const MaterialPointMethod<dim> &problem, const std::string &column)
+  {
+    return problem.last_statistics().get(column);
+  }
+
+  /** Columns of three components; @p name has an x for them. */
+  Vector3
+  vector(const MaterialPointMethod<3> &problem, const std::string &name)
+  {
+    Vector3 v;
+    for (unsigned int a = 0; a < 3; ++a)
+      {
+        std::string column             = name;
+        column[column.find(" x ") + 1] = "xyz"[a];
+        v[a]                           = get(problem, column);
+      }
+    return v;
+  }
+
+  /** An eighth of the hollow sphere 1 < r < 2, turned by @p R: n x n / 2 x n
+   * prisms, each of three tetrahedra. */
+  std::string
+  sphere(const unsigned int n, const Tensor<2, 3> &R, const std::string &name)
+  {
+    struct Node
+    {
+      std::array<unsigned int, 4> at; // place in the triangle, and layer
+      Point<3>                    x;
+    };
+    std::vector<Node>                                   nodes;
+    std::map<std::array<unsigned int, 3>, unsigned int> number;
+    for (unsigned int layer = 0; layer <= n; ++layer)
+      for (unsigned int i = 0; i <= n; ++i)
+        for (unsigned int j = 0; i + j <= n; ++j)
+          {
+            Vector3 d({double(i), double(j), double(n - i - j)});
+            d *= (1 + double(layer) / n) / d.norm();
+            number[{{i, j, layer}}] = nodes.size();
+            nodes.push_back({{{i, j, n - i - j, layer}}, Point<3>(R * d)});
+          }
+    std::vector<std::array<unsigned int, 4>> cells;
+    const auto add_prism = [&](std::array<std::array<unsigned int, 2>, 3> foot,
+                               const unsigned int layer) {
+      std::sort(foot.begin(), foot.end());
+      const auto at = [&](const unsigned int k, const unsigned int up) {
+        return number.at({{foot[k][0], foot[k][1], layer + up}});
+      };
+      cells.push_back({{at(0, 0), at(1, 0), at(2, 0), at(2, 1)}});
+      cells.push_back({{at(0, 0), at(1, 0), at(1, 1), at(2, 1)}});
+      cells.push_back({{at(0, 0), at(0, 1), at(1, 1), at(2, 1)}});
+    };
+    for (unsigned int layer = 0; layer < n; ++layer)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; i + j < n; ++j)
+          {
+            add_prism({{{{i, j}}, {{i + 1, j}}, {{i, j + 1}}}}, layer);
+            if (i + j + 1 < n)
+              add_prism({{{{i + 1, j}}, {{i + 1, j + 1}}, {{i, j + 1}}}},
+                        layer);
+          }
+    std::ostringstream elements;
+    unsigned int       n_elements = 0;
+    for (auto &cell : cells)
+      {
+        const auto x = [&](const unsigned int v) { return nodes[cell[v]].x; };
+        if (cross_product_3d(x(1) - x(0), x(2) - x(0)) * (x(3) - x(0)) < 0)
+          std::swap(cell[0], cell[1]);
+        elements << ++n_elements << " 4 2 6 6";
+        for (const unsigned int v : cell)
+          elements << ' ' << v + 1;
+        elements << '\n';
+        // faces in the planes x, y, z = 0, inside and outside
+        for (unsigned int left_out = 0; left_out < 4; ++left_out)
+          for (unsigned int side = 0; side < 5; ++side)
+            {
+              bool        on_side = true;
+              std::string corners;
+              for (unsigned int v = 0; v < 4; ++v)
+                if (v != left_out)
+                  {
+                    const auto &at = nodes[cell[v]].at;
+                    on_side        = on_side && (side < 3 ? at[side] == 0 :
+                                                            at[3] == (side - 3) * n);
+                    corners += ' ' + std::to_string(cell[v] + 1);
+                  }
+              if (on_side)
+                elements << ++n_elements << " 2 2 " << side + 1 << ' '
+                         << side + 1 << corners << '\n';
+            }
+      }
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      {
+        std::ofstream out(name);
+        out.precision(17);
+        out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n6\n"
+               "2 1 \"yz\"\n2 2 \"zx\"\n2 3 \"xy\"\n2 4 \"inner\"\n"
+               "2 5 \"outer\"\n3 6 \"body\"\n$EndPhysicalNames\n$Nodes\n"
+            << nodes.size() << '\n';
+        for (unsigned int v = 0; v < nodes.size(); ++v)
+          out << v + 1 << ' ' << nodes[v].x << '\n';
+        out << "$EndNodes\n$Elements\n"
+            << n_elements << '\n'
+            << elements.str() << "$EndElements\n";
+      }
+    MPI_Barrier(MPI_COMM_WORLD);
+    return "Grid/Type = gmsh\nGrid/File = " + name + '\n';
+  }
+
+  Tensor<2, 3>
+  no_turn()
+  {
+    return unit_symmetric_tensor<3>();
+  }
+
+  Tensor<2, 3>
+  some_turn()
+  {
+    return FiniteRotation(Vector3({0.4, -0.7, 0.3})).matrix();
+  }
+} // namespace
+
+/** The smooth surface that the faces of a sphere stand for. */
+void
+test_surface()
+{
+  double distance = 0, normal = 0;
+  for (const unsigned int n : {5, 10})
+    {
+      ParameterHandler prm;
+      BackgroundGrid<3>::declare_parameters(prm);
+      test::set_parameters(prm, sphere(n, some_turn(), "surface.msh"));
+      BackgroundGrid<3> grid(MPI_COMM_WORLD);
+      grid.parse_parameters(prm);
+      grid.create();
+      WallSurface<3> outer;
+      outer.initialize(grid, grid.boundary_id("outer", ""));
+      const double coarse_distance = distance, coarse_normal = normal;
+      distance = normal = 0;
+      // away from the rim, where vertices know one side of the surface only
+      for (double u = 0.25; u < 0.6; u += 0.03)
+        for (double v = 0.25; u + v < 0.75; v += 0.03)
+          for (const double r : {1.95, 2., 2.05})
+            {
+              const Vector3 d({u, v, 1 - u - v});
+              const auto    x     = Point<3>(some_turn() * (r / d.norm() * d));
+              const auto    place = outer.locate(x);
+              distance = std::max(distance, std::abs(place.distance - (2 - r)));
+              normal   = std::max(normal, (place.normal + x / r).norm());
+            }
+      if (n == 10)
+        {
+          test::check("distance from a sphere, of third order at least",
+                      distance < 2e-3 && distance < coarse_distance / 6,
+                      std::to_string(distance) + " after " +
+                        std::to_string(coarse_distance));
+          test::check("normals of a sphere, of first order at least",
+                      normal < 2e-2 && normal < coarse_normal / 1.8,
+                      std::to_string(normal) + " after " +
+                        std::to_string(coarse_normal));
+        }
+    }
+}
+
+/** A hollow sphere is widened from inside by δ: the pressure is
+ * E δ (b³ - a³)/(a³ ((1 - 2ν) a + (1 + ν) b³/(2 a²))) (Lamé). */
+void
+test_sphere()
+{
+  const double E = 1e4, nu = 0.3, a = 1, b = 2, delta = 1e-4;
+  const double pressure =
+    E * delta * (b * b * b - a * a * a) /
+    (a * a * a * ((1 - 2 * nu) * a + (1 + nu) * b * b * b / (2 * a * a)));
+  const auto force = [&](const unsigned int  n,
+                         const Tensor<2, 3> &R,
+                         const std::string  &inner,
+                         const std::string  &more = "") {
+    const auto problem = test::run_scene<3>(
+      sphere(n, R, "sphere.msh") +
+      "Material/Young modulus = 1e4\nMaterial/Poisson ratio = 0.3\n"
+      "Formulation/Type = u\nPostprocess/Reactions = inner\n"
+      "Newton/Tolerance = 1e-9\nBoundary conditions/Walls = yz: n = 0; zx: n "
+      "= 0; xy: n = 0; inner: " +
+      inner + '\n' + more);
+    return transpose(R) * vector(*problem, "Reaction x on inner (N)");
+  };
+  const Vector3 coarse  = force(3, no_turn(), "n = 1e-4*t"),
+                fine    = force(6, no_turn(), "n = 1e-4*t"),
+                turned  = force(6, some_turn(), "n >= 1e-4*t"),
+                kept    = force(6,
+                             some_turn(),
+                             "n >= 1e-4*t",
+                             keep + "Time/Step size = 0.5\n");
+  const double expected = pressure * numbers::PI / 4 * a * a;
+  double       worst = 0, worst_fine = 0;
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      test::add_error(worst, relative((4 * fine[d] - coarse[d]) / 3, expected));
+      test::add_error(worst_fine, relative(fine[d], expected));
+    }
+  test::check_error("pressure in a hollow sphere", worst_fine, 0.05);
+  test::check_error("extrapolated", worst, 0.01);
+  test::check_error("turned, one-sided",
+                    (turned - fine).norm() / fine.norm(),
+                    1e-7);
+  test::check_error("turned, on a kept grid",
+                    (kept - fine).norm() / fine.norm(),
+                    1e-4);
+}
+
+namespace
+{
+  std::unique_ptr<MaterialPointMethod<3>>
+  run_block(const std::string &top, const std::string &more = "")
+  {
+    return test::run_scene<3>(
+      "Grid/Subdivisions = 2, 2, 2\nMaterial/Young modulus = 1e4\n"
+      "Material/Poisson ratio = 0.3\nFormulation/Type = u\n"
+      "Newton/Tolerance = 1e-11\n" +
+      more +
+      "Boundary conditions/Displacement = bottom: x = 0, y = 0, z = 0\n"
+      "Boundary conditions/Rigid sides = top: " +
+      top + '\n');
+  }
+
+  std::string
+  text(const double value)
+  {
+    std::ostringstream out;
+    out.precision(17);
+    out << value << "*t";
+    return out.str();
+  }
+} // namespace
+
+/** A motion with all rotations given; then one or two of them are free, with
+ * the moments that do the same work, and have to come back. */
+void
+test_some_rotations_free()
+{
+  const std::string translation = "x = 0.05*t, y = 0.03*t, z = -0.02*t, ";
+  const Vector3     theta({0.3, 0.25, -0.2});
+  const std::string rotation = "Rotation x of rigid side top (rad)";
+  const auto        moved    = run_block(
+    translation + "rotation x = 0.3*t, rotation y = 0.25*t, rotation z = "
+                            "-0.2*t");
+  const FiniteRotation R(theta);
+  const Vector3        Q =
+    R.pull_back(vector(*moved, "Moment x of rigid side top (N m)"));
+  const auto work = [&](const unsigned int axis, const unsigned int along) {
+    Vector3 e;
+    e[axis] = 1;
+    return R.pull_back(e)[along];
+  };
+  const auto one = run_block(translation +
+                             "rotation x = 0.3*t, rotation z = -0.2*t, moment "
+                             "y = " +
+                             text(Q[1] / work(1, 1)));
+  test::check_error("one rotation free",
+                    (vector(*one, rotation) - theta).norm(),
+                    1e-7);
+  // (Tᵀ (0, M_y, M_z)) has the components Q_y and Q_z
+  const double det = work(1, 1) * work(2, 2) - work(2, 1) * work(1, 2);
+  const auto   two = run_block(
+    translation + "rotation x = 0.3*t, moment y = " +
+    text((Q[1] * work(2, 2) - work(2, 1) * Q[2]) / det) +
+    ", moment z = " + text((work(1, 1) * Q[2] - work(1, 2) * Q[1]) / det));
+  test::check_error("two rotations free",
+                    (vector(*two, rotation) - theta).norm(),
+                    1e-7);
+  // about y nothing acts
+  const auto free =
+    run_block(translation + "rotation x = 0.3*t, rotation z = -0.2*t");
+  const Vector3 turned  = vector(*free, rotation),
+                moments = vector(*free, "Moment x of rigid side top (N m)");
+  test::check("a free rotation turns", std::abs(turned[1]) > 1e-3, "");
+  test::check_error("no moment does work on it",
+                    std::abs(FiniteRotation(turned).pull_back(moments)[1]) /
+                      moments.norm(),
+                    1e-8);
+  test::check_error("what is given, stays",
+                    std::abs(turned[0] - 0.3) + std::abs(turned[2] + 0.2),
+                    1e-12);
+}
+
+/** About one axis the same holds over several steps. */
+void
+test_one_axis(const std::string &settings)
+{
+  const std::string held =
+    "x = 0, y = 0, z = 0.1*t, rotation x = 0, rotation z "
+    "= 0, ";
+  const auto   moved = run_block(held + "rotation y = 0.6*t", settings);
+  const double M     = get(*moved, "Moment y of rigid side top (N m)");
+  // a load that grows with the moment of the motion is not known before; in
+  // statics only the last one counts
+  const auto loaded = run_block(held + "moment y = " + text(M), settings);
+  test::check_error("rotation about one axis by its moment",
+                    std::abs(
+                      get(*loaded, "Rotation y of rigid side top (rad)") - 0.6),
+                    1e-7);
+}
+
+/** Cook's membrane in plane strain, and as one layer of tetrahedra with
+ * periodic sides and no displacement in z: triangles and tetrahedra have the
+ * same displacements and pressures. A pressure that is linear over a triangle
+ * varies by 3/4 as much in the tetrahedra over it, in the mean square. */
+void
+test_slab()
+{
+  const auto membrane = [](const unsigned int dim) {
+    return std::string("Grid/Type = trapezoid\nGrid/Corners = 0, 0; 48, 44; "
+                       "48, 60; 0, 44\n"
+                       "Material/Young modulus = 70\nFormulation/Type = u-p\n"
+                       "Formulation/Stabilisation = PPP\n"
+                       "Newton/Tolerance = 1e-11\n") +
+           (dim == 2 ? "Grid/Diagonals = /\nGrid/Subdivisions = 6, 6\n"
+                       "Formulation/PPP coefficient = 1\n"
+                       "Boundary conditions/Displacement = left: x = 0, y = 0\n"
+                       "Boundary conditions/Traction = right: 0, 1/16\n"
+                       "Postprocess/Point probes = A: 48, 60\n" :
+                       "Grid/Depth = 3\nGrid/Subdivisions = 6, 6, 1\n"
+                       "Formulation/PPP coefficient = 1.333333333333333333\n"
+                       "Boundary conditions/Displacement = left: x = 0, y = 0; "
+                       "front: z = 0; back: z = 0\n"
+                       "Boundary conditions/Periodic sides = front: back\n"
+                       "Boundary conditions/Traction = right: 0, 1/16, 0\n"
+                       "Postprocess/Point probes = A: 48, 60, 0\n");
+  };
+  const std::string column = "Displacement y of A (m)";
+  const auto        check  = [&](const std::string &name,
+                         const std::string &in_plane,
+                         const std::string &in_space) {
+    const double plane =
+      get(*test::run_scene<2>(membrane(2) + in_plane), column);
+    const double slab =
+      get(*test::run_scene<3>(membrane(3) + in_space), column);
+    test::check_error("a periodic slab in plane strain, " + name,
+                      relative(slab, plane),
+                      1e-9);
+  };
+  const std::string half = "Material/Poisson ratio = 0.5\nMaterial "
+                           "points/Points per cell = 1\n";
+  check("nu = 1/2", half, half);
+  const std::string nearly = "Material/Poisson ratio = 0.499\n"
+                             "Formulation/Type = u\nFormulation/Stabilisation "
+                             "= none\n";
+  check("u", nearly, nearly);
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_surface();
+  test_sphere();
+  test_some_rotations_free();
+  test_one_axis("");
+  test_one_axis(keep + "Time/Step size = 0.25\n");
+  test_slab();
+}
