@@ -46,7 +46,7 @@ namespace isochor
     extension.parse_parameters(prm);
     refinement.parse_parameters(prm);
     grid_reset.parse_parameters(prm);
-    extends         = extension.is_active(scene.quadrature->ties_cut_cells());
+    extends         = extension.is_active(scene.ties_cut_cells());
     needs_occupancy = scene.quadrature->needs_occupancy() || extends;
   }
 
