@@ -5,6 +5,8 @@
 #include <isochor/base/plugin_registry.h>
 #include <isochor/body_quadrature/body_quadrature.h>
 
+#include <algorithm>
+
 namespace isochor
 {
   template <int dim>
@@ -46,6 +48,87 @@ namespace isochor
 
 
 
+  namespace
+  {
+    /** Points without a stencil get the shape functions of the grid at their
+     * place. */
+    template <int dim>
+    void
+    add_stencils(const ShapeFunctions<dim> &functions, PointArrays<dim> &points)
+    {
+      typename ShapeFunctions<dim>::Values at;
+      for (unsigned int k = 0; k < points.cell.size(); ++k)
+        for (unsigned int q =
+               std::max<std::size_t>(points.cell_start[k],
+                                     points.stencil_start.size() - 1);
+             q < points.cell_start[k + 1];
+             ++q)
+          {
+            functions.evaluate(points.cell[k], points.shape[q], at);
+            for (unsigned int I = 0; I < at.n_nodes; ++I)
+              {
+                points.stencil_vertex.push_back(at.vertex[I]);
+                points.stencil_shape.push_back(at.shape[I]);
+                points.stencil_gradient.push_back(at.gradient[I]);
+              }
+            points.stencil_start.push_back(points.stencil_vertex.size());
+          }
+    }
+
+    /** The cells of the stabilisation: those of the elements with points. */
+    template <int dim>
+    void
+    stabilise_elements(const BackgroundGrid<dim> &grid,
+                       const MixedKernel<dim>    &kernel,
+                       PointArrays<dim>          &points)
+    {
+      std::map<unsigned int, CellCompliance> compliance;
+      for (unsigned int k = 0; k < points.cell.size(); ++k)
+        {
+          const CellCompliance of_points =
+            kernel.compliance_of_points(points,
+                                        points.cell_start[k],
+                                        points.cell_start[k + 1]);
+          for (const auto &[cell, part] :
+               parts_of_element(grid, points.cell[k]))
+            {
+              compliance[cell].volume += part * of_points.volume;
+              compliance[cell].mass += part * of_points.mass;
+            }
+        }
+      points.set_overlapped_cells(grid.geometry(), compliance);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  BodyQuadrature<dim>::set_up(PointArrays<dim>        &points,
+                              const PointLocator<dim> &locator,
+                              const MixedKernel<dim>  &kernel,
+                              const bool               with_occupancy,
+                              CellOccupancy<dim>      &occupancy) const
+  {
+    const BackgroundGrid<dim> &grid = occupancy.grid;
+    const bool                 by_functions =
+      !grid.shape_functions().are_linear() && !makes_stencils();
+    if (by_functions)
+      {
+        points.clear_stencils();
+        add_stencils(grid.shape_functions(), points);
+      }
+    start_step(points, locator, kernel, with_occupancy, occupancy);
+    if (by_functions)
+      {
+        add_stencils(grid.shape_functions(), points); // of massless points
+        if (kernel.ppp_coefficient > 0)
+          stabilise_elements(grid, kernel, points);
+      }
+  }
+
+
+
   template <int dim>
   Point<dim>
   location_of_point(const SimplexGeometry<dim> &geometry,
@@ -62,6 +145,24 @@ namespace isochor
 
 
 
+  template <int dim>
+  boost::container::small_vector<std::pair<unsigned int, double>, 6>
+  parts_of_element(const BackgroundGrid<dim> &grid, const unsigned int cell)
+  {
+    boost::container::small_vector<std::pair<unsigned int, double>, 6> parts;
+    double                                                             sum = 0;
+    for (const unsigned int part : grid.shape_functions().element(cell))
+      {
+        parts.emplace_back(part, grid.geometry().measure(part));
+        sum += parts.back().second;
+      }
+    for (auto &part : parts)
+      part.second /= sum;
+    return parts;
+  }
+
+
+
   template class BodyQuadrature<2>;
   template class BodyQuadrature<3>;
   template Point<2>
@@ -74,4 +175,8 @@ namespace isochor
                     const PointArrays<3> &,
                     const unsigned int,
                     const unsigned int);
+  template boost::container::small_vector<std::pair<unsigned int, double>, 6>
+  parts_of_element(const BackgroundGrid<2> &, const unsigned int);
+  template boost::container::small_vector<std::pair<unsigned int, double>, 6>
+  parts_of_element(const BackgroundGrid<3> &, const unsigned int);
 } // namespace isochor

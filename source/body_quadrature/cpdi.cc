@@ -31,6 +31,12 @@ namespace isochor
     }
 
     bool
+    makes_stencils() const override
+    {
+      return true;
+    }
+
+    bool
     forces_jump() const override
     {
       return false;
@@ -50,23 +56,23 @@ namespace isochor
                const bool /*with_occupancy*/,
                CellOccupancy<dim> &occupancy) const override
     {
-      const std::vector<double> corner_shares = build_stencils(points, locator);
+      const std::vector<double> corner_shares =
+        build_stencils(points, locator, occupancy.grid.shape_functions());
       occupancy.update(points, kernel, false);
-      collect_overlapped_cells(
-        points, locator.geometry(), corner_shares, occupancy, kernel);
+      collect_overlapped_cells(points, corner_shares, occupancy, kernel);
     }
 
   private:
     /** Returns the part of its corner for each entry of corner_cells. */
     std::vector<double>
-    build_stencils(PointArrays<dim>        &points,
-                   const PointLocator<dim> &locator) const;
+    build_stencils(PointArrays<dim>          &points,
+                   const PointLocator<dim>   &locator,
+                   const ShapeFunctions<dim> &functions) const;
     void
-    collect_overlapped_cells(PointArrays<dim>           &points,
-                             const SimplexGeometry<dim> &geometry,
-                             const std::vector<double>  &corner_shares,
-                             const CellOccupancy<dim>   &occupancy,
-                             const MixedKernel<dim>     &kernel) const;
+    collect_overlapped_cells(PointArrays<dim>          &points,
+                             const std::vector<double> &corner_shares,
+                             const CellOccupancy<dim>  &occupancy,
+                             const MixedKernel<dim>    &kernel) const;
   };
 
 
@@ -143,22 +149,39 @@ namespace isochor
           std::numeric_limits<double>::max());
     }
 
-    /** Whether a corner at @p place acts on nodes that none of @p cells has,
-     * however little. */
+    /** The shape functions of the nodes that a corner at @p place acts on, but
+     * for a factor, and their sum. */
+    template <int dim>
+    double
+    evaluate_corner(const ShapeFunctions<dim>            &functions,
+                    const LocateResult<dim>              &place,
+                    typename ShapeFunctions<dim>::Values &at)
+    {
+      functions.evaluate(place.cell, place.barycentric, at);
+      double sum = 0;
+      for (unsigned int I = 0; I < at.n_nodes; ++I)
+        {
+          if (std::abs(at.shape[I]) < no_support)
+            at.shape[I] = 0;
+          sum += at.shape[I];
+        }
+      return sum;
+    }
+
+    /** Whether a corner with the shape functions @p at acts on nodes that none
+     * of the elements of @p cells has, however little. */
     template <int dim>
     bool
-    touches_other_nodes(const SimplexGeometry<dim>      &geometry,
-                        const LocateResult<dim>         &place,
-                        const std::vector<unsigned int> &cells)
+    touches_other_nodes(const ShapeFunctions<dim>                  &functions,
+                        const typename ShapeFunctions<dim>::Values &at,
+                        const std::vector<unsigned int>            &cells)
     {
-      for (unsigned int v = 0; v <= dim; ++v)
-        if (place.barycentric[v] >= no_support &&
+      for (unsigned int I = 0; I < at.n_nodes; ++I)
+        if (at.shape[I] != 0 &&
             std::none_of(
               cells.begin(), cells.end(), [&](const unsigned int cell) {
-                const auto &nodes = geometry.vertex_indices(cell);
-                return std::find(nodes.begin(),
-                                 nodes.end(),
-                                 geometry.vertex_indices(place.cell)[v]) !=
+                const auto nodes = functions.nodes(cell);
+                return std::find(nodes.begin(), nodes.end(), at.vertex[I]) !=
                        nodes.end();
               }))
           return true;
@@ -209,7 +232,8 @@ namespace isochor
       }
 
     private:
-      static constexpr unsigned int     n_max   = (dim + 1) * (dim + 1);
+      static constexpr unsigned int n_max =
+        (dim + 1) * ShapeFunctions<dim>::max_nodes;
       unsigned int                      n_nodes = 0;
       std::array<unsigned int, n_max>   vertices;
       std::array<double, n_max>         shape;
@@ -245,58 +269,49 @@ namespace isochor
 
   template <int dim>
   std::vector<double>
-  CPDI<dim>::build_stencils(PointArrays<dim>        &points,
-                            const PointLocator<dim> &locator) const
+  CPDI<dim>::build_stencils(PointArrays<dim>          &points,
+                            const PointLocator<dim>   &locator,
+                            const ShapeFunctions<dim> &functions) const
   {
-    const SimplexGeometry<dim> &geometry = locator.geometry();
-    std::vector<double>         corner_shares;
-    std::vector<unsigned int>   cells;
-    points.stencil_start.assign(1, 0);
-    points.stencil_vertex.clear();
-    points.stencil_shape.clear();
-    points.stencil_gradient.clear();
-    points.corner_cells.clear();
-    DomainStencil<dim> stencil;
+    std::vector<double>       corner_shares;
+    std::vector<unsigned int> cells;
+    points.clear_stencils();
+    DomainStencil<dim>                                        stencil;
+    std::array<typename ShapeFunctions<dim>::Values, dim + 1> at;
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const Point<dim>   x = location_of_point(geometry, points, k, q);
-          CornerVectors<dim> corners;
-          std::array<LocateResult<dim>, dim + 1> places;
+          const Point<dim> x =
+            location_of_point(locator.geometry(), points, k, q);
+          CornerVectors<dim>          corners;
+          std::array<double, dim + 1> sums;
           for (unsigned int c = 0; c <= dim; ++c)
             {
               corners[c] = points.F[q] * points.domain[q][c];
-              places[c] = locate_corner(locator, x, points.cell[k], corners[c]);
-              find_corner_cells(locator, x, corners[c], places[c], cells);
+              const LocateResult<dim> place =
+                locate_corner(locator, x, points.cell[k], corners[c]);
+              sums[c] = evaluate_corner(functions, place, at[c]);
+              find_corner_cells(locator, x, corners[c], place, cells);
               for (const unsigned int cell : cells)
                 {
                   points.corner_cells.emplace_back(q, cell);
                   corner_shares.push_back(1. / cells.size());
                 }
-              if (touches_other_nodes(locator.geometry(), places[c], cells))
+              if (touches_other_nodes(functions, at[c], cells))
                 {
-                  points.corner_cells.emplace_back(q, places[c].cell);
+                  points.corner_cells.emplace_back(q, place.cell);
                   corner_shares.push_back(0.);
                 }
             }
           const auto gradients = barycentric_gradients<dim>(corners);
           stencil.clear();
           for (unsigned int c = 0; c <= dim; ++c)
-            {
-              double sum = 0;
-              for (double &N : places[c].barycentric)
-                {
-                  if (N < no_support)
-                    N = 0;
-                  sum += N;
-                }
-              for (unsigned int I = 0; I <= dim; ++I)
-                if (places[c].barycentric[I] > 0)
-                  stencil.add(geometry.vertex_indices(places[c].cell)[I],
-                              places[c].barycentric[I] / sum,
-                              gradients[c]);
-            }
+            for (unsigned int I = 0; I < at[c].n_nodes; ++I)
+              if (at[c].shape[I] != 0)
+                stencil.add(at[c].vertex[I],
+                            at[c].shape[I] / sums[c],
+                            gradients[c]);
           stencil.append_to(points);
         }
     return corner_shares;
@@ -306,33 +321,27 @@ namespace isochor
 
   template <int dim>
   void
-  CPDI<dim>::collect_overlapped_cells(PointArrays<dim>           &points,
-                                      const SimplexGeometry<dim> &geometry,
-                                      const std::vector<double>  &corner_shares,
-                                      const CellOccupancy<dim>   &occupancy,
-                                      const MixedKernel<dim>     &kernel) const
+  CPDI<dim>::collect_overlapped_cells(PointArrays<dim>          &points,
+                                      const std::vector<double> &corner_shares,
+                                      const CellOccupancy<dim>  &occupancy,
+                                      const MixedKernel<dim>    &kernel) const
   {
     // a corner stands for its part of the domain
+    const BackgroundGrid<dim>             &grid = occupancy.grid;
     std::map<unsigned int, CellCompliance> compliance;
     for (unsigned int i = 0; i < corner_shares.size(); ++i)
       {
-        const auto &[q, cell] = points.corner_cells[i];
-        if (corner_shares[i] > 0 && occupancy.is_closed(cell))
-          kernel.add_compliance(points,
-                                q,
-                                corner_shares[i] * points.measure(q) /
-                                  (dim + 1),
-                                compliance[cell]);
+        const auto &[q, corner_cell] = points.corner_cells[i];
+        if (corner_shares[i] > 0)
+          for (const auto &[cell, part] : parts_of_element(grid, corner_cell))
+            if (occupancy.is_closed(cell))
+              kernel.add_compliance(points,
+                                    q,
+                                    part * (corner_shares[i] *
+                                            points.measure(q) / (dim + 1)),
+                                    compliance[cell]);
       }
-    points.overlapped_cells.clear();
-    for (const auto &[cell, sum] : compliance)
-      {
-        OverlappedCell<dim> overlapped{cell, sum, {}};
-        for (unsigned int v = 0; v <= dim; ++v)
-          overlapped.corners[v] =
-            geometry.vertices()[geometry.vertex_indices(cell)[v]];
-        points.overlapped_cells.push_back(overlapped);
-      }
+    points.set_overlapped_cells(grid.geometry(), compliance);
   }
 
 

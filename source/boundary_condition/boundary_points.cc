@@ -22,7 +22,7 @@ namespace isochor
   {
   public:
     Candidates(const BackgroundGrid<dim> &grid, const PointArrays<dim> &body)
-      : geometry(grid.geometry())
+      : functions(grid.shape_functions())
       , by_nodes(body.has_stencils())
     {
       if (by_nodes)
@@ -46,7 +46,7 @@ namespace isochor
     {
       if (!by_nodes)
         return is_member(cell);
-      const auto &vertices = geometry.vertex_indices(cell);
+      const auto vertices = functions.nodes(cell);
       return std::all_of(vertices.begin(),
                          vertices.end(),
                          [this](const unsigned int v) { return is_member(v); });
@@ -66,8 +66,8 @@ namespace isochor
       members.erase(std::unique(members.begin(), members.end()), members.end());
     }
 
-    const SimplexGeometry<dim> &geometry;
-    const bool                  by_nodes;
+    const ShapeFunctions<dim> &functions;
+    const bool                 by_nodes;
     /** Occupied cells or active vertices, of all ranks. */
     std::vector<unsigned int> members;
   };
@@ -325,16 +325,18 @@ namespace isochor
   BoundaryPoints<dim>::add_stencil(const unsigned int               b,
                                    const std::vector<unsigned int> &cells)
   {
-    const SimplexGeometry<dim> &geometry = grid.geometry();
-    const std::size_t           begin    = stencil_start.back();
-    double                      size     = 0;
+    const SimplexGeometry<dim>          &geometry = grid.geometry();
+    const std::size_t                    begin    = stencil_start.back();
+    double                               size     = 0;
+    typename ShapeFunctions<dim>::Values at;
     for (const unsigned int cell : cells)
       {
-        const auto lambda = geometry.barycentric(cell, records.locations[b]);
+        grid.shape_functions().evaluate(
+          cell, geometry.barycentric(cell, records.locations[b]), at);
         size += cell_size(geometry, cell) / cells.size();
-        for (unsigned int v = 0; v <= dim; ++v)
+        for (unsigned int I = 0; I < at.n_nodes; ++I)
           {
-            const unsigned int vertex = geometry.vertex_indices(cell)[v];
+            const unsigned int vertex = at.vertex[I];
             const std::size_t  i = std::find(stencil_vertex.begin() + begin,
                                             stencil_vertex.end(),
                                             vertex) -
@@ -345,9 +347,9 @@ namespace isochor
                 stencil_shape.push_back(0);
                 stencil_gradient.emplace_back();
               }
-            stencil_shape[i] += lambda[v] / cells.size();
+            stencil_shape[i] += at.shape[I] / cells.size();
             stencil_gradient[i] +=
-              geometry.gradients(cell)[v] / static_cast<double>(cells.size());
+              at.gradient[I] / static_cast<double>(cells.size());
           }
       }
     stencil_start.push_back(stencil_vertex.size());

@@ -215,33 +215,35 @@ namespace isochor
       {
         std::vector<unsigned int> next;
         for (const unsigned int v : front)
-          for (const unsigned int cell : occupancy.cells_at(v))
-            {
-              if (occupancy.content(cell) == nullptr ||
-                  !seen_cells.insert(cell).second)
-                continue;
-              bool supported = true;
-              for (const unsigned int w : geometry.vertex_indices(cell))
-                {
-                  supported = supported && is_supported(w);
-                  if (seen_vertices.insert(w).second)
-                    next.push_back(w);
-                }
-              if (!supported)
-                continue;
-              double sum = 0;
-              for (const double lambda :
-                   geometry.barycentric(cell, geometry.vertices()[vertex]))
-                sum += lambda * lambda;
-              constexpr double equal = 1e-6;
-              if (sum < (1 - equal) * smallest)
-                {
-                  best.clear();
-                  smallest = sum;
-                }
-              if (sum < (1 + equal) * smallest)
-                best.push_back(cell);
-            }
+          for (const unsigned int around : occupancy.cells_at(v))
+            for (const unsigned int cell :
+                 grid.shape_functions().element(around))
+              {
+                if (occupancy.content(cell) == nullptr ||
+                    !seen_cells.insert(cell).second)
+                  continue;
+                bool supported = true;
+                for (const unsigned int w : geometry.vertex_indices(cell))
+                  {
+                    supported = supported && is_supported(w);
+                    if (seen_vertices.insert(w).second)
+                      next.push_back(w);
+                  }
+                if (!supported)
+                  continue;
+                double sum = 0;
+                for (const double lambda :
+                     geometry.barycentric(cell, geometry.vertices()[vertex]))
+                  sum += lambda * lambda;
+                constexpr double equal = 1e-6;
+                if (sum < (1 - equal) * smallest)
+                  {
+                    best.clear();
+                    smallest = sum;
+                  }
+                if (sum < (1 + equal) * smallest)
+                  best.push_back(cell);
+              }
         front.swap(next);
       }
     return make_tie(vertex, best);

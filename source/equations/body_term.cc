@@ -5,6 +5,8 @@
 #include <isochor/equations/body_term.h>
 #include <isochor/equations/nodal_unknowns.h>
 
+#include <type_traits>
+
 namespace isochor
 {
   template <int dim>
@@ -90,17 +92,30 @@ namespace isochor
                                 first_element + points.n_points(),
                                 with_matrix,
                                 system);
-    return step.mixed() ?
-             assemble_domains<dim + 1>(
-               step, unknowns, pending, first_element, with_matrix, system) :
-             assemble_domains<dim>(
-               step, unknowns, pending, first_element, with_matrix, system);
+    // corners of domains in elements of P1 or of others; short arrays are
+    // faster to work on
+    constexpr unsigned int few  = (dim + 1) * (dim + 1),
+                           many = (dim + 1) * ShapeFunctions<dim>::max_nodes;
+    const auto assemble_points  = [&](auto n_components, auto max_nodes) {
+      return assemble_domains<n_components(), max_nodes()>(
+        step, unknowns, pending, first_element, with_matrix, system);
+    };
+    constexpr std::integral_constant<int, dim>           u;
+    constexpr std::integral_constant<int, dim + 1>       u_p;
+    constexpr std::integral_constant<unsigned int, few>  as_few;
+    constexpr std::integral_constant<unsigned int, many> as_many;
+    if (grid.shape_functions().are_linear() || points.most_nodes() <= few)
+      return step.mixed() ? assemble_points(u_p, as_few) :
+                            assemble_points(u, as_few);
+    AssertThrow(points.most_nodes() <= many, ExcInternalError());
+    return step.mixed() ? assemble_points(u_p, as_many) :
+                          assemble_points(u, as_many);
   }
 
 
 
   template <int dim>
-  template <int n_components>
+  template <int n_components, unsigned int max_nodes>
   EvaluationStatus
   BodyTerm<dim>::assemble_domains(const StepContext<dim> &step,
                                   const NodalField       &unknowns,
@@ -109,7 +124,6 @@ namespace isochor
                                   const bool              with_matrix,
                                   MixedSystem<dim>       &system) const
   {
-    constexpr std::size_t                 max_nodes = (dim + 1) * (dim + 1);
     const NodalUnknowns<dim>              nodal(step, unknowns);
     Element<dim, n_components, max_nodes> element;
     for (unsigned int q = 0; q < points.n_points(); ++q)

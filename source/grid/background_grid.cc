@@ -41,6 +41,7 @@ namespace isochor
   {
     prm.enter_subsection("Grid");
     GridSource<dim>::declare_sources(prm);
+    ShapeFunctions<dim>::declare_functions(prm);
     GridStretch<dim>::declare_parameters(prm);
     prm.leave_subsection();
   }
@@ -53,6 +54,7 @@ namespace isochor
   {
     prm.enter_subsection("Grid");
     grid_source = GridSource<dim>::create(prm.get("Type"), prm);
+    functions   = ShapeFunctions<dim>::create(prm);
     stretch.parse_parameters(prm);
     prm.leave_subsection();
   }
@@ -160,6 +162,7 @@ namespace isochor
       cached_geometry->replace(*tria);
     else
       cached_geometry = std::make_unique<SimplexGeometry<dim>>(*tria);
+    functions->set_grid(*grid_source, *cached_geometry);
     assign_owners();
     collect_boundary();
   }

@@ -99,6 +99,15 @@ namespace isochor
 
 
   template <int dim>
+  std::vector<Hypercube<dim>>
+  LatticeSource<dim>::hypercubes() const
+  {
+    return StructuredGrid<dim>(subdivisions, offset).boxes();
+  }
+
+
+
+  template <int dim>
   CoarseGrid<dim>
   LatticeSource<dim>::coarse_cells(MeshGroups &groups) const
   {

@@ -73,6 +73,34 @@ namespace isochor
 
 
   template <int dim>
+  std::array<unsigned int, dim>
+  StructuredGrid<dim>::box_indices(unsigned int box) const
+  {
+    std::array<unsigned int, dim> index;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        index[d] = box % n[d];
+        box /= n[d];
+      }
+    return index;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  StructuredGrid<dim>::box_vertex(const std::array<unsigned int, dim> &box,
+                                  const unsigned int corner) const
+  {
+    unsigned int vertex = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      vertex += (box[d] + ((corner >> d) & 1u)) * stride[d];
+    return vertex;
+  }
+
+
+
+  template <int dim>
   bool
   StructuredGrid<dim>::on_side(const unsigned int vertex,
                                const unsigned int side) const
@@ -119,26 +147,16 @@ namespace isochor
     for (unsigned int box = 0; box < n_boxes; ++box)
       {
         // mirroring a box along an axis turns its diagonal
-        unsigned int base = 0, mirror = 0, rest = box;
+        const auto   index  = box_indices(box);
+        unsigned int mirror = 0;
         for (unsigned int d = 0; d < dim; ++d)
-          {
-            const unsigned int index = rest % n[d];
-            rest /= n[d];
-            base += index * stride[d];
-            if ((alternating && index % 2 == 1) || (backslash && d == 0))
-              mirror |= 1u << d;
-          }
+          if ((alternating && index[d] % 2 == 1) || (backslash && d == 0))
+            mirror |= 1u << d;
         for (const auto &simplex : simplices)
           {
             CellData<dim> cell(dim + 1);
             for (unsigned int i = 0; i <= dim; ++i)
-              {
-                const unsigned int corner = simplex[i] ^ mirror;
-                cell.vertices[i]          = base;
-                for (unsigned int d = 0; d < dim; ++d)
-                  if (corner & (1u << d))
-                    cell.vertices[i] += stride[d];
-              }
+              cell.vertices[i] = box_vertex(index, simplex[i] ^ mirror);
             Tensor<2, dim> edges;
             for (unsigned int d = 0; d < dim; ++d)
               edges[d] =
@@ -149,6 +167,25 @@ namespace isochor
           }
       }
     return cells;
+  }
+
+
+
+  template <int dim>
+  std::vector<Hypercube<dim>>
+  StructuredGrid<dim>::boxes() const
+  {
+    std::vector<Hypercube<dim>> all(n_boxes);
+    for (unsigned int box = 0; box < n_boxes; ++box)
+      {
+        const auto index = box_indices(box);
+        for (unsigned int corner = 0; corner < (1u << dim); ++corner)
+          all[box].vertices[corner] = box_vertex(index, corner);
+        const unsigned int n_parts = all[box].cells.size();
+        for (unsigned int part = 0; part < n_parts; ++part)
+          all[box].cells[part] = box * n_parts + part;
+      }
+    return all;
   }
 
 

@@ -6,6 +6,7 @@
 
 #include <isochor/base/disjoint_sets.h>
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/plain_message.h>
 #include <isochor/material_points/point_spacing.h>
 
 #include <algorithm>
@@ -96,6 +97,8 @@ namespace isochor
       warn_of_hinges(points, warnings);
     const MPI_Comm comm  = grid.communicator();
     const double   share = Utilities::MPI::max(largest_share(points), comm);
+    if (at_start)
+      warn_of_large_domains(points, share, warnings);
     if (share <= harmless_share)
       return;
     const std::set<unsigned int> bare = find_bare_cells(points);
@@ -150,12 +153,17 @@ namespace isochor
                                     Warnings               &warnings) const
   {
     // domains connect what the cells of the points don't
-    if (points.has_stencils())
+    if (Utilities::MPI::max(points.corner_cells.size(), grid.communicator()) >
+        0)
       return;
-    const unsigned int by_faces = n_pieces(points.cell);
+    std::vector<unsigned int> cells;
+    for (const unsigned int cell : points.cell)
+      for (const unsigned int of_element : grid.shape_functions().element(cell))
+        cells.push_back(of_element);
+    const unsigned int by_faces = n_pieces(cells);
     if (by_faces == 1)
       return;
-    const unsigned int by_vertices = n_pieces(points.cell, false);
+    const unsigned int by_vertices = n_pieces(cells, false);
     if (by_faces == by_vertices)
       return;
     warnings.add("a part of the body hangs on a vertex",
@@ -169,6 +177,34 @@ namespace isochor
                    "Move the body against the grid, seed more points "
                    "(<Material points/Points per cell>), or use "
                    "<Quadrature/Type = CPDI>.");
+  }
+
+
+
+  template <int dim>
+  void
+  PointSpacing<dim>::warn_of_large_domains(const PointArrays<dim> &points,
+                                           const double            share,
+                                           Warnings &warnings) const
+  {
+    // a domain sees the shape functions at its corners only: with several
+    // corners along an edge of the cell they are more than linear
+    constexpr unsigned int n_needed = (1u << dim);
+    if (grid.shape_functions().are_linear() || share < 1.1 / n_needed ||
+        Utilities::MPI::max(points.corner_cells.size(), grid.communicator()) ==
+          0)
+      return;
+    warnings.add("domains too large for the shape functions",
+                 "The largest domain of a material point has " +
+                   rounded(share) +
+                   " times the volume of its cell. Domains see the shape "
+                   "functions at their corners only, so that nothing is left "
+                   "of the accuracy of <Grid/Shape functions>; the body can "
+                   "even be stiffer than with P1. Seed " +
+                   std::to_string(n_needed) + " or " +
+                   std::to_string(dim == 2 ? 9 : 27) +
+                   " points per cell (<Material points/Points per cell>), or "
+                   "use another <Quadrature/Type>.");
   }
 
 

@@ -273,7 +273,8 @@ namespace isochor
       double       best_fit = in_body ? -1 : -1e-2;
       for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         {
-          const auto &vertices = geometry.vertex_indices(step.points.cell[k]);
+          const auto vertices =
+            step.grid.shape_functions().nodes(step.points.cell[k]);
           if (!std::all_of(vertices.begin(), vertices.end(), moves_with_body))
             continue;
           const auto lambda =
@@ -289,18 +290,19 @@ namespace isochor
       const bool found = best != numbers::invalid_unsigned_int;
       if (found)
         {
-          const auto lambda =
-            step.points.barycentric(geometry, best, probe.location);
-          const auto &vertices =
-            geometry.vertex_indices(step.points.cell[best]);
+          typename ShapeFunctions<dim>::Values at;
+          step.grid.shape_functions().evaluate(
+            step.points.cell[best],
+            step.points.barycentric(geometry, best, probe.location),
+            at);
           const NodalUnknowns<dim> nodal(step, result.unknowns);
-          for (unsigned int I = 0; I <= dim; ++I)
+          for (unsigned int I = 0; I < at.n_nodes; ++I)
             {
-              const Tensor<1, dim> increment = nodal.increment(vertices[I]);
+              const Tensor<1, dim> increment = nodal.increment(at.vertex[I]);
               for (unsigned int a = 0; a < dim; ++a)
-                values[a] += lambda[I] * increment[a];
+                values[a] += at.shape[I] * increment[a];
               if (step.mixed())
-                values[dim] += lambda[I] * nodal.pressure(vertices[I]);
+                values[dim] += at.shape[I] * nodal.pressure(at.vertex[I]);
             }
         }
       return take_best(step.grid.communicator(), -best_fit, found, values);

@@ -236,7 +236,7 @@ namespace isochor
     inspect_grid(inspect, scene.grid.source(), of_grids);
     inspect_points(inspect);
     inspect_equations(inspect, scene.has_inertia());
-    inspect_cut_cells(inspect, scene.quadrature->ties_cut_cells());
+    inspect_cut_cells(inspect, scene.ties_cut_cells());
     inspect_surfaces(list, inspect);
     inspect_materials(list, inspect);
     inspect_linear_solver(list, inspect);

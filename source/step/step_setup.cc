@@ -47,7 +47,7 @@ namespace isochor
     extension.parse_parameters(prm);
     refinement.parse_parameters(prm);
     grid_reset.parse_parameters(prm);
-    extends         = extension.is_active(scene.quadrature->ties_cut_cells());
+    extends         = extension.is_active(scene.ties_cut_cells());
     needs_occupancy = scene.quadrature->needs_occupancy() || extends;
   }
 
@@ -204,10 +204,12 @@ namespace isochor
     if (repeated)
       return;
     if (laid_out)
-      reset_grid(terms, last_motion);
+      {
+        reset_grid(terms, last_motion);
+        arrays.place_massless_points(scene.grid.geometry());
+      }
     else
       scene.points.update(arrays);
-    arrays.place_massless_points(scene.grid.geometry());
     nodes.set_control_nodes(control_nodes());
     nodes_changed = nodes.update(touched_vertices) || is_fresh;
     is_fresh      = false;
@@ -243,7 +245,7 @@ namespace isochor
       }
     refinement.refine(scene.points, scene.grid, *locator);
     scene.points.gather(arrays);
-    scene.quadrature->start_step(
+    scene.quadrature->set_up(
       arrays, *locator, scene.kernel, needs_occupancy, occupancy);
     spacing.check(arrays, time, scene.time.step == 0, scene.warnings);
     spacing.compare_volumes(arrays, time, scene.warnings);

@@ -134,6 +134,8 @@ namespace isochor
                                     step.mixed(),
                                     nodal.pressure_at(stencil),
                                     history.data());
+          if (!points.radius.empty())
+            points.radius[q] += nodal.increment_at(stencil)[0];
           points.F[q]        = state.F;
           points.pressure[q] = state.pressure;
           std::copy(history.begin(),

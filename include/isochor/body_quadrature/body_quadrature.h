@@ -52,6 +52,14 @@ namespace isochor
       return false;
     }
 
+    /** Whether start_step() gives points stencils. If not, they get those of
+     * the grid's shape functions. */
+    virtual bool
+    makes_stencils() const
+    {
+      return false;
+    }
+
     /** Whether start_step() needs to know the cells' occupancy. */
     virtual bool
     needs_occupancy() const
@@ -89,6 +97,17 @@ namespace isochor
     }
 
     /**
+     * Call start_step(), and let all points have stencils if the grid's shape
+     * functions need them. Collective.
+     */
+    void
+    set_up(PointArrays<dim>        &points,
+           const PointLocator<dim> &locator,
+           const MixedKernel<dim>  &kernel,
+           const bool               with_occupancy,
+           CellOccupancy<dim>      &occupancy) const;
+
+    /**
      * Prepare weights, stencils and massless points of @p points, as gathered,
      * for the coming step. Updates @p occupancy if @p with_occupancy.
      * Collective.
@@ -100,6 +119,13 @@ namespace isochor
                const bool               with_occupancy,
                CellOccupancy<dim>      &occupancy) const = 0;
   };
+
+  /** The cells of the element that @p cell is a part of, with their parts of
+   * its volume: what the stabilisation acts on because of points in @p cell.
+   * All of them, since a node of an element may have no cell with points. */
+  template <int dim>
+  boost::container::small_vector<std::pair<unsigned int, double>, 6>
+  parts_of_element(const BackgroundGrid<dim> &grid, const unsigned int cell);
 
   /** Where point @p q of the occupied cell k of the list is, on the undeformed
    * @p geometry. */

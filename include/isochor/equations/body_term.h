@@ -42,7 +42,7 @@ namespace isochor
     add_unit_residual(const StepContext<dim> &step, NodalField &scale) const;
 
   private:
-    template <int n_components>
+    template <int n_components, unsigned int max_nodes>
     EvaluationStatus
     assemble_domains(const StepContext<dim> &step,
                      const NodalField       &unknowns,

@@ -13,6 +13,7 @@
 #include <isochor/grid/adaptive_grid.h>
 #include <isochor/grid/grid_source.h>
 #include <isochor/grid/grid_stretch.h>
+#include <isochor/grid/shape_functions.h>
 #include <isochor/grid/simplex_geometry.h>
 
 #include <map>
@@ -65,6 +66,13 @@ namespace isochor
     source() const
     {
       return *grid_source;
+    }
+
+    /** What is between its nodes. */
+    const ShapeFunctions<dim> &
+    shape_functions() const
+    {
+      return *functions;
     }
 
     /** Whether change() can be called. */
@@ -172,6 +180,7 @@ namespace isochor
                                           assign_owners();
     const MPI_Comm                        comm;
     std::unique_ptr<GridSource<dim>>      grid_source;
+    std::unique_ptr<ShapeFunctions<dim>>  functions;
     GridStretch<dim>                      stretch;
     std::unique_ptr<SharedTriangulation>  tria;
     MappingFE<dim>                        p1_mapping;

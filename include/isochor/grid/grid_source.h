@@ -11,13 +11,25 @@
 #include <isochor/grid/coarse_grid.h>
 #include <isochor/grid/mesh_reader.h>
 
+#include <array>
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace isochor
 {
   using namespace dealii;
+
+  /** Cells that together are a quadrilateral (two triangles) or a hexahedron
+   * (six tetrahedra). */
+  template <int dim>
+  struct Hypercube
+  {
+    /** Numbered in binary: bit d says at which end of axis d the vertex is. */
+    std::array<unsigned int, (1u << dim)>      vertices;
+    std::array<unsigned int, dim == 2 ? 2 : 6> cells;
+  };
 
   /**
    * Interface of the ways to make a background grid. To add one, write
@@ -79,6 +91,14 @@ namespace isochor
      */
     virtual MeshGroups
     make_mesh(Triangulation<dim> &tria) const;
+
+    /** What the cells of make_mesh() are parts of, each of one, by the numbers
+     * of cells and vertices that make_mesh() gave; empty if they aren't. */
+    virtual std::vector<Hypercube<dim>>
+    hypercubes() const
+    {
+      return {};
+    }
 
     /** Whether coarse_cells() can be called: whether an adaptive grid can be
      * refined from this one. */

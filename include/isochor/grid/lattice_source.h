@@ -30,6 +30,9 @@ namespace isochor
     MeshGroups
     make_mesh(Triangulation<dim> &tria) const override;
 
+    std::vector<Hypercube<dim>>
+    hypercubes() const override;
+
     bool
     has_coarse_cells() const override
     {

@@ -10,6 +10,8 @@
 #include <deal.II/base/tensor.h>
 #include <deal.II/grid/tria_description.h>
 
+#include <isochor/grid/grid_source.h>
+
 #include <array>
 #include <functional>
 #include <string>
@@ -44,6 +46,10 @@ namespace isochor
     cells(const std::vector<Point<dim>> &vertices,
           const std::string             &diagonals) const;
 
+    /** The boxes, with the numbers of their simplices in cells(). */
+    std::vector<Hypercube<dim>>
+    boxes() const;
+
     /** Whether a vertex lies on a side: left, right, bottom, top, front, back
      * are 0 ... 5. */
     bool
@@ -57,6 +63,13 @@ namespace isochor
 
     std::array<unsigned int, dim>
     lattice_indices(unsigned int vertex) const;
+    /** Along the axes, from 0. */
+    std::array<unsigned int, dim>
+    box_indices(unsigned int box) const;
+    /** The vertex at corner @p corner, numbered in binary, of a box. */
+    unsigned int
+    box_vertex(const std::array<unsigned int, dim> &box,
+               const unsigned int                   corner) const;
   };
 } // namespace isochor
 

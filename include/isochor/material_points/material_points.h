@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -92,8 +93,9 @@ namespace isochor
     }
   };
 
-  /** A cell that domains of points overlap, with the part of the points in it
-   * and its vertices at the start of the step. */
+  /** A cell of the stabilisation where points have stencils: one that their
+   * domains overlap, or whose element holds some; with the part of the points
+   * in it and its vertices at the start of the step. */
   template <int dim>
   struct OverlappedCell
   {
@@ -140,8 +142,9 @@ namespace isochor
     std::vector<CornerVectors<dim>> domain;
 
     /**
-     * If points reach beyond their cell: their nodes in compressed-row form,
-     * by vertex, with N_I and its gradient. Empty otherwise.
+     * If points reach beyond their cell, or the shape functions are not linear
+     * in it: their nodes in compressed-row form, by vertex, with N_I and its
+     * gradient. Empty otherwise.
      */
     std::vector<std::size_t>    stencil_start;
     std::vector<unsigned int>   stencil_vertex;
@@ -150,7 +153,7 @@ namespace isochor
     /** Pairs (point, cell) for the corners of domains, at least dim + 1 a
      * point: the cells whose nodes corners touch. */
     std::vector<std::pair<unsigned int, unsigned int>> corner_cells;
-    /** Cells that domains overlap and all of whose nodes are active. */
+    /** Cells of the stabilisation; all of their nodes are active. */
     std::vector<OverlappedCell<dim>> overlapped_cells;
 
     /** A cell as the motion of the body since the last reset of the grid has
@@ -251,6 +254,35 @@ namespace isochor
              cell.begin();
     }
 
+    /** From now on points have stencils, but none yet. */
+    void
+    clear_stencils()
+    {
+      stencil_start.assign(1, 0);
+      stencil_vertex.clear();
+      stencil_shape.clear();
+      stencil_gradient.clear();
+      corner_cells.clear();
+      overlapped_cells.clear();
+    }
+
+    /** Let overlapped_cells be those of @p compliance, by cell. */
+    void
+    set_overlapped_cells(
+      const SimplexGeometry<dim>                   &geometry,
+      const std::map<unsigned int, CellCompliance> &compliance)
+    {
+      overlapped_cells.clear();
+      for (const auto &[c, sum] : compliance)
+        {
+          OverlappedCell<dim> overlapped{c, sum, {}};
+          for (unsigned int v = 0; v <= dim; ++v)
+            overlapped.corners[v] =
+              geometry.vertices()[geometry.vertex_indices(c)[v]];
+          overlapped_cells.push_back(overlapped);
+        }
+    }
+
     /** Whether points have stencils of their own. */
     bool
     has_stencils() const
@@ -295,6 +327,16 @@ namespace isochor
             for (unsigned int v = 0; v <= dim; ++v)
               radius[q] += shape[q][v] * corner(geometry, k, v)[0];
           }
+    }
+
+    /** The nodes of the longest stencil. */
+    unsigned int
+    most_nodes() const
+    {
+      std::size_t most = 0;
+      for (std::size_t q = 1; q < stencil_start.size(); ++q)
+        most = std::max(most, stencil_start[q] - stencil_start[q - 1]);
+      return most;
     }
 
     /** The nodes of a point. */

@@ -81,6 +81,12 @@ namespace isochor
     /** Warn if, at the start, a part of the body hangs on a vertex. */
     void
     warn_of_hinges(const PointArrays<dim> &points, Warnings &warnings) const;
+    /** Warn if domains of points, the largest of which is @p share of its cell,
+     * are too large for shape functions that are not linear. */
+    void
+    warn_of_large_domains(const PointArrays<dim> &points,
+                          const double            share,
+                          Warnings               &warnings) const;
 
     const BackgroundGrid<dim> &grid;
     /** For how many resets the volumes have differed. */

@@ -71,6 +71,15 @@ namespace isochor
       return n_components == dim + 1;
     }
 
+    /** Whether nodes that hardly any material touches should be tied, see
+     * DiscreteExtension: few points in a large element leave motions free. */
+    bool
+    ties_cut_cells() const
+    {
+      return quadrature->ties_cut_cells() ||
+             !grid.shape_functions().are_linear();
+    }
+
     /** Whether the points have velocities. */
     bool
     has_inertia() const
