@@ -30,7 +30,8 @@ namespace isochor
       Patterns::Selection("none|extrapolation"),
       "Where Newton's method starts in a step: from zero increments, or "
       "with those of the last step, in proportion to the size of the steps. "
-      "If it fails from there, it starts again from zero.");
+      "If it fails from there, or two corrections in a row had to be shortened "
+      "to a quarter, it starts again from zero.");
     prm.declare_entry(
       "Maximum iterations",
       "15",
