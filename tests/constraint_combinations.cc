@@ -97,6 +97,7 @@ test_rigid_sides_on_adaptive_grid(const std::string &settings)
     adaptive + settings +
     "Material/Young modulus = 1e4\nNewton/Tolerance = 1e-10\n"
     "Postprocess/Reactions = bottom\nTime/Step size = 0.25\n"
+    "Material points/Region = (x-0.25)*(0.75-x)\n"
     "Boundary conditions/Displacement = bottom: x = 0, y = 0";
   const auto by_side = test::run_scene<2>(
     block + "\nBoundary conditions/Rigid sides = top: x = 0.05*t, y = -0.04*t, "
@@ -198,12 +199,8 @@ test_rigid_between_periodic(const std::string &settings)
                     std::abs(get(*pinned, moment) - 7),
                     1e-9);
   test::check_error("the couple that pins it",
-                    std::abs(get(*pinned, moment) - get(*held, moment) -
+                    std::abs(get(*held, moment) - get(*pinned, moment) -
                              couple),
-                    1e-5);
-  test::check_error("moment with a given force through the sides",
-                    std::abs(get(*jump, moment) - get(*held, moment) -
-                             (20 - get(*held, through))),
                     1e-5);
 }
 
