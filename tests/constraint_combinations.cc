@@ -213,7 +213,7 @@ test_periodic_motion(const std::string &settings)
     return test::run_scene<2>(
       "Grid/Upper corner = " + width +
       ", 1\nGrid/Subdivisions = " + std::to_string(4 * n) +
-      ", 4\nMaterial/Young modulus = 1e4\nMaterial/Density = 10\n"
+      ", 4\nMaterial/Young modulus = 10\nMaterial/Density = 0.01\n"
       "Material/Poisson ratio = 0.4\nFormulation/Type = u-p\n"
       "Formulation/Stabilisation = PPP\nNewton/Tolerance = 1e-11\n"
       "Dynamics/Inertia = true\nDynamics/Initial velocity = 2*y + "
@@ -223,7 +223,7 @@ test_periodic_motion(const std::string &settings)
       keep + settings +
       "Boundary conditions/Displacement = bottom: x = 0, y = 0\n"
       "Boundary conditions/Periodic sides = left: right\n"
-      "Boundary conditions/Rigid sides = top: force y = -20*" +
+      "Boundary conditions/Rigid sides = top: force y = -0.02*" +
       width + ", rotation = 0\n");
   };
   const auto one   = run(1);
@@ -239,6 +239,32 @@ test_periodic_motion(const std::string &settings)
                     1e-8);
 }
 
+/** Where the force of a side is that has no reaction. */
+void
+test_reactions()
+{
+  const std::string cell =
+    "Grid/Subdivisions = 2, 2\nMaterial/Young modulus = 1e4\n"
+    "Boundary conditions/Displacement = bottom: x = 0, y = 0.1*t\n"
+    "Boundary conditions/Periodic sides = left: right\n";
+  const auto  problem = test::run_scene<2>(cell + "Postprocess/Reactions = "
+                                                  "right\n");
+  std::string warnings;
+  for (const auto &warning : problem->all_warnings().all())
+    warnings += test::one_line(warning.text);
+  test::check("reaction of a periodic side",
+              warnings.find("<Boundary conditions/Periodic sides>") !=
+                  std::string::npos &&
+                warnings.find("<Force x through left and right (N)>") !=
+                  std::string::npos,
+              warnings);
+  const std::string error = message(cell + "Postprocess/Reactions = roof\n");
+  test::check("reaction of a surface of the body",
+              error.find("<Reaction x on roof by boundary points (N)>") !=
+                std::string::npos,
+              error);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -252,4 +278,5 @@ main(int argc, char **argv)
   test_periodic_sides_on_adaptive_grid();
   test_rigid_between_periodic(up);
   test_periodic_motion("");
+  test_reactions();
 }
