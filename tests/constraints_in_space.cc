@@ -7,6 +7,7 @@
 // sphere, rigid sides of which only some rotations are free, and a slab between
 // periodic sides against the same body in plane strain.
 
+#include <isochor/base/parameter_file.h>
 #include <isochor/boundary_condition/finite_rotation.h>
 #include <isochor/boundary_condition/wall_surface.h>
 
@@ -373,6 +374,40 @@ test_slab()
   check("u", nearly, nearly);
 }
 
+/** The same by the scenes of the repository, with few cells. */
+void
+test_slab_scenes()
+{
+  const auto displacement = [](const auto &dimension, const std::string &name) {
+    constexpr int     dim    = std::decay_t<decltype(dimension)>::value;
+    const std::string prefix = SOURCE_DIR "/../prm/cooks_membrane";
+    auto statements = read_parameter_file(prefix + name, MPI_COMM_WORLD);
+    for (const std::string setting :
+         {dim == 2 ? "Grid/Subdivisions=5, 5" : "Grid/Subdivisions=5, 5, 1",
+          dim == 2 ? "Material points/Points per cell=3" : "Output/Directory=.",
+          "Output/Terminal=quiet",
+          "Postprocess/Write grid=false",
+          "Postprocess/Write material points=false"})
+      statements.push_back(parse_override(setting, "test"));
+    ParameterHandler prm;
+    prm.declare_entry("Dimension", "2"); // as the program does
+    MaterialPointMethod<dim>::declare_parameters(
+      prm, SceneSections::find(statements));
+    apply_parameters(statements, prm);
+    MaterialPointMethod<dim> problem(MPI_COMM_WORLD);
+    problem.parse_parameters(prm);
+    problem.run();
+    return get(problem, "Displacement y of A (m)");
+  };
+  const double plane =
+    displacement(std::integral_constant<int, 2>(), "/cooks_membrane.prm");
+  test::check_error("Cook's membrane, a periodic slab",
+                    relative(displacement(std::integral_constant<int, 3>(),
+                                          "_3d/plane_strain.prm"),
+                             plane),
+                    1e-9);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -383,4 +418,5 @@ main(int argc, char **argv)
   test_one_axis("");
   test_one_axis(keep + "Time/Step size = 0.25\n");
   test_slab();
+  test_slab_scenes();
 }

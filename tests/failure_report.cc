@@ -182,7 +182,7 @@ namespace
            failure(block + "0.8*t\nGrid reset/Steps between resets = 0\n"
                            "Grid reset/Smallest element quality = 0.95\n"),
            {"through <top>",
-            "the quality of a cell, 0.9",
+            "the quality of a cell, 0.8",
             "<Grid reset/Smallest element quality> = 0.95",
             "With 0 there it goes on moving"});
     expect("a grid put back after some steps",
