@@ -384,7 +384,9 @@ test_slab_scenes()
     auto statements = read_parameter_file(prefix + name, MPI_COMM_WORLD);
     for (const std::string setting :
          {dim == 2 ? "Grid/Subdivisions=5, 5" : "Grid/Subdivisions=5, 5, 1",
-          dim == 2 ? "Material points/Points per cell=3" : "Output/Directory=.",
+          dim == 2 ? "Material points/Points per cell=3" :
+                     "Material points/Points per cell=4",
+          "Output/Directory=.",
           "Output/Terminal=quiet",
           "Postprocess/Write grid=false",
           "Postprocess/Write material points=false"})
