@@ -187,6 +187,12 @@ test_rigid_between_periodic(const std::string &settings)
         const std::string u = "Translation " + a + " of rigid side top (m)";
         test::add_error(motion, relative(get(*problem, u), get(*held, u)));
       }
+  std::string warnings;
+  for (const auto &warning : held->all_warnings().all())
+    warnings += test::one_line(warning.text);
+  test::check("no contradiction by rounding",
+              warnings.find("determine the same") == std::string::npos,
+              warnings);
   test::check_error("forces on a rigid side between periodic ones",
                     worst,
                     1e-5);

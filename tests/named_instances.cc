@@ -253,6 +253,12 @@ namespace
                            "set Type = Displacement\n"
                            "set Displacement = roof: x = 0\nend\n"),
            {"<Boundary conditions: side/Displacement>", "roof"});
+    expect("two displacements that contradict each other",
+           message(block + "subsection Boundary conditions: side\n"
+                           "set Type = Displacement\n"
+                           "set Displacement = left: y = 1\nend\n"),
+           {"<Boundary conditions: side/Displacement> and <Boundary "
+            "conditions/Displacement> prescribe 1 displacement components"});
     const auto  idle = make(block + "subsection Boundary conditions: punch\n"
                                     "set Type = Surfaces of body\n"
                                     "set Penalty of body displacement = 10\n"
