@@ -6,7 +6,7 @@
 // What a run that can't go on tells and leaves behind: a limit load is told
 // from a bad step and from a scene that was never in equilibrium, the last good
 // state and the residual are written, and of points that left the grid it says
-// through which boundary.
+// through which boundary, and why the grid was put back.
 
 #include <sys/resource.h>
 
@@ -175,6 +175,33 @@ namespace
                 points.substr(0, 400));
   }
 
+  /** What may have put points outside, besides what they are told above. */
+  void
+  test_reset()
+  {
+    const std::string block =
+      "Grid/Subdivisions = 4, 4\nMaterial/Young modulus = 1e4\n"
+      "Time/Step size = 0.25\n"
+      "Boundary conditions/Displacement = bottom: x = 0, y = 0\n"
+      "Boundary conditions/Rigid sides = top: x = 0, rotation = 0, y = ";
+    expect("rigid side that pulls the body out",
+           failure(block + "0.4*t\n"),
+           {"through <top>",
+            "<Boundary conditions/Rigid sides> has moved <top> by 0.",
+            "whose cells there have a size of",
+            "<Grid reset/Steps between resets = 0>"});
+    expect("a grid put back for its quality",
+           failure(block + "0.8*t\nGrid reset/Steps between resets = 0\n"
+                           "Grid reset/Smallest element quality = 0.95\n"),
+           {"through <top>",
+            "the quality of a cell, 0.8",
+            "<Grid reset/Smallest element quality> = 0.95",
+            "With 0 there it goes on moving"});
+    expect("a grid put back after some steps",
+           failure(block + "0.4*t\nGrid reset/Steps between resets = 2\n"),
+           {"put back before, since <Grid reset/Steps between resets> = 2"});
+  }
+
   /** A disk without room, as far as a program can tell. */
   void
   test_full_disk()
@@ -207,5 +234,6 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_limit_loads();
   test_others();
+  test_reset();
   test_full_disk();
 }

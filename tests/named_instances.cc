@@ -236,6 +236,29 @@ namespace
            message(block + "subsection Postprocess: a\nset Type = Reactions\n"
                            "set Reactions = roof\nend\n"),
            {"<Postprocess: a/Reactions>", "roof"});
+    const std::string section = "subsection Postprocess: a\n"
+                                "set Type = Reactions\n"
+                                "set Reactions = left\nend\n";
+    expect("two sections of the same name",
+           message(block + section + section),
+           {"error.prm:26: there is a subsection <Postprocess: a> already, see "
+            "error.prm:22"});
+    std::ofstream("included.prm") << block + section;
+    expect("a section of an included file may be changed",
+           message("include included.prm\nsubsection Postprocess: a\n"
+                   "set Reactions = right\nend\n"),
+           {"no error"});
+    expect("message of a named displacement",
+           message(block + "subsection Boundary conditions: side\n"
+                           "set Type = Displacement\n"
+                           "set Displacement = roof: x = 0\nend\n"),
+           {"<Boundary conditions: side/Displacement>", "roof"});
+    expect("two displacements that contradict each other",
+           message(block + "subsection Boundary conditions: side\n"
+                           "set Type = Displacement\n"
+                           "set Displacement = left: y = 1\nend\n"),
+           {"<Boundary conditions: side/Displacement> and <Boundary "
+            "conditions/Displacement> prescribe 1 displacement components"});
     const auto  idle = make(block + "subsection Boundary conditions: punch\n"
                                     "set Type = Surfaces of body\n"
                                     "set Penalty of body displacement = 10\n"

@@ -107,6 +107,18 @@ namespace isochor
 
 
 
+  double
+  gap_after(const double moved, const double to_wall)
+  {
+    constexpr double rounding = 1e-8;
+    const double     gap      = moved - to_wall;
+    return std::abs(gap) <= rounding * (std::abs(moved) + std::abs(to_wall)) ?
+             gap_unknown :
+             gap;
+  }
+
+
+
   void
   update_gaps(std::vector<double>   &gaps,
               const MPI_Comm         comm,

@@ -381,9 +381,10 @@ namespace isochor
         {
           const unsigned int node = step.nodes.node(condition.vertices[i]);
           if (node < step.nodes.n_owned())
-            gaps[i] = unknowns.local_element(node * step.n_components +
-                                             condition.component) -
-                      increment(condition, i, step);
+            gaps[i] =
+              gap_after(unknowns.local_element(node * step.n_components +
+                                               condition.component),
+                        increment(condition, i, step));
         }
       update_gaps(gaps, step.grid.communicator(), condition.wall);
     }

@@ -398,8 +398,8 @@ namespace isochor
           const unsigned int node = step.nodes.node(wall.nodes[i].vertex);
           if (node >= step.nodes.n_owned())
             continue;
-          gaps[i] = Wall::along(normals[i], node, step, unknowns) -
-                    increment(wall, i, step);
+          gaps[i] = gap_after(Wall::along(normals[i], node, step, unknowns),
+                              increment(wall, i, step));
           for (unsigned int a = 0; a < dim; ++a)
             moved[i * dim + a] =
               unknowns.local_element(node * step.n_components + a);

@@ -8,6 +8,7 @@
 #include <isochor/equations/constraint_conflicts.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -47,14 +48,36 @@ namespace isochor
 
 
 
+  std::string
+  parameter_of(const std::string &source)
+  {
+    const auto colon = source.find(": ");
+    return colon == std::string::npos ?
+             "Boundary conditions/" + source :
+             "Boundary conditions: " + source.substr(colon + 2) + "/" +
+               source.substr(0, colon);
+  }
+
+
+
   template <int dim>
   void
   tell_conflicts(const StepContext<dim> &step,
                  const NodalConstraints &constraints)
   {
+    // formulas that mean the same differ by rounding
+    constexpr double rounding = 1e-10;
+    double           largest  = 0;
+    for (const double increment : constraints.increment)
+      largest = std::max(largest, std::abs(increment));
+    for (const double value : constraints.followers.value)
+      largest = std::max(largest, std::abs(value));
+    largest = Utilities::MPI::max(largest, step.grid.communicator());
     std::map<std::pair<std::string, bool>, Group> own;
     for (const auto &conflict : constraints.conflicts)
-      if (conflict.entry < step.nodes.n_owned() * step.n_components)
+      if (conflict.entry < step.nodes.n_owned() * step.n_components &&
+          (conflict.difference == 0. ||
+           conflict.difference > rounding * largest))
         {
           Group &group =
             own[{conflict.winner + "\n" + conflict.loser, conflict.equal_rank}];
@@ -83,8 +106,8 @@ namespace isochor
       {
         const auto &[winner, loser, equal_rank] = entry.first;
         const Group      &group                 = entry.second;
-        const std::string names = "<Boundary conditions/" + winner +
-                                  "> and <Boundary conditions/" + loser + ">";
+        const std::string names =
+          "<" + parameter_of(winner) + "> and <" + parameter_of(loser) + ">";
         const std::string where = std::to_string(group.n) +
                                   " displacement components of nodes, as at " +
                                   group.place;

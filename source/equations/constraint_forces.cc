@@ -13,7 +13,8 @@ namespace isochor
 {
   void
   ConstraintForces::reinit(const NodalConstraints &constraints,
-                           const unsigned int      n_components_)
+                           const unsigned int      n_components_,
+                           const bool              with_ties)
   {
     nodes.clear();
     equations    = constraints.equations;
@@ -51,12 +52,13 @@ namespace isochor
           if (entry[i] / n_components == equation.pivot / n_components)
             held[entry[i]] = 1;
       }
-    std::vector<unsigned int> tie_of_node(
-      equations.empty() ? 0 : n_entries / n_components, none);
-    for (unsigned int k = 0; k < ties.size() && !equations.empty(); ++k)
+    std::vector<unsigned int> tie_of_node(with_ties ? n_entries / n_components :
+                                                      0,
+                                          none);
+    for (unsigned int k = 0; k < ties.size() && with_ties; ++k)
       tie_of_node[ties.node[k]] = k;
     const Followers &followers = constraints.followers;
-    for (unsigned int k = 0; k < followers.size() && !equations.empty(); ++k)
+    for (unsigned int k = 0; k < followers.size() && with_ties; ++k)
       if (followers.has(k, Followers::is_tie))
         {
           const unsigned int node = followers.entry[k] / n_components;

@@ -56,11 +56,11 @@ namespace isochor
     nodes.initialize(lifting, n_components);
 
     tied.reinit(elements, constraints.followers, n_components, nodes.n_local());
-    constraint_forces.reinit(constraints, n_components);
     const int kind = !constraints.equations.empty() ? 2 : tied.empty() ? 0 : 1;
     const int kind_of_any = Utilities::MPI::max(kind, comm);
     any_followers         = kind_of_any > 0;
     any_equations         = kind_of_any > 1;
+    constraint_forces.reinit(constraints, n_components, any_equations);
     if (any_equations)
       nodes.initialize(reactions, n_components);
     number_equations();
@@ -80,7 +80,7 @@ namespace isochor
   {
     tied.update(constraints.followers);
     if (any_equations)
-      constraint_forces.reinit(constraints, n_components);
+      constraint_forces.reinit(constraints, n_components, true);
   }
 
 

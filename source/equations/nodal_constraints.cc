@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/exceptions.h>
 
+#include <isochor/equations/constraint_conflicts.h>
 #include <isochor/equations/nodal_constraints.h>
 
 #include <algorithm>
@@ -236,14 +237,14 @@ namespace isochor
     using namespace dealii;
     const auto begin = entry.begin() + equation.first,
                end   = begin + equation.n_pivots;
-    AssertThrow(
-      !is_of_control_node(equation.pivot) || equation.known_to_all ||
-        std::find(begin, end, equation.pivot) != end,
-      ExcMessage("<Boundary conditions/" + sources[source_of_equation[number]] +
-                 "> meets nodes of which other conditions determine all, so "
-                 "that it would determine the motion of a rigid side or a "
-                 "jump between periodic sides. Prescribe that motion or "
-                 "jump, or leave these nodes out of the other condition."));
+    AssertThrow(!is_of_control_node(equation.pivot) || equation.known_to_all ||
+                  std::find(begin, end, equation.pivot) != end,
+                ExcMessage(
+                  "<" + parameter_of(sources[source_of_equation[number]]) +
+                  "> meets nodes of which other conditions determine all, so "
+                  "that it would determine the motion of a rigid side or a "
+                  "jump between periodic sides. Prescribe that motion or "
+                  "jump, or leave these nodes out of the other condition."));
   }
 
 

@@ -87,6 +87,12 @@ namespace isochor
    * rank that owns the node knows them, gap_unknown elsewhere, from which they
    * are collected. A node nobody knows is at the wall. Collective. */
   constexpr double gap_unknown = std::numeric_limits<double>::lowest();
+  /** The gap of a node that has @p moved in the step, where @p to_wall would
+   * have brought it to its wall (m). One that came to it but for rounding is at
+   * the wall like a node that is held, whoever moved it, as another one that it
+   * follows: gap_unknown. */
+  double
+  gap_after(const double moved, const double to_wall);
   void
   update_gaps(std::vector<double>   &gaps,
               const MPI_Comm         comm,

@@ -9,6 +9,11 @@
 
 namespace isochor
 {
+  /** The path of the parameter that NodalConstraints::source names, "Walls" or
+   * "Walls: name of the section". */
+  std::string
+  parameter_of(const std::string &source);
+
   /**
    * Say which conditions determine the same unknowns otherwise, for the
    * conflicts of @p constraints on any rank: a warning with the names of the

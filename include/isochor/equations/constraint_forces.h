@@ -25,9 +25,11 @@ namespace isochor
   class ConstraintForces
   {
   public:
+    /** @p with_ties: there are equations on any rank. */
     void
     reinit(const NodalConstraints &constraints,
-           const unsigned int      n_components);
+           const unsigned int      n_components,
+           const bool              with_ties);
 
     bool
     empty() const
