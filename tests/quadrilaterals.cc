@@ -206,6 +206,30 @@ namespace
       std::cout << "u_y(A) = " << std::setprecision(9) << u[1] << std::endl;
   }
 
+  /** The same under a small load on 4 x 4 cells, against another program:
+   * small strains, Q1 by Newton's method on the corners, integrated at the
+   * centroids of the parts of the triangles. */
+  void
+  test_small_strains(const unsigned int points_per_cell, const double reference)
+  {
+    const auto problem = test::run_scene<2>(
+      "Grid/Type = trapezoid\nGrid/Corners = 0, 0; 48, 44; 48, 60; 0, 44\n"
+      "Grid/Shape functions = Q1\nFormulation/Type = u\n"
+      "Material/Young modulus = 70\nMaterial/Poisson ratio = 0.33\n"
+      "Boundary conditions/Displacement = left: x = 0, y = 0\n"
+      "Boundary conditions/Traction = right: 0, 1e-6/16\n"
+      "Postprocess/Point probes = A: 48, 60\n"
+      "Material points/Points per cell = " +
+      std::to_string(points_per_cell) + '\n' + subdivisions<2>(4));
+    test::check_error("small strains, " + std::to_string(points_per_cell) +
+                        " points per triangle",
+                      std::abs(problem->last_statistics().get(
+                                 "Displacement y of A (m)") /
+                                 (1e-6 * reference) -
+                               1),
+                      1e-7);
+  }
+
   /** A bar that swings on a grid that is kept: its energy, and the same on any
    * number of ranks. */
   void
@@ -262,6 +286,8 @@ main(int argc, char **argv)
                       1.9,
                       1.1);
   test_convergence<3>("Formulation/Type = u\n", 3, 1.9, 1.9);
+  test_small_strains(4, 0.23891105833);
+  test_small_strains(9, 0.23550891695);
   test_membrane("u", 0.33, 0.321595, 0.35);
   test_membrane("u-p", 0.499, 0.276467, 0.45);
   test_dynamics();

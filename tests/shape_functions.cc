@@ -247,6 +247,15 @@ namespace
                 message);
   }
 
+  bool
+  warns(const MaterialPointMethod<2> &problem, const std::string &subject)
+  {
+    const auto &warnings = problem.all_warnings().all();
+    return std::any_of(warnings.begin(), warnings.end(), [&](const auto &w) {
+      return w.subject == subject;
+    });
+  }
+
   void
   test_limits()
   {
@@ -273,16 +282,34 @@ namespace
           q1 + "Quadrature/Type = CPDI\nMaterial points/Points per cell = " +
           std::to_string(n_points) +
           "\nBoundary conditions/Displacement = bottom: x=0, y=0; top: y=t/99\n");
-        const auto &warnings = problem->all_warnings().all();
-        const bool  warned =
-          std::any_of(warnings.begin(), warnings.end(), [](const auto &w) {
-            return w.subject == "domains too large for the shape functions";
-          });
         test::check("warning of large domains, " + std::to_string(n_points) +
                       " points",
-                    warned == (n_points == 3),
+                    warns(*problem,
+                          "domains too large for the shape functions") ==
+                      (n_points == 3),
                     "not as expected");
       }
+    for (const std::string quadrature : {"cell-filled", "CPDI"})
+      for (const std::string functions : {"P1", "Q1"})
+        {
+          const auto problem = test::run_scene<2>(
+            "Quadrature/Type = " + quadrature +
+            "\nGrid/Shape functions = " + functions +
+            "\nMaterial points/Region = x<0.5 && y<0.5\nTime/Step size = 0.1\n"
+            "Time/End time = 0.4\nDynamics/Inertia = true\n"
+            "Material/Density = 1\nDynamics/Initial velocity = 1, 0.5\n");
+          test::check("points may change cells, " + quadrature + ", " +
+                        functions,
+                      warns(*problem, "points that change cells") ==
+                        (quadrature != "CPDI" && functions == "Q1"),
+                      "not as expected");
+          test::check_error("free flight, " + quadrature + ", " + functions,
+                            std::abs(problem->last_statistics().get(
+                                       "Kinetic energy (J)") /
+                                       0.15625 -
+                                     1),
+                            1e-8);
+        }
   }
 } // namespace
 

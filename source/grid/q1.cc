@@ -110,8 +110,8 @@ namespace isochor
                   (dim == 2 ? "triangles form quadrilaterals" :
                               "tetrahedra form hexahedra") +
                   ", as those of <Grid/Type = box> and <Grid/Type = trapezoid> "
-                  "do. The one of <Grid/Type> doesn't say so: use <Grid/Shape "
-                  "functions = P1>, or another grid."));
+                  "do, while gmsh and adaptive grids don't. Use <Grid/Shape "
+                  "functions = P1>, or another <Grid/Type>."));
     hypercube_of.assign(geometry.n_cells(), numbers::invalid_unsigned_int);
     Values values;
     for (unsigned int h = 0; h < hypercubes.size(); ++h)

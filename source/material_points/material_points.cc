@@ -50,6 +50,37 @@ namespace isochor
 
 
   template <int dim>
+  void
+  PointArrays<dim>::set_overlapped_cells(
+    const SimplexGeometry<dim>                   &geometry,
+    const std::map<unsigned int, CellCompliance> &compliance)
+  {
+    overlapped_cells.clear();
+    for (const auto &[c, sum] : compliance)
+      {
+        OverlappedCell<dim> overlapped{c, sum, {}};
+        for (unsigned int v = 0; v <= dim; ++v)
+          overlapped.corners[v] =
+            geometry.vertices()[geometry.vertex_indices(c)[v]];
+        overlapped_cells.push_back(overlapped);
+      }
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  PointArrays<dim>::most_nodes() const
+  {
+    std::size_t most = 0;
+    for (std::size_t q = 1; q < stencil_start.size(); ++q)
+      most = std::max(most, stencil_start[q] - stencil_start[q - 1]);
+    return most;
+  }
+
+
+
+  template <int dim>
   MaterialPoints<dim>::MaterialPoints(const BackgroundGrid<dim> &grid)
     : grid(grid)
   {}
@@ -423,6 +454,8 @@ namespace isochor
 
 
 
+  template struct PointArrays<2>;
+  template struct PointArrays<3>;
   template class MaterialPoints<2>;
   template class MaterialPoints<3>;
 } // namespace isochor

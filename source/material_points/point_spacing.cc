@@ -260,7 +260,12 @@ namespace isochor
     text.precision(3);
     text << "Up to t = " << time << " " << 100 * changes_per_point
          << " % of the material points have changed their cell. With "
-            "<Quadrature/Type = points> forces jump then: stresses are wrong "
+            "this <Quadrature/Type> forces jump then"
+         << (grid.shape_functions().are_linear() ?
+               "" :
+               " (weights that fill cells are right for <Grid/Shape functions "
+               "= P1> only)")
+         << ": stresses are wrong "
             "by as much as they vary in a cell, however small the cells are, "
             "and the body is too soft. Use <Quadrature/Type = CPDI>, or keep "
             "the grid (<Grid reset/Steps between resets>).";

@@ -230,7 +230,7 @@ namespace isochor
     grid_reset.start(time);
     // here and not after the last step, which may end outside of the grid
     const auto n_changed = scene.points.relocate(*locator);
-    if (!scene.quadrature->bears_changes_of_cells() && scene.time.step > 0)
+    if (!scene.bears_changes_of_cells() && scene.time.step > 0)
       spacing.watch_changes_of_cells(
         n_changed,
         scene.points.handler().n_global_particles(),

@@ -270,18 +270,7 @@ namespace isochor
     void
     set_overlapped_cells(
       const SimplexGeometry<dim>                   &geometry,
-      const std::map<unsigned int, CellCompliance> &compliance)
-    {
-      overlapped_cells.clear();
-      for (const auto &[c, sum] : compliance)
-        {
-          OverlappedCell<dim> overlapped{c, sum, {}};
-          for (unsigned int v = 0; v <= dim; ++v)
-            overlapped.corners[v] =
-              geometry.vertices()[geometry.vertex_indices(c)[v]];
-          overlapped_cells.push_back(overlapped);
-        }
-    }
+      const std::map<unsigned int, CellCompliance> &compliance);
 
     /** Whether points have stencils of their own. */
     bool
@@ -331,13 +320,7 @@ namespace isochor
 
     /** The nodes of the longest stencil. */
     unsigned int
-    most_nodes() const
-    {
-      std::size_t most = 0;
-      for (std::size_t q = 1; q < stencil_start.size(); ++q)
-        most = std::max(most, stencil_start[q] - stencil_start[q - 1]);
-      return most;
-    }
+    most_nodes() const;
 
     /** The nodes of a point. */
     struct Stencil

@@ -80,6 +80,16 @@ namespace isochor
              !grid.shape_functions().are_linear();
     }
 
+    /** Whether stresses converge although points change cells. Weights that
+     * fill cells help where gradients are constant in them only. */
+    bool
+    bears_changes_of_cells() const
+    {
+      return quadrature->bears_changes_of_cells() &&
+             (grid.shape_functions().are_linear() ||
+              quadrature->makes_stencils());
+    }
+
     /** Whether the points have velocities. */
     bool
     has_inertia() const
