@@ -89,12 +89,13 @@ namespace isochor
             kernel.compliance_of_points(points,
                                         points.cell_start[k],
                                         points.cell_start[k + 1]);
-          for (const auto &[cell, part] :
-               parts_of_element(grid, points.cell[k]))
-            {
-              compliance[cell].volume += part * of_points.volume;
-              compliance[cell].mass += part * of_points.mass;
-            }
+          for_parts_of_element(grid,
+                               points.cell[k],
+                               [&](const unsigned int cell, const double part) {
+                                 compliance[cell].volume +=
+                                   part * of_points.volume;
+                                 compliance[cell].mass += part * of_points.mass;
+                               });
         }
       points.set_overlapped_cells(grid.geometry(), compliance);
     }
@@ -145,24 +146,6 @@ namespace isochor
 
 
 
-  template <int dim>
-  boost::container::small_vector<std::pair<unsigned int, double>, 6>
-  parts_of_element(const BackgroundGrid<dim> &grid, const unsigned int cell)
-  {
-    boost::container::small_vector<std::pair<unsigned int, double>, 6> parts;
-    double                                                             sum = 0;
-    for (const unsigned int part : grid.shape_functions().element(cell))
-      {
-        parts.emplace_back(part, grid.geometry().measure(part));
-        sum += parts.back().second;
-      }
-    for (auto &part : parts)
-      part.second /= sum;
-    return parts;
-  }
-
-
-
   template class BodyQuadrature<2>;
   template class BodyQuadrature<3>;
   template Point<2>
@@ -175,8 +158,4 @@ namespace isochor
                     const PointArrays<3> &,
                     const unsigned int,
                     const unsigned int);
-  template boost::container::small_vector<std::pair<unsigned int, double>, 6>
-  parts_of_element(const BackgroundGrid<2> &, const unsigned int);
-  template boost::container::small_vector<std::pair<unsigned int, double>, 6>
-  parts_of_element(const BackgroundGrid<3> &, const unsigned int);
 } // namespace isochor

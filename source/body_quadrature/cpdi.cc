@@ -331,15 +331,21 @@ namespace isochor
     std::map<unsigned int, CellCompliance> compliance;
     for (unsigned int i = 0; i < corner_shares.size(); ++i)
       {
-        const auto &[q, corner_cell] = points.corner_cells[i];
-        if (corner_shares[i] > 0)
-          for (const auto &[cell, part] : parts_of_element(grid, corner_cell))
-            if (occupancy.is_closed(cell))
-              kernel.add_compliance(points,
-                                    q,
-                                    part * (corner_shares[i] *
-                                            points.measure(q) / (dim + 1)),
-                                    compliance[cell]);
+        if (corner_shares[i] == 0)
+          continue;
+        const unsigned int q = points.corner_cells[i].first;
+        for_parts_of_element(grid,
+                             points.corner_cells[i].second,
+                             [&](const unsigned int cell, const double part) {
+                               if (occupancy.is_closed(cell))
+                                 kernel.add_compliance(points,
+                                                       q,
+                                                       part *
+                                                         (corner_shares[i] *
+                                                          points.measure(q) /
+                                                          (dim + 1)),
+                                                       compliance[cell]);
+                             });
       }
     points.set_overlapped_cells(grid.geometry(), compliance);
   }

@@ -42,7 +42,8 @@ namespace isochor
       "Whether nodes that hardly any material touches follow a cell nearby "
       "that is better filled, so that the matrix stays well conditioned "
       "however small the part of a cell is that the body fills. auto: with "
-      "every 'Quadrature/Type' but 'points'.");
+      "every 'Quadrature/Type' but 'points', and with that if <Grid/Shape "
+      "functions> are not P1.");
     prm.declare_entry("Smallest support",
                       "0.01",
                       Patterns::Double(0, 0.5),

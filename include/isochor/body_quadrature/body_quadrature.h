@@ -120,12 +120,28 @@ namespace isochor
                CellOccupancy<dim>      &occupancy) const = 0;
   };
 
-  /** The cells of the element that @p cell is a part of, with their parts of
-   * its volume: what the stabilisation acts on because of points in @p cell.
-   * All of them, since a node of an element may have no cell with points. */
-  template <int dim>
-  boost::container::small_vector<std::pair<unsigned int, double>, 6>
-  parts_of_element(const BackgroundGrid<dim> &grid, const unsigned int cell);
+  /** Call @p add(cell, part) for the cells of the element that @p cell is a
+   * part of, with their parts of its volume: what the stabilisation acts on
+   * because of points in @p cell. All of them, since a node of an element may
+   * have no cell with points. */
+  template <int dim, typename Add>
+  void
+  for_parts_of_element(const BackgroundGrid<dim> &grid,
+                       const unsigned int         cell,
+                       const Add                 &add)
+  {
+    if (grid.shape_functions().are_linear())
+      {
+        add(cell, 1.);
+        return;
+      }
+    const auto element = grid.shape_functions().element(cell);
+    double     measure = 0;
+    for (const unsigned int part : element)
+      measure += grid.geometry().measure(part);
+    for (const unsigned int part : element)
+      add(part, grid.geometry().measure(part) / measure);
+  }
 
   /** Where point @p q of the occupied cell k of the list is, on the undeformed
    * @p geometry. */
