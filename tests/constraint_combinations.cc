@@ -199,6 +199,13 @@ test_rigid_between_periodic(const std::string &settings)
   test::check_error("the same motion, whoever holds the rotation",
                     motion,
                     1e-8);
+  warnings.clear();
+  for (const auto &warning : jump->all_warnings().all())
+    warnings += test::one_line(warning.text);
+  test::check("a force that the jump can't follow",
+              warnings.find("gives the force y through <left> and <right>") !=
+                std::string::npos,
+              warnings);
   // the couple of the forces through the sides, 1 m apart, holds it instead
   const double couple = get(*pinned, through) - get(*held, through);
   test::check_error("moment on a pinned rotation",

@@ -213,9 +213,10 @@ namespace isochor
     evaluate(const StepContext<dim> &step,
              const NodalField       &unknowns,
              const MixedSystem<dim> &system,
-             const NodalConstraints & /*constraints*/,
-             Statistics &statistics) const override
+             const NodalConstraints &constraints,
+             Statistics             &statistics) const override
     {
+      warn_of_pinned_jumps(step, constraints);
       for (unsigned int k = 0; k < pairs.size(); ++k)
         {
           std::array<double, 2 * dim> values{};
@@ -318,6 +319,40 @@ namespace isochor
                              "> must have the form <x = formula> or <force x "
                              "= formula>, with a component out of " +
                              std::string("xyz").substr(0, dim) + "."));
+    }
+
+    /** A force on a jump that nodes on both sides determine does nothing but to
+     * them. Nodes that a one-sided wall holds may let it go again. */
+    void
+    warn_of_pinned_jumps(const StepContext<dim> &step,
+                         const NodalConstraints &constraints) const
+    {
+      for (unsigned int k = 0; k < pairs.size(); ++k)
+        for (unsigned int a = 0; a < dim; ++a)
+          {
+            // known on all ranks
+            const unsigned int jump = control(step, k);
+            if (jump == numbers::invalid_unsigned_int || !pairs[k].force[a] ||
+                constraints.constrained[jump * step.n_components + a] !=
+                  NodalConstraints::follows)
+              continue;
+            const bool contact =
+              std::any_of(constraints.equations.begin(),
+                          constraints.equations.end(),
+                          [](const auto &equation) {
+                            return equation.how == NodalConstraints::in_contact;
+                          });
+            if (Utilities::MPI::max(contact ? 1 : 0,
+                                    step.grid.communicator()) == 0)
+              step.warnings.add(
+                "a jump that can't follow its force",
+                std::string("<") + parameter() + "> gives the force " +
+                  "xyz"[a] + " through <" + pairs[k].first + "> and <" +
+                  pairs[k].second +
+                  ">, but other conditions determine nodes on both sides, and "
+                  "with them the jump. The force then acts on what holds these "
+                  "nodes. Leave them out there, or prescribe the jump.");
+          }
     }
 
     static double
