@@ -46,6 +46,7 @@ namespace isochor
   {
     nodes.initialize(base, n_components);
     nodes.initialize(correction, n_components);
+    base.set_ghost_state(true); // ranks write all that they hold themselves
   }
 
 
