@@ -285,6 +285,9 @@ namespace isochor
     const double dt = step_size(step);
     step.nodes.initialize(new_velocity, dim);
     step.nodes.initialize(new_acceleration, dim);
+    // ranks write all that they hold themselves
+    new_velocity.set_ghost_state(true);
+    new_acceleration.set_ghost_state(true);
     for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
       for (unsigned int d = 0; d < dim; ++d)
         {
