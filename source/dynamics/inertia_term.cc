@@ -90,6 +90,7 @@ namespace isochor
     step.nodes.initialize(velocity, dim);
     step.nodes.initialize(acceleration, dim);
     step.nodes.initialize(inertial_acceleration, dim);
+    inertial_acceleration.set_ghost_state(true); // each rank computes all
   }
 
 

@@ -69,6 +69,9 @@ namespace isochor
     for (NodalField *field :
          {&unknowns, &pending, &external_force, &boundary_force})
       nodes.initialize(*field, n_components);
+    // ranks write all that they hold of these themselves
+    unknowns.set_ghost_state(true);
+    pending.set_ghost_state(true);
     linear_step.start_step(nodes, n_components);
     at_start = true;
     set_initial_pressure();
@@ -134,6 +137,7 @@ namespace isochor
   {
     unknowns.zero_out_ghost_values();
     unknowns = 0.;
+    unknowns.set_ghost_state(true);
     set_initial_pressure();
     start_contact(false);
   }
