@@ -69,9 +69,7 @@ namespace isochor
     for (NodalField *field :
          {&unknowns, &pending, &external_force, &boundary_force})
       nodes.initialize(*field, n_components);
-    // ranks write all that they hold of these themselves
-    unknowns.set_ghost_state(true);
-    pending.set_ghost_state(true);
+    pending.set_ghost_state(true); // ranks write all that they hold themselves
     linear_step.start_step(nodes, n_components);
     at_start = true;
     set_initial_pressure();
@@ -92,14 +90,13 @@ namespace isochor
   void
   Equilibrium<dim>::set_initial_pressure()
   {
-    if (!scene.mixed())
-      return;
-    if (setup.reset().due())
+    if (scene.mixed() && setup.reset().due())
       map_pressure_to_nodes(setup.context(), unknowns);
-    else // the nodes are those of the last step
+    else if (scene.mixed()) // the nodes are those of the last step
       last_motion.restore_pressure(setup.active_nodes(),
                                    scene.n_components,
                                    unknowns);
+    unknowns.set_ghost_state(true); // ranks write all that they hold themselves
   }
 
 
@@ -137,7 +134,6 @@ namespace isochor
   {
     unknowns.zero_out_ghost_values();
     unknowns = 0.;
-    unknowns.set_ghost_state(true);
     set_initial_pressure();
     start_contact(false);
   }
