@@ -278,6 +278,70 @@ test_reactions()
               error);
 }
 
+/** An oedometer, turned by @p degrees: between smooth walls a rigid plate, free
+ * to shift and to turn, is pressed along them. The state is uniaxial strain,
+ * whatever the angle, and the plate has the force, its corners being guided by
+ * the walls. Returns the plate's way along its force (m). */
+double
+test_guided_plate(const double degrees, const std::string &form)
+{
+  const double c = std::cos(degrees * numbers::PI / 180),
+               s = std::sin(degrees * numbers::PI / 180);
+  std::ostringstream text;
+  text.precision(17);
+  text << "Grid/Type = trapezoid\nGrid/Subdivisions = 4, 8\nGrid/Corners = "
+       << "0, 0; " << c << ", " << s << "; " << c - 2 * s << ", " << s + 2 * c
+       << "; " << -2 * s << ", " << 2 * c
+       << "\nBoundary conditions/Rigid sides = top: force x = " << 3e6 * s
+       << "*t, force y = " << -3e6 * c << "*t\n";
+  const auto problem = test::run_scene<2>(
+    text.str() + keep + form +
+    "Material/Young modulus = 1e7\nTime/Step size = 0.5\n"
+    "Newton/Tolerance = 1e-11\nPostprocess/Reactions = left, right\n"
+    "Boundary conditions/Walls = left: n = 0; right: n = 0; bottom: n = 0\n");
+  const auto along = [&](const std::string &before,
+                         const std::string &after,
+                         const double       x,
+                         const double       y) {
+    return x * get(*problem, before + " x " + after) +
+           y * get(*problem, before + " y " + after);
+  };
+  const std::string top  = "of rigid side top ";
+  const std::string what = ", " + std::to_string(static_cast<int>(degrees));
+  const double      turn = get(*problem, "Rotation of rigid side top (rad)"),
+               slip      = along("Translation", top + "(m)", c, s),
+               side      = along("Reaction", "on left (N)", c, s) +
+                      along("Reaction", "on right (N)", c, s),
+               force = along("Force", top + "(N)", s, -c),
+               shear = along("Force", top + "(N)", c, s);
+  test::check("a plate between walls doesn't turn" + what,
+              std::abs(turn) < 1e-9 && std::abs(slip) < 1e-9,
+              std::to_string(turn) + ", " + std::to_string(slip));
+  test::check("forces of a plate between walls" + what,
+              relative(force, 3e6) < 1e-8 && std::abs(shear) < 1e-2 &&
+                std::abs(side) < 1e-2,
+              std::to_string(force) + ", " + std::to_string(shear) + ", " +
+                std::to_string(side));
+  return along("Translation", top + "(m)", s, -c);
+}
+
+
+
+void
+test_guided_plates(const std::string &form)
+{
+  const double straight = test_guided_plate(0, form);
+  for (const double degrees : {30., 45., 100.})
+    {
+      const double turned = test_guided_plate(degrees, form);
+      test::check("its way",
+                  relative(turned, straight) < 1e-9,
+                  std::to_string(turned) + " and " + std::to_string(straight));
+    }
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -292,4 +356,6 @@ main(int argc, char **argv)
   test_rigid_between_periodic(up);
   test_periodic_motion("");
   test_reactions();
+  test_guided_plates("Material/Poisson ratio = 0.3\n");
+  test_guided_plates(up);
 }

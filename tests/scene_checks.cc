@@ -83,9 +83,17 @@ namespace
     expect("a pressure that nothing determines",
            messages<2>(enclosed),
            {"WARNING", "up to a constant", "Poisson ratio"});
+    expect("... but not if the roof may let go",
+           messages<2>(enclosed + "Boundary conditions/Displacement = left: "
+                                  "x=0; right: x=0; bottom: y=0; top: y<=0\n"),
+           {});
     expect("... but the compressible one is",
            messages<2>(enclosed + "Material/Poisson ratio = 0.4999\n"),
            {});
+    expect("two rigid sides that nothing holds",
+           messages<2>(no_load + "Boundary conditions/Rigid sides = left: "
+                                 "moment=-t; right: moment=t\n"),
+           {"against: translation in x, translation in y, rotation"});
     expect("... may move in dynamics",
            messages<2>(no_load + "Dynamics/Inertia = true\n"),
            {});

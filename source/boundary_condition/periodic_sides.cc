@@ -42,8 +42,10 @@ namespace isochor
         "is the displacement (m) of second minus that of first since t = 0, a "
         "formula in t; what is not named is 0. With 'force x = formula' (N, on "
         "second, the opposite on first) the jump is free and has this force. "
-        "Pressures are periodic, too. Force and jump go into the statistics. "
-        "<Displacement>, <Walls> and <Rigid sides> override at common nodes. "
+        "Pressures are periodic, too. Force and jump go into the statistics; "
+        "the force is without what nodes carry that <Displacement>, <Walls> or "
+        "<Rigid sides> hold, which override at common nodes: add the reaction "
+        "there. "
         "Points do not change sides: keep the grid (<Grid reset/Steps between "
         "resets>) if they would leave it.");
       prm.declare_entry("Hold periodic corner",
@@ -52,7 +54,8 @@ namespace isochor
                         "Whether the vertices that belong to a pair in each "
                         "direction, the corners of a periodic cell, don't move "
                         "but for the jumps. In statics something has to hold "
-                        "the cell.");
+                        "the cell. No effect with one pair only, or where no "
+                        "material is at the corners.");
     }
 
     void
@@ -66,8 +69,8 @@ namespace isochor
                       ExcMessage("The entry <" + entry.first + ": " +
                                  entry.second + "> of the parameter <" +
                                  parameter() +
-                                 "> must begin with two boundaries: <first: "
-                                 "second>."));
+                                 "> must begin with two boundaries and a comma: "
+                                 "<first: second, ...>."));
           Pair pair;
           pair.first  = entry.first;
           pair.second = items[0];

@@ -276,9 +276,11 @@ namespace isochor
               }
             auto &equation =
               constraints.add(Precedence::rigid_side, terms, value);
-            equation.changes = true;
-            equation.owner   = owner;
-            equation.label   = label_of_first + i * dim + a;
+            equation.changes   = true;
+            equation.owner     = owner;
+            equation.label     = label_of_first + i * dim + a;
+            equation.n_vector  = dim;
+            equation.component = a;
           }
       }
   }

@@ -126,7 +126,9 @@ namespace isochor
             " determine the same " + where +
             (group.difference > 0 ?
                ", otherwise" + by :
-               std::string(", and the second one would move them")) +
+               std::string(", and for the second one they depend on what is "
+                           "free to move, such as a rigid side: it can part "
+                           "from these nodes there")) +
             ". The first one counts there. If that isn't meant, let both "
             "prescribe the same, or leave these nodes out of one of them (the "
             "order is that of doc/method.md: displacements, walls, rigid "

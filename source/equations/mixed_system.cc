@@ -143,7 +143,7 @@ namespace isochor
         if (const ControlNode<dim> *control =
               nodes.control_node(entry / n_components))
           {
-            system.rotation_arm.resize(n, -1.);
+            system.rotation_arm.resize(n, 0.); // displacements
             system.rotation_arm[eq] = control->rotation_arm;
           }
       }

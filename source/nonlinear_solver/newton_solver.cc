@@ -30,8 +30,7 @@ namespace isochor
       Patterns::Selection("none|extrapolation"),
       "Where Newton's method starts in a step: from zero increments, or "
       "with those of the last step, in proportion to the size of the steps. "
-      "If it fails from there, or two corrections in a row had to be shortened "
-      "to a quarter, it starts again from zero.");
+      "If it fails from there, it starts again from zero.");
     prm.declare_entry(
       "Maximum iterations",
       "15",
@@ -220,15 +219,10 @@ namespace isochor
 
 
   bool
-  NewtonSolver::finished(const Problem       &problem,
-                         const Gauge         &gauge,
+  NewtonSolver::finished(const Gauge         &gauge,
                          const ResidualNorms &norms,
                          NewtonReport        &report) const
   {
-    const auto is_short = [&](const unsigned int k) {
-      return report.iterations[k].step_length <= 0.25;
-    };
-    const unsigned int n = report.n_iterations();
     if (!std::isfinite(gauge.merit(norms)))
       report.failure = describe(norms.status);
     else if (!std::isfinite(norms.force_scale))
@@ -238,14 +232,8 @@ namespace isochor
         report.converged   = true;
         report.force_scale = gauge.force_scale();
       }
-    else if (problem.has_other_start && n >= 3 && is_short(n) &&
-             is_short(n - 1))
-      {
-        report.given_up = true;
-        report.failure = "the corrections from the extrapolated start are poor";
-      }
     else if (report.n_factorisations >= max_iterations ||
-             n >= 4 * max_iterations)
+             report.n_iterations() >= 4 * max_iterations)
       report.failure = "Newton's method did not converge in " +
                        std::to_string(max_iterations) + " iterations";
     return report.converged || !report.failure.empty();
@@ -309,7 +297,7 @@ namespace isochor
     // Assembling the matrix costs as much again as the residual: it is left
     // away where the next iterate will need none.
     bool matrix_is_current = true, expect_need = true;
-    while (!finished(problem, gauge, norms, report))
+    while (!finished(gauge, norms, report))
       {
         // an old matrix is worth a try if the last iteration converged so fast
         // that it, or quadratic convergence, can be expected to be enough

@@ -151,10 +151,12 @@ namespace isochor
               name + "> of <" +
               condition->parameter(
                 condition->name.substr(0, condition->name.find(':'))) +
-              ">. The force through it is not in <Reaction x on " + name +
-              " (N)>, where only nodes count that something else holds, but "
-              "in the column <" +
-              column + "> and those of the other components.");
+              ">. <Reaction x on " + name +
+              " (N)> has only what nodes carry that something else holds; "
+              "the force through all other nodes is in the column <" +
+              column +
+              "> and those of the other components. The whole force is the "
+              "sum of both.");
           return true;
         }
       return false;

@@ -196,19 +196,11 @@ namespace isochor
   NewtonReport
   Equilibrium<dim>::solve()
   {
-    const bool predicted = predict();
-    has_other_start      = predicted;
-    NewtonReport report  = solve_with_contact();
-    has_other_start      = false;
-    if (report.converged || !predicted)
-      return report;
-    const bool given_up = report.given_up;
-    start_from_rest();
-    report = solve_with_contact();
-    if (!report.converged && given_up)
-      { // in earnest this time
+    const bool   predicted = predict();
+    NewtonReport report    = solve_with_contact();
+    if (!report.converged && predicted)
+      {
         start_from_rest();
-        predict();
         report = solve_with_contact();
       }
     return report;
@@ -377,7 +369,6 @@ namespace isochor
       relinearise();
       system.project_changing(unknowns);
     };
-    problem.has_other_start = has_other_start;
     relinearise();
     system.interpolate_followers(unknowns); // wherever it starts from
     return newton_solver.solve(problem, terminal.log());

@@ -30,9 +30,29 @@ namespace isochor
       {
         scene_checked = true;
         if (scene.time.step == 0) // resumed: said when it started
-          check_first_step(scene, step, system.matrix());
+          check_first_step(scene, step, system.matrix(), may_let_go());
       }
     return norms;
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::may_let_go() const
+  {
+    const auto is_contact = [](const unsigned char how) {
+      return how == NodalConstraints::in_contact;
+    };
+    const bool here = std::any_of(constraints.constrained.begin(),
+                                  constraints.constrained.end(),
+                                  is_contact) ||
+                      std::any_of(constraints.equations.begin(),
+                                  constraints.equations.end(),
+                                  [&](const auto &equation) {
+                                    return is_contact(equation.how);
+                                  });
+    return Utilities::MPI::max(here ? 1 : 0, scene.grid.communicator()) != 0;
   }
 
 

@@ -106,7 +106,8 @@ namespace isochor
   void
   check_first_step(const Scene<dim>       &scene,
                    const StepContext<dim> &step,
-                   const SparseSystem     &matrix)
+                   const SparseSystem     &matrix,
+                   const bool              may_let_go)
   {
     check_body(step);
     for (const auto &condition : scene.boundary_conditions)
@@ -115,7 +116,7 @@ namespace isochor
       postprocessor->check_scene(step);
     if (!scene.has_inertia())
       check_supports(matrix, step.warnings);
-    if (scene.mixed() && has_free_pressure(matrix))
+    if (scene.mixed() && !may_let_go && has_free_pressure(matrix))
       step.warnings.add(
         "a pressure that nothing determines",
         "The material is incompressible (<Material/Poisson ratio> = 0.5) and "
@@ -154,11 +155,13 @@ namespace isochor
   template void
   check_first_step<2>(const Scene<2> &,
                       const StepContext<2> &,
-                      const SparseSystem &);
+                      const SparseSystem &,
+                      const bool);
   template void
   check_first_step<3>(const Scene<3> &,
                       const StepContext<3> &,
-                      const SparseSystem &);
+                      const SparseSystem &,
+                      const bool);
   template void
   warn_if_nothing_moves<2>(Scene<2> &,
                            const NewtonReport &,

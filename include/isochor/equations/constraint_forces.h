@@ -102,6 +102,10 @@ namespace isochor
     solve(const Node &node, const NodalField &force);
     void
     take_away(const Row &row, const double multiplier, NodalField &force) const;
+    /** Of what stands in the place of equation @p k, which is a combination of
+     * several. */
+    void
+    add_multiplier(const unsigned int k, const double value);
 
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
 

@@ -5,6 +5,7 @@
 #ifndef isochor_nodal_constraints_h
 #define isochor_nodal_constraints_h
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -153,11 +154,19 @@ namespace isochor
       /** Whose it is, and which of its equations. */
       const void  *owner = nullptr;
       unsigned int label = 0;
+      /** This many equations, one after the other, determine a vector, of which
+       * this one has the component number @p component as its first entry.
+       * Along what walls and prescribed components hold of it the vector is
+       * then left alone: in the place of the equations E_b stand
+       *   Σ_b P_ab E_b,  P = 1 - Σ n n^T,  n orthonormal in what is held. */
+      unsigned int n_vector = 1, component = 0;
 
       static constexpr unsigned int none = static_cast<unsigned int>(-1);
       /** By resolve(): what follows by this equation. None: all of it is
        * determined by others. */
       unsigned int pivot = none;
+      /** By resolve(): P_ab, a the component; {1} without a vector. */
+      std::array<double, 3> projection{{1., 0., 0.}};
     };
 
     /** An unknown that two conditions determine, and not alike. */
@@ -225,6 +234,15 @@ namespace isochor
     source_number();
     void
     eliminate(Equation &equation, const unsigned int number);
+    /** Let the row be Σ_b parts_b E_b over the equations of a vector, without
+     * what has been eliminated. */
+    void
+    combine(const Equation              &equation,
+            const unsigned int           number,
+            const std::array<double, 3> &parts);
+    /** Set the projection of an equation of a vector. */
+    void
+    project(Equation &equation, const unsigned int number) const;
     void
     eliminate_tie(const unsigned int tie, const unsigned int n_components);
     void

@@ -50,8 +50,6 @@ namespace isochor
     std::string                  failure; ///< why not
     std::vector<NewtonIteration> iterations;
     unsigned int                 n_factorisations = 0;
-    /** Whether it was only given up, see Problem::has_other_start. */
-    bool given_up = false;
     /** What forces were measured against (N). */
     double force_scale = 0;
 
@@ -77,7 +75,6 @@ namespace isochor
     continue_with(const NewtonReport &next)
     {
       converged   = next.converged;
-      given_up    = next.given_up;
       failure     = next.failure;
       force_scale = next.force_scale;
       n_factorisations += next.n_factorisations;
@@ -114,10 +111,6 @@ namespace isochor
       std::function<bool()> has_factorisation;
       /** Set the iterate to (the one at the last solve) + s (correction). */
       std::function<void(const double s)> advance;
-      /** Whether the caller has another place to start from: this one is then
-       * given up when two corrections one after another had to be shortened to
-       * a quarter or less. */
-      bool has_other_start = false;
     };
 
     static void
@@ -165,8 +158,7 @@ namespace isochor
 
     /** Whether the iteration ends here; @p report then says how. */
     bool
-    finished(const Problem       &problem,
-             const Gauge         &gauge,
+    finished(const Gauge         &gauge,
              const ResidualNorms &norms,
              NewtonReport        &report) const;
 

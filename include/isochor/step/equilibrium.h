@@ -158,6 +158,9 @@ namespace isochor
     find_root();
     ResidualNorms
     assemble(const bool with_matrix);
+    /** Whether one-sided walls hold nodes, on any rank. */
+    bool
+    may_let_go() const;
     /** Equations between unknowns whose coefficients change with these. */
     void
     relinearise();
@@ -193,9 +196,7 @@ namespace isochor
     /** Forces of the boundary conditions that are terms of the equations. */
     NodalField boundary_force;
     /** Whether the iterate is where the step starts. */
-    bool at_start = true;
-    /** Whether the step may be started from somewhere else, too. */
-    bool   has_other_start = false;
+    bool   at_start    = true;
     double force_floor = 0, volume_floor = 0;
     bool   scene_checked = false;
     /** How many bodies apart from each other the active nodes form (0: not
