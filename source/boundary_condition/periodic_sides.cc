@@ -66,11 +66,11 @@ namespace isochor
         {
           const auto items = split_formulas(entry.second, parameter());
           AssertThrow(!items.empty() && items[0].find('=') == std::string::npos,
-                      ExcMessage("The entry <" + entry.first + ": " +
-                                 entry.second + "> of the parameter <" +
-                                 parameter() +
-                                 "> must begin with two boundaries and a comma: "
-                                 "<first: second, ...>."));
+                      ExcMessage(
+                        "The entry <" + entry.first + ": " + entry.second +
+                        "> of the parameter <" + parameter() +
+                        "> must begin with two boundaries and a comma: "
+                        "<first: second, ...>."));
           Pair pair;
           pair.first  = entry.first;
           pair.second = items[0];
