@@ -5,6 +5,7 @@
 #ifndef isochor_tests_hoarder_h
 #define isochor_tests_hoarder_h
 
+#include <isochor/equations/mixed_kernel.h>
 #include <isochor/material_model/material_model.h>
 
 namespace isochor
