@@ -319,7 +319,8 @@ main(int argc, char **argv)
   test_tension("cell-filled", 1.5, 42.0152039363, 0., 0.2);
   test_tension("cell-filled + boundary", 1.5, 42.0152039363, 0., 1e-10);
   test_tension("CPDI", 1.5, 42.0152039363, 0., 1e-10);
-  test_tension("points", 3., 205.299981029, 0.5, 2.);
+  // further on steps of this quadrature converge by chance
+  test_tension("points", 2.5, 141.080477033, 0.4, 2.);
   test_tension("cell-filled", 3., 205.299981029, 0., 0.25);
   test_tension("cell-filled + boundary", 3., 205.299981029, 0., 1e-9);
   test_tension("CPDI", 3., 205.299981029, 0., 1e-9);

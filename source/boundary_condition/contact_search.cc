@@ -40,8 +40,26 @@ namespace isochor
 
 
 
-  std::string
+  bool
+  ContactSearch::may_change_all(const unsigned int n_objections)
+  {
+    if (n_objections < fewest_objected)
+      {
+        fewest_objected = n_objections;
+        n_patience      = most_patience;
+        return true;
+      }
+    if (n_patience == 0)
+      return false;
+    --n_patience;
+    return true;
+  }
+
+
+
+  ContactChange
   ContactSearch::change(const std::vector<unsigned int> &objections,
+                        const bool                       converged,
                         const std::vector<WallNode *>   &nodes,
                         const std::string               &parameter,
                         const std::string               &boundaries)
@@ -53,30 +71,22 @@ namespace isochor
     const unsigned int n_object = n_pull + n_penetrate;
     if (n_object == 0)
       return {};
-    if (++n_sets > most_sets)
-      return "the contact of <" + parameter + "> on <" + boundaries +
-             "> does not settle: with the last of " +
-             std::to_string(most_sets) + " sets of held nodes " +
-             std::to_string(n_pull) + " pull at their wall and " +
-             std::to_string(n_penetrate) + " went through it";
+    if (converged && ++n_sets > most_sets)
+      return {false,
+              "the contact of <" + parameter + "> on <" + boundaries +
+                "> does not settle: with the last of " +
+                std::to_string(most_sets) + " sets of held nodes " +
+                std::to_string(n_pull) + " pull at their wall and " +
+                std::to_string(n_penetrate) + " went through it"};
 
-    bool all_at_once = true;
-    if (n_object < fewest_objected)
-      {
-        fewest_objected = n_object;
-        n_patience      = most_patience;
-      }
-    else if (n_patience > 0)
-      --n_patience;
-    else
-      all_at_once = false;
-    std::size_t last = objections.size() - 1;
+    const bool  all_at_once = !converged || may_change_all(n_object);
+    std::size_t last        = objections.size() - 1;
     while (objections[last] == 0)
       --last;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       if (objections[k] != 0 && (all_at_once || k == last))
         nodes[k]->released = !nodes[k]->released;
-    return {};
+    return {true, {}};
   }
 
 

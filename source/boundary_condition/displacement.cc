@@ -182,7 +182,7 @@ namespace isochor
       search.start();
     }
 
-    std::string
+    ContactChange
     check_contact(const StepContext<dim> &step,
                   const NodalField       &unknowns,
                   const MixedSystem<dim> &system,
@@ -446,7 +446,7 @@ namespace isochor
 
 
   template <int dim>
-  std::string
+  ContactChange
   PrescribedDisplacement<dim>::check_contact(
     const StepContext<dim>                                  &step,
     const NodalField                                        &unknowns,
@@ -473,7 +473,8 @@ namespace isochor
         if (objects)
           names += (names.empty() ? "" : ", ") + condition.boundary;
       }
-    return search.change(objections, nodes, parameter(), names);
+    return search.change(
+      objections, tolerance.converged, nodes, parameter(), names);
   }
 
   ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition,

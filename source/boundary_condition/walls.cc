@@ -185,7 +185,7 @@ namespace isochor
       search.start();
     }
 
-    std::string
+    ContactChange
     check_contact(const StepContext<dim> &step,
                   const NodalField       &unknowns,
                   const MixedSystem<dim> &system,
@@ -193,9 +193,8 @@ namespace isochor
                   const typename BoundaryCondition<dim>::ContactTolerance
                     &tolerance) override
     {
-      if (std::none_of(walls.begin(), walls.end(), [](const Wall &wall) {
-            return wall.one_sided;
-          }))
+      const auto one_sided = [](const Wall &wall) { return wall.one_sided; };
+      if (std::none_of(walls.begin(), walls.end(), one_sided))
         return {};
       const auto objections =
         find_objections(step, unknowns, system, constraints, tolerance);
@@ -212,7 +211,8 @@ namespace isochor
           if (objects)
             names += (names.empty() ? "" : ", ") + wall.boundary;
         }
-      return search.change(objections, nodes, parameter(), names);
+      return search.change(
+        objections, tolerance.converged, nodes, parameter(), names);
     }
 
     void

@@ -132,6 +132,15 @@ namespace isochor
              norms.pressure <= pressure_bound(norms, tolerance);
     }
 
+    /** Whether @p norms are those of an iterate that can be judged and is not
+     * the solution. */
+    bool
+    is_far(const ResidualNorms &norms, const double tolerance) const
+    {
+      return !norms.pending && std::isfinite(merit(norms)) &&
+             !converged(norms, tolerance);
+    }
+
     /** What the line search wants to fall. */
     double
     merit(const ResidualNorms &norms) const
@@ -359,6 +368,16 @@ namespace isochor
            foreseen > tolerance);
         gauge.take(norms);
         add_row(search.best, n_linear);
+        // with the wrong conditions it may not converge at all
+        if (problem.change_conditions && gauge.is_far(norms, tolerance) &&
+            problem.change_conditions(gauge.force_scale()))
+          {
+            norms             = problem.assemble(true);
+            matrix_is_current = expect_need = true;
+            last_ratio = reduction = 1.;
+            if (log != nullptr)
+              *log << "    contact changed\n";
+          }
       }
     return report;
   }

@@ -108,6 +108,7 @@ namespace isochor
     if (!newton_solver.extrapolate || last_motion.step_size == 0)
       return false;
     last_motion.extrapolate(setup.active_nodes(),
+                            setup.all_elements(),
                             scene.n_components,
                             setup.context().step_size() / last_motion.step_size,
                             unknowns);
@@ -219,13 +220,13 @@ namespace isochor
                      << " (dt = " << time.next_time() - time.time << ")"
                      << std::endl;
     at_start            = true;
-    NewtonReport report = find_root();
+    NewtonReport report = find_root(true);
     while (report.converged && change_contact(report))
       {
         lay_out_system(false);
         if (terminal.log())
           terminal.out() << "    contact changed" << std::endl;
-        report.continue_with(find_root());
+        report.continue_with(find_root(true));
       }
     return report;
   }
@@ -259,23 +260,51 @@ namespace isochor
 
 
   template <int dim>
+  ContactChange
+  Equilibrium<dim>::check_contact(const double force_scale,
+                                  const bool   converged)
+  {
+    const typename BoundaryCondition<dim>::ContactTolerance tolerance{
+      newton_solver.tolerance * force_scale,
+      newton_solver.tolerance,
+      converged};
+    ContactChange change;
+    for (const auto &condition : scene.boundary_conditions)
+      {
+        const ContactChange here = condition->check_contact(
+          setup.context(), unknowns, system, constraints, tolerance);
+        if (!here.failure.empty())
+          return here;
+        change.any = change.any || here.any;
+      }
+    return change;
+  }
+
+
+
+  template <int dim>
   bool
   Equilibrium<dim>::change_contact(NewtonReport &report)
   {
-    const typename BoundaryCondition<dim>::ContactTolerance tolerance{
-      newton_solver.tolerance * report.force_scale, newton_solver.tolerance};
-    for (const auto &condition : scene.boundary_conditions)
-      {
-        const std::string failure = condition->check_contact(
-          setup.context(), unknowns, system, constraints, tolerance);
-        if (!failure.empty())
-          {
-            report.converged = false;
-            report.failure   = failure;
-            return false;
-          }
-      }
-    return constrain_nodes();
+    const ContactChange change = check_contact(report.force_scale, true);
+    report.failure             = change.failure;
+    report.converged           = change.failure.empty();
+    return report.converged && change.any && constrain_nodes();
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::change_contact_on_the_way(const double force_scale)
+  {
+    const ContactChange change = check_contact(force_scale, false);
+    if (!change.any || !constrain_nodes())
+      return false;
+    lay_out_system(false);
+    relinearise();
+    system.interpolate_followers(unknowns);
+    return true;
   }
 
 
@@ -343,7 +372,7 @@ namespace isochor
 
   template <int dim>
   NewtonReport
-  Equilibrium<dim>::find_root()
+  Equilibrium<dim>::find_root(const bool with_contact)
   {
     NewtonSolver::Problem problem;
     problem.assemble = [this](const bool with_matrix) {
@@ -369,6 +398,14 @@ namespace isochor
       relinearise();
       system.project_changing(unknowns);
     };
+    // a few times: the set that holds at the end is found by the outer search
+    constexpr unsigned int most_changes = 8;
+    unsigned int           n_changes    = 0;
+    if (with_contact)
+      problem.change_conditions = [this, &n_changes](const double force_scale) {
+        return ++n_changes <= most_changes &&
+               change_contact_on_the_way(force_scale);
+      };
     relinearise();
     system.interpolate_followers(unknowns); // wherever it starts from
     return newton_solver.solve(problem, terminal.log());

@@ -63,7 +63,7 @@ namespace isochor
         inertia.start_trial(step, trial, conditions);
         start_again();
         at_start = true;
-        report   = trial > 0 ? solve_with_contact() : find_root();
+        report   = trial > 0 ? solve_with_contact() : find_root(false);
         if (report.converged && trial > 0)
           settle_weight(report);
         if (report.converged)
@@ -104,7 +104,7 @@ namespace isochor
         if ((after - before).norm() <=
             accuracy * (after + mean).norm()) // of gravity
           return;
-        report.continue_with(find_root());
+        report.continue_with(find_root(false));
       }
   }
 

@@ -15,6 +15,16 @@
 
 namespace isochor
 {
+  /** What became of the nodes that one-sided conditions hold; the same on all
+   * ranks. */
+  struct ContactChange
+  {
+    bool        any = false; ///< nodes were released, or are held now
+    std::string failure;     ///< why the search is to be given up, if it is
+  };
+
+
+
   /**
    * Interface of the boundary conditions and loads. To add one, write
    * `source/boundary_condition/<name>.cc` with the class and its registration.
@@ -182,17 +192,19 @@ namespace isochor
     {
       double force;    ///< N
       double relative; ///< of penetrations to displacements of the step
+      /** Whether Newton's method has, or the unknowns are those of an iterate
+       * on the way. */
+      bool converged;
     };
 
-    /** Newton's method has converged: change what constrain() will prescribe
-     * where a one-sided condition is violated. The forces of the boundary on
-     * the body are the residual of @p system where unknowns are prescribed (N),
-     * and its multiplier() for equations of @p constraints. Returns why the
-     * search is to be given up, nothing as long as it goes on or if it has
-     * ended. Nodes that follow others (ties) because hardly any material
+    /** Newton's method has converged, or made an iteration: change what
+     * constrain() will prescribe where a one-sided condition is violated. The
+     * forces of the boundary on the body are the residual of @p system where
+     * unknowns are prescribed (N), and its multiplier() for equations of @p
+     * constraints. Nodes that follow others (ties) because hardly any material
      * touches them may go through a wall: where they are the body isn't.
      * Collective. */
-    virtual std::string
+    virtual ContactChange
     check_contact(const StepContext<dim> & /*step*/,
                   const NodalField & /*unknowns*/,
                   const MixedSystem<dim> & /*system*/,

@@ -5,7 +5,7 @@
 #ifndef isochor_contact_search_h
 #define isochor_contact_search_h
 
-#include <isochor/equations/equation_term.h>
+#include <isochor/boundary_condition/boundary_condition.h>
 
 #include <iosfwd>
 #include <limits>
@@ -40,8 +40,9 @@ namespace isochor
 
   /**
    * The set of nodes at one-sided walls that are held, by the active set method
-   * (Hintermüller, Ito & Kunisch 2003): a set is held, Newton's method
-   * converges with it, and nodes that object change sides until none does. With
+   * (Hintermüller, Ito & Kunisch 2003): nodes that object change sides in the
+   * first iterations of Newton's method, which makes it a semi-smooth Newton
+   * method, and then whenever it has converged, until none does. With
    * the safeguard of Júdice & Pires (Computers Ops Res. 21 (1994) 587-596): if
    * changing all nodes that object does not make them fewer, they are changed
    * one by one, which can't cycle in a linear problem with a positive definite
@@ -56,16 +57,22 @@ namespace isochor
 
     /**
      * Change @p nodes according to their @p objections, the same on all ranks,
-     * by node. Returns why the search is to be given up, which names the
-     * @p parameter and @p boundaries, or nothing.
+     * by node. The search fails with a message that names the @p parameter
+     * and @p boundaries. With objections to an iterate that has not @p
+     * converged all of them change and none is counted.
      */
-    std::string
+    ContactChange
     change(const std::vector<unsigned int> &objections,
+           const bool                       converged,
            const std::vector<WallNode *>   &nodes,
            const std::string               &parameter,
            const std::string               &boundaries);
 
   private:
+    /** Whether all of @p n_objections may be met at once. */
+    bool
+    may_change_all(const unsigned int n_objections);
+
     /** Sets with which the search is given up, and how often it may not get
      * better before nodes are changed one by one. */
     static constexpr unsigned int most_sets = 60, most_patience = 4;

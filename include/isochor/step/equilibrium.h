@@ -148,14 +148,22 @@ namespace isochor
      * solve again; a search that does not settle makes the report a failure. */
     bool
     change_contact(NewtonReport &report);
+    /** The same with an iterate of Newton's method: if that makes a difference,
+     * the system is laid out for it. */
+    bool
+    change_contact_on_the_way(const double force_scale);
+    /** Let the boundary conditions change which nodes are held. */
+    ContactChange
+    check_contact(const double force_scale, const bool converged);
     /** Constrain the nodes anew; whether that made a difference on any rank. */
     bool
     constrain_nodes();
     void
     lay_out_system(const bool with_other_nodes);
 
+    /** Newton's method; @p with_contact: which nodes are held may change. */
     NewtonReport
-    find_root();
+    find_root(const bool with_contact);
     ResidualNorms
     assemble(const bool with_matrix);
     /** Whether one-sided walls hold nodes, on any rank. */

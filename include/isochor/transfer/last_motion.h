@@ -6,6 +6,7 @@
 #define isochor_last_motion_h
 
 #include <isochor/equations/active_nodes.h>
+#include <isochor/equations/element_nodes.h>
 
 #include <vector>
 
@@ -19,47 +20,28 @@ namespace isochor
     std::vector<double>       unknowns;      ///< n_components per vertex
     double                    step_size = 0; ///< 0: there was no step yet
 
-    /** Keep @p unknowns, those of a step of the size @p size (s). */
+    /** Keep @p values, those of a step of the size @p size (s). */
     template <int dim>
     void
     remember(const ActiveNodes<dim> &nodes,
              const unsigned int      n_components,
              const double            size,
-             const NodalField       &values)
-    {
-      step_size = size;
-      vertices.clear();
-      unknowns.clear();
-      for (unsigned int node = 0; node < nodes.n_local(); ++node)
-        {
-          vertices.push_back(nodes.vertex(node));
-          for (unsigned int a = 0; a < n_components; ++a)
-            unknowns.push_back(values.local_element(node * n_components + a));
-        }
-    }
+             const NodalField       &values);
 
     /**
-     * Start @p values from the last motion times @p ratio. The pressure,
-     * component dim, is kept as it was: mapped to the points and back it would
-     * be smoothed. Collective.
+     * Start @p values from the last motion times @p ratio. Nodes that the body
+     * has just reached move like the mean of their neighbours in @p elements:
+     * left where they are they would tear what is in the cells around them.
+     * The pressure, component dim, is kept as it was: mapped to the points and
+     * back it would be smoothed. Collective.
      */
     template <int dim>
     void
     extrapolate(const ActiveNodes<dim> &nodes,
+                const ElementNodes     &elements,
                 const unsigned int      n_components,
                 const double            ratio,
-                NodalField             &values) const
-    {
-      for (unsigned int i = 0; i < vertices.size(); ++i)
-        {
-          const unsigned int node = nodes.node(vertices[i]);
-          if (node < nodes.n_owned())
-            for (unsigned int a = 0; a < n_components; ++a)
-              values.local_element(node * n_components + a) =
-                (a < dim ? ratio : 1.) * unknowns[i * n_components + a];
-        }
-      values.update_ghost_values();
-    }
+                NodalField             &values) const;
 
     /** The pressure of the last step, whose nodes must be those of this one.
      * Collective. */
@@ -67,13 +49,7 @@ namespace isochor
     void
     restore_pressure(const ActiveNodes<dim> &nodes,
                      const unsigned int      n_components,
-                     NodalField             &values) const
-    {
-      for (unsigned int i = 0; i < vertices.size(); ++i)
-        values.local_element(nodes.node(vertices[i]) * n_components + dim) =
-          unknowns[i * n_components + dim];
-      values.update_ghost_values();
-    }
+                     NodalField             &values) const;
 
     template <class Archive>
     void
