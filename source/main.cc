@@ -67,11 +67,6 @@ main(int argc, char **argv)
 {
   using namespace isochor;
 
-  // One thread per rank: more of them gain nothing in the BLAS below the
-  // direct solvers. Who knows better sets the variables.
-  setenv("OPENBLAS_NUM_THREADS", "1", 0);
-  setenv("OMP_NUM_THREADS", "1", 0);
-
   keep_a_single_process_simple();
 
   // The libraries that deal.II initialises don't get to see our options:
