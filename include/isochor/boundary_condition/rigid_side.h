@@ -123,6 +123,11 @@ namespace isochor
     add_moment_force(const StepContext<dim> &step,
                      const NodalField       &unknowns,
                      NodalField             &force) const;
+    bool
+    assembles_moment(const double time) const
+    {
+      return dim == 3 && moment_at(time).norm() > 0;
+    }
     void
     add_moment(const StepContext<dim> &step,
                const NodalField       &unknowns,
