@@ -158,7 +158,7 @@ test_guided_plate(const std::string &form)
     text(straight) + "*t\n");
   test::check_error("the force for its way",
                     relative(get(*by_nodes, "Reaction z on z1 (N)"), -3e6),
-                    2e-2);
+                    1e-7);
 }
 
 /** A block at two smooth walls and on a rough floor, with a plate on top that
@@ -214,13 +214,13 @@ test_two_walls(const std::string &name, const std::string &settings)
                         walls,
                         components("", some_turn() * moved) + ", " +
                           components("rotation ", some_turn() * turn));
-  test::check_error(
-    "its loads come back, " + name,
-    std::max(difference(vector(*back, "Force x" + top + "(N)"),
-                        some_turn() * force),
-             difference(vector(*back, "Moment x" + top + "(N m)"),
-                        some_turn() * moment)),
-    settings.find("Step size") == std::string::npos ? 1e-7 : 1e-2);
+  test::check_error("its loads come back, " + name,
+                    std::max(difference(vector(*back, "Force x" + top + "(N)"),
+                                        some_turn() * force),
+                             difference(vector(*back,
+                                               "Moment x" + top + "(N m)"),
+                                        some_turn() * moment)),
+                    1e-7);
 }
 
 namespace
