@@ -313,8 +313,7 @@ test_warnings()
   test::check("corners of one pair of periodic sides",
               corner.find("no effect of <Boundary conditions/Hold periodic "
                           "corner>") != std::string::npos &&
-                corner.find("in each direction (1 pairs are given)") !=
-                  std::string::npos,
+                corner.find("in each direction (1 given)") != std::string::npos,
               corner);
 }
 

@@ -309,7 +309,7 @@ namespace isochor
           (corners.empty() ?
              "no vertex of the grid belongs to one of <" + parameter() +
                "> in each direction (" + std::to_string(pairs.size()) +
-               " pairs are given)" :
+               " given)" :
              "there is no material at the corners of the periodic cell") +
           ". Hold the body by <Boundary conditions/Displacement> instead, or "
           "leave the parameter out.");
