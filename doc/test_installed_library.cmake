@@ -72,6 +72,6 @@ run(COMMAND ${place}/usr/bin/isochor ${DOC}/plugins/lever.prm --quiet
 run(COMMAND tail -n 1 lever/statistics.txt IN ${place}/plugins
   OUTPUT ${place}/plugins/last_step_of_lever)
 file(READ ${place}/plugins/last_step_of_lever last_step)
-if(NOT last_step MATCHES " 7(38000|37999)[.0-9]* | 7[.]3(8000|7999)[0-9]*e[+]05 ")
+if(NOT last_step MATCHES " 81(8000|7999)[.0-9]* | 8[.]1(8000|7999)[0-9]*e[+]05 ")
   message(FATAL_ERROR "the scene with a lever gives ${last_step}")
 endif()

@@ -278,6 +278,45 @@ test_reactions()
               error);
 }
 
+/** Walls hold nodes at first that a plate then takes along: no contradiction;
+ * and corners of a periodic cell that isn't one. */
+void
+test_warnings()
+{
+  const auto warnings = [](const std::string &settings) {
+    const auto problem = test::run_scene<2>(
+      "Grid/Subdivisions = 4, 4\nMaterial/Young modulus = 1e4\n"
+      "Time/Step size = 0.5\n"
+      "Boundary conditions/Displacement = bottom: x = 0, y = 0\n"
+      "Boundary conditions/" +
+      settings);
+    std::string all;
+    for (const auto &warning : problem->all_warnings().all())
+      all += test::one_line(warning.subject + ": " + warning.text);
+    return all;
+  };
+  const std::string plate   = "Walls = left: n >= 0\nBoundary conditions/Rigid "
+                              "sides = top: y = 0, rotation = 0, x = ",
+                    away    = warnings(plate + "0.05*t\n"),
+                    against = warnings(plate + "-0.05*t\n"),
+                    corner  = warnings("Hold periodic corner = true\nBoundary "
+                                       "conditions/Periodic sides = left: "
+                                       "right\nBoundary conditions/Gravity = "
+                                       "0, -1\n");
+  test::check("a plate that leaves a wall", away.empty(), away);
+  test::check("a plate that goes through a wall",
+              against.find("<Boundary conditions/Walls> and <Boundary "
+                           "conditions/Rigid sides> determine the same 1 "
+                           "displacement") != std::string::npos &&
+                against.find("by up to 0.025 m") != std::string::npos,
+              against);
+  test::check("corners of one pair of periodic sides",
+              corner.find("no effect of <Boundary conditions/Hold periodic "
+                          "corner>") != std::string::npos &&
+                corner.find("in each direction (1 given)") != std::string::npos,
+              corner);
+}
+
 /** An oedometer, turned by @p degrees: between smooth walls a rigid plate, free
  * to shift and to turn, is pressed along them. The state is uniaxial strain,
  * whatever the angle, and the plate has the force, its corners being guided by
@@ -356,6 +395,7 @@ main(int argc, char **argv)
   test_rigid_between_periodic(up);
   test_periodic_motion("");
   test_reactions();
+  test_warnings();
   test_guided_plates("Material/Poisson ratio = 0.3\n");
   test_guided_plates(up);
 }

@@ -11,9 +11,7 @@
 #include <isochor/boundary_condition/finite_rotation.h>
 #include <isochor/boundary_condition/wall_surface.h>
 
-#include <fstream>
-
-#include "scene.h"
+#include "mesh_file.h"
 
 using namespace isochor;
 
@@ -92,52 +90,30 @@ namespace
               add_prism({{{{i + 1, j}}, {{i + 1, j + 1}}, {{i, j + 1}}}},
                         layer);
           }
-    std::ostringstream elements;
-    unsigned int       n_elements = 0;
-    for (auto &cell : cells)
+    std::vector<Point<3>>    vertices;
+    std::vector<CellData<3>> tetrahedra;
+    for (const Node &node : nodes)
+      vertices.push_back(node.x);
+    for (const auto &cell : cells)
       {
-        const auto x = [&](const unsigned int v) { return nodes[cell[v]].x; };
+        CellData<3> data(4);
+        data.vertices.assign(cell.begin(), cell.end());
+        const auto x = [&](const unsigned int v) { return vertices[cell[v]]; };
         if (cross_product_3d(x(1) - x(0), x(2) - x(0)) * (x(3) - x(0)) < 0)
-          std::swap(cell[0], cell[1]);
-        elements << ++n_elements << " 4 2 6 6";
-        for (const unsigned int v : cell)
-          elements << ' ' << v + 1;
-        elements << '\n';
-        // faces in the planes x, y, z = 0, inside and outside
-        for (unsigned int left_out = 0; left_out < 4; ++left_out)
-          for (unsigned int side = 0; side < 5; ++side)
-            {
-              bool        on_side = true;
-              std::string corners;
-              for (unsigned int v = 0; v < 4; ++v)
-                if (v != left_out)
-                  {
-                    const auto &at = nodes[cell[v]].at;
-                    on_side        = on_side && (side < 3 ? at[side] == 0 :
-                                                            at[3] == (side - 3) * n);
-                    corners += ' ' + std::to_string(cell[v] + 1);
-                  }
-              if (on_side)
-                elements << ++n_elements << " 2 2 " << side + 1 << ' '
-                         << side + 1 << corners << '\n';
-            }
+          std::swap(data.vertices[0], data.vertices[1]);
+        tetrahedra.push_back(data);
       }
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      {
-        std::ofstream out(name);
-        out.precision(17);
-        out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n6\n"
-               "2 1 \"yz\"\n2 2 \"zx\"\n2 3 \"xy\"\n2 4 \"inner\"\n"
-               "2 5 \"outer\"\n3 6 \"body\"\n$EndPhysicalNames\n$Nodes\n"
-            << nodes.size() << '\n';
-        for (unsigned int v = 0; v < nodes.size(); ++v)
-          out << v + 1 << ' ' << nodes[v].x << '\n';
-        out << "$EndNodes\n$Elements\n"
-            << n_elements << '\n'
-            << elements.str() << "$EndElements\n";
-      }
-    MPI_Barrier(MPI_COMM_WORLD);
-    return "Grid/Type = gmsh\nGrid/File = " + name + '\n';
+    // the planes x, y, z = 0, inside and outside
+    return test::write_mesh<3>(name,
+                               vertices,
+                               tetrahedra,
+                               {"yz", "zx", "xy", "inner", "outer"},
+                               [&](const unsigned int v,
+                                   const unsigned int side) {
+                                 const auto &at = nodes[v].at;
+                                 return side < 3 ? at[side] == 0 :
+                                                   at[3] == (side - 3) * n;
+                               });
   }
 
   Tensor<2, 3>

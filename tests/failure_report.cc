@@ -24,6 +24,7 @@ namespace
   const std::string directory = "failure_report";
 
   /** The error of a scene in one line. */
+  template <int dim = 2>
   std::string
   failure(const std::string &settings)
   {
@@ -34,7 +35,8 @@ namespace
     std::string           message;
     try
       {
-        test::run_scene<2>("Output/Directory = " + directory + "\n" + settings);
+        test::run_scene<dim>("Output/Directory = " + directory + "\n" +
+                             settings);
       }
     catch (const std::exception &exc)
       {
@@ -145,17 +147,24 @@ namespace
            {"very first step", "Young modulus", "Minimum step size"});
     expect_files("first step", true);
     // a block that hangs upside down; an elastic one has no plastic limit load
+    const std::string hanging =
+      "Grid/Upper corner = 3, 6\nGrid/Subdivisions = 12, 24\n"
+      "Material points/Region = x < 1 && y < 1\n"
+      "Material/Young modulus = 1e6\n"
+      "Material/Poisson ratio = 0.3\nMaterial/Density = 1\n"
+      "Quadrature/Type = points\n"
+      "Boundary conditions/Displacement = bottom: y = 0; left: x = 0\n"
+      "Boundary conditions/Gravity = 0, 1e6*t\n"
+      "Time/Step size = 0.04\nTime/Minimum step size = 0.0025\n";
     expect("elastic",
-           failure("Grid/Upper corner = 3, 6\nGrid/Subdivisions = 12, 24\n"
-                   "Material points/Region = x < 1 && y < 1\n"
-                   "Material/Young modulus = 1e6\n"
-                   "Material/Poisson ratio = 0.3\nMaterial/Density = 1\n"
-                   "Quadrature/Type = points\n"
-                   "Boundary conditions/Displacement = bottom: y = 0; "
-                   "left: x = 0\n"
-                   "Boundary conditions/Gravity = 0, 1e6*t\n"
-                   "Time/Step size = 0.04\nTime/Minimum step size = 0.0025\n"),
+           failure(hanging),
            {"the material is elastic", "Quadrature/Type = CPDI"});
+    expect("far from yielding",
+           failure(hanging + "Material/Model = J2\n"
+                             "Material/J2/Yield stress = 1e12\n"),
+           {"no material point has yielded yet",
+            "it buckles or snaps",
+            "Quadrature/Type = CPDI"});
     expect("bad step",
            failure("Grid/Subdivisions = 4, 4\n"
                    "Boundary conditions/Displacement = bottom: y = 0; left: x "
@@ -202,6 +211,38 @@ namespace
            {"put back before, since <Grid reset/Steps between resets> = 2"});
   }
 
+  /** Loads on rigid sides, and a periodic cell that moves. */
+  void
+  test_sides()
+  {
+    expect("points that leave a periodic cell",
+           failure("Grid/Subdivisions = 4, 4\nTime/Step size = 0.25\n"
+                   "Boundary conditions/Displacement = bottom: x = 2*t, y = 0; "
+                   "top: x = 2*t, y = 0\n"
+                   "Boundary conditions/Periodic sides = left: right\n"),
+           {"through <right>",
+            "Points do not pass from one of <Boundary conditions/Periodic "
+            "sides> to the other",
+            "<Grid reset/Steps between resets = 0>"});
+    // a column that is twisted by a moment, beyond what it bears
+    const std::string twisted = failure<3>(
+      "Grid/Subdivisions = 2, 2, 2\nMaterial/Young modulus = 1e6\n"
+      "Material/Poisson ratio = 0.49\nMaterial/Model = Mohr-Coulomb\n"
+      "Material/Mohr-Coulomb/Cohesion = 1000\n"
+      "Grid reset/Steps between resets = 0\n"
+      "Grid reset/Smallest element quality = 0\n"
+      "Boundary conditions/Displacement = bottom: x = 0, y = 0, z = 0\n"
+      "Boundary conditions/Rigid sides = top: x = 0, y = 0, z = 0, rotation x "
+      "= 0, rotation z = 0, moment y = 1e4*t\n"
+      "Time/Step size = 0.1\nTime/Minimum step size = 0.02\n");
+    expect("the moment of a rigid side is a load",
+           twisted,
+           {"can't be cut back further", "No equilibrium found: limit load"});
+    test::check("... and not only displacements",
+                twisted.find("Only displacements") == std::string::npos,
+                twisted);
+  }
+
   /** A disk without room, as far as a program can tell. */
   void
   test_full_disk()
@@ -235,5 +276,6 @@ main(int argc, char **argv)
   test_limit_loads();
   test_others();
   test_reset();
+  test_sides();
   test_full_disk();
 }

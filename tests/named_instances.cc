@@ -231,7 +231,9 @@ namespace
                            "set Reactons = left\nend\n"),
            {"Postprocess: a/Reactons",
             "did you mean",
-            "<Postprocess: a/Reactions>"});
+            "<Postprocess: a/Reactions>",
+            "There are in <Postprocess: a>:",
+            "<Reactions>"});
     expect("message of the object",
            message(block + "subsection Postprocess: a\nset Type = Reactions\n"
                            "set Reactions = roof\nend\n"),

@@ -312,6 +312,89 @@ test_bodies_3d()
     .check("lattice, dim 3", 64, 1., 0.5);
 }
 
+/** The centroids of the @p n parts of a tetrahedron are the same, in whatever
+ * order its corners come, and its orientation stays. */
+void
+test_corner_orders(const unsigned int n)
+{
+  const auto rule  = material_points_with_domains<3>(n).rule;
+  double     error = 0;
+  bool       kept  = true;
+  const std::vector<std::array<Point<3>, 4>> tetrahedra = {
+    // of a cube, and one of no particular shape
+    {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}},
+    {{{0, 0, 0}, {1.1, 0.2, 0}, {0.3, 0.9, 0.1}, {0.2, 0.4, 1.3}}}};
+  for (const auto &tetrahedron : tetrahedra)
+    {
+      const auto volume = [](const std::array<Point<3>, 4> &c) {
+        return cross_product_3d(c[1] - c[0], c[2] - c[0]) * (c[3] - c[0]);
+      };
+      std::array<unsigned int, 4> order{{0, 1, 2, 3}};
+      std::vector<Point<3>>       first;
+      do
+        {
+          std::array<Point<3>, 4> corners;
+          for (unsigned int c = 0; c < 4; ++c)
+            corners[c] = tetrahedron[order[c]];
+          const double before = volume(corners);
+          order_for_subdivision<3>(corners);
+          kept = kept && volume(corners) * before > 0;
+          std::vector<Point<3>> places;
+          for (const Point<3> &x : rule.get_points())
+            {
+              places.push_back(corners[0]);
+              for (unsigned int d = 0; d < 3; ++d)
+                places.back() += x[d] * (corners[d + 1] - corners[0]);
+            }
+          if (first.empty())
+            first = places;
+          for (const Point<3> &x : places)
+            {
+              double nearest = 1;
+              for (const Point<3> &y : first)
+                nearest = std::min(nearest, x.distance(y));
+              test::add_error(error, nearest);
+            }
+        }
+      while (std::next_permutation(order.begin(), order.end()));
+    }
+  test::check("orientation of tetrahedra", kept, "");
+  test::check_error("any order of corners, " + std::to_string(n) + " points",
+                    error,
+                    1e-12);
+}
+
+/** A short beam under its weight, and the same with x and y exchanged. */
+void
+test_exchanged_axes()
+{
+  const std::string beam   = "Quadrature/Type = CPDI\nMaterial/Young modulus = "
+                             "1e4\nMaterial/Poisson ratio = 0.45\n"
+                             "Material/Density = 1\nFormulation/Type = u-p\n"
+                             "Newton/Tolerance = 1e-11\n",
+                    probes = "Postprocess/Point probes = A: ";
+  const auto along_x       = test::run_scene<3>(
+    beam + probes +
+    "1.9, 0.4, 0.9\nGrid/Upper corner = 2, 0.5, 1\n"
+          "Grid/Subdivisions = 4, 1, 2\nBoundary conditions/Displacement = left: x "
+          "= 0, y = 0, z = 0\nBoundary conditions/Gravity = 0, -100*t, 0\n");
+  const auto along_y = test::run_scene<3>(
+    beam + probes +
+    "0.4, 1.9, 0.9\nGrid/Upper corner = 0.5, 2, 1\n"
+    "Grid/Subdivisions = 1, 4, 2\nBoundary conditions/Displacement = bottom: "
+    "x = 0, y = 0, z = 0\nBoundary conditions/Gravity = -100*t, 0, 0\n");
+  double worst = 0;
+  for (const std::string pair : {"xy", "yx", "zz"})
+    test::add_error(
+      worst,
+      std::abs(along_x->last_statistics().get(std::string("Displacement ") +
+                                              pair[0] + " of A (m)") /
+                 along_y->last_statistics().get(std::string("Displacement ") +
+                                                pair[1] + " of A (m)") -
+               1));
+  test::check_error("x and y exchanged, 8 points per tetrahedron", worst, 1e-7);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -343,4 +426,7 @@ main(int argc, char **argv)
     test_domains<3>(n);
   test_bodies_2d();
   test_bodies_3d();
+  for (const unsigned int n : {8, 27, 32, 64})
+    test_corner_orders(n);
+  test_exchanged_axes();
 }

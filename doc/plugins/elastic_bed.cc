@@ -47,7 +47,7 @@ namespace isochor
       if (boundary.empty())
         return;
       const types::boundary_id id =
-        grid.boundary_id(boundary, "Boundary conditions/Elastic bed/Boundary");
+        grid.boundary_id(boundary, this->parameter("Elastic bed/Boundary"));
       for (const BoundaryFace &face : grid.boundary_faces())
         for (unsigned int v = 0; v <= dim && face.id == id; ++v)
           if (v != face.opposite_vertex)

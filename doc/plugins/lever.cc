@@ -12,8 +12,8 @@ namespace isochor
    * A link between two sides: all nodes of the first one have the same
    * displacement u in y, and those of the second one the displacement -r u, as
    * at the ends of a lever. The shortest example of linear equations between
-   * nodal unknowns. u is the unknown of a control node; the force of a load on
-   * it would be added by add_external_force().
+   * nodal unknowns. u is the unknown of a control node, on which a load may
+   * act.
    */
   template <int dim>
   class Lever : public BoundaryCondition<dim>
@@ -28,6 +28,10 @@ namespace isochor
                         Patterns::Anything(),
                         "The two boundaries of the grid. Empty: no lever.");
       prm.declare_entry("Ratio", "1", Patterns::Double(), "r.");
+      prm.declare_entry("Force",
+                        "0",
+                        Patterns::Anything(),
+                        "On u (N), a formula in t.");
       prm.leave_subsection();
     }
 
@@ -37,11 +41,14 @@ namespace isochor
       prm.enter_subsection("Lever");
       names = Utilities::split_string_list(prm.get("Boundaries"));
       ratio = prm.get_double("Ratio");
+      load.emplace_back(prm.get("Force"),
+                        this->parameter("Lever/Force"),
+                        FormulaVariables::time);
       prm.leave_subsection();
       AssertThrow(names.empty() || names.size() == 2,
-                  ExcMessage("<Boundary conditions/Lever/Boundaries> are two, "
-                             "not " +
-                             std::to_string(names.size()) + "."));
+                  ExcMessage("<" + this->parameter("Lever/Boundaries") +
+                             "> are two, not " + std::to_string(names.size()) +
+                             "."));
     }
 
     void
@@ -50,7 +57,7 @@ namespace isochor
       for (unsigned int k = 0; k < names.size(); ++k)
         {
           const types::boundary_id id =
-            grid.boundary_id(names[k], "Boundary conditions/Lever/Boundaries");
+            grid.boundary_id(names[k], this->parameter("Lever/Boundaries"));
           for (const BoundaryFace &face : grid.boundary_faces())
             for (unsigned int v = 0; v <= dim && face.id == id; ++v)
               if (v != face.opposite_vertex)
@@ -105,11 +112,27 @@ namespace isochor
                             0.);
     }
 
+    // a dead load on the unknown, by the rank that owns it
+    void
+    add_external_force(const StepContext<dim> &step,
+                       NodalField             &force) const override
+    {
+      if (names.empty())
+        return;
+      constexpr unsigned int y = 1;
+      const unsigned int     node =
+        step.nodes.node(step.nodes.control_vertex(control));
+      if (node < step.nodes.n_owned())
+        force.local_element(node * step.n_components + y) +=
+          load[0](Point<dim>(), step.time);
+    }
+
   private:
-    std::vector<std::string> names;
-    double                   ratio = 1;
-    std::set<unsigned int>   vertices[2];
-    unsigned int             control = 0;
+    std::vector<std::string>     names;
+    double                       ratio = 1;
+    std::vector<Expression<dim>> load; // one
+    std::set<unsigned int>       vertices[2];
+    unsigned int                 control = 0;
   };
 
   ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition, Lever, "Lever")

@@ -252,6 +252,26 @@ namespace isochor
 
 
 
+    /** For a path in a section with a name, such as "Postprocess: left": what
+     * there is in it, which depends on its type. */
+    std::string
+    known_in_named_section(const Path &path, const ParameterList &declarations)
+    {
+      if (path.size() < 2 || path.front().find(": ") == std::string::npos)
+        return "";
+      std::string known;
+      for (const auto &entry : declarations.entries)
+        if (entry.first.front() == path.front())
+          known += (known.empty() ? " <" : ", <") +
+                   join_path(Path(entry.first.begin() + 1, entry.first.end())) +
+                   ">";
+      return known.empty() ?
+               "" :
+               " There are in <" + path.front() + ">:" + known + ".";
+    }
+
+
+
     /** Say what took the place of a subsection of earlier versions. */
     void
     check_replaced(const ParameterStatement &statement)
@@ -294,9 +314,10 @@ namespace isochor
       if (!statement.is_subsection && !is_parameter)
         throw ParameterError(
           prefix + "unknown parameter " + name +
-          suggestion(path, declarations.entries, [](const auto &entry) {
-            return entry.first;
-          }));
+          suggestion(path,
+                     declarations.entries,
+                     [](const auto &entry) { return entry.first; }) +
+          known_in_named_section(path, declarations));
     }
 
 

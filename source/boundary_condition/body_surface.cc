@@ -69,7 +69,7 @@ namespace isochor
     bool
     has_symmetric_matrix() const override;
     bool
-    follows_body() const override
+    assembles_load(const StepContext<dim> & /*step*/) const override
     {
       return !has_symmetric_matrix();
     }

@@ -105,6 +105,20 @@ namespace isochor
                           parameter(),
                           pair.first,
                           step.grid.boundary_id(pair.first, parameter()));
+      if (hold_corner)
+        warn_if_no_corner(step);
+    }
+
+    std::string
+    why_points_left(const StepContext<dim> & /*step*/) const override
+    {
+      return pairs.empty() ?
+               "" :
+               "Points do not pass from one of <" + parameter() +
+                 "> to the other: where a periodic body moves through them, no "
+                 "larger grid helps, but one that is kept, <Grid reset/Steps "
+                 "between resets = 0> and <Grid reset/Smallest element quality "
+                 "= 0>.";
     }
 
     std::vector<ControlNode<dim>>
@@ -278,6 +292,29 @@ namespace isochor
     }
 
   private:
+    void
+    warn_if_no_corner(const StepContext<dim> &step) const
+    {
+      const auto corners = vertices.corners();
+      const int  any =
+        std::any_of(corners.begin(), corners.end(), [&](const unsigned int v) {
+          return step.nodes.node(v) != numbers::invalid_unsigned_int;
+        });
+      if (Utilities::MPI::max(any, step.grid.communicator()) != 0)
+        return;
+      const std::string name = NamedPlugin::parameter("Hold periodic corner");
+      step.warnings.add(
+        "no effect of <" + name + ">",
+        "<" + name + "> has no effect: " +
+          (corners.empty() ?
+             "no vertex of the grid belongs to one of <" + parameter() +
+               "> in each direction (" + std::to_string(pairs.size()) +
+               " given)" :
+             "there is no material at the corners of the periodic cell") +
+          ". Hold the body by <Boundary conditions/Displacement> instead, or "
+          "leave the parameter out.");
+    }
+
     using Formula = std::unique_ptr<Expression<dim>>;
 
     struct Pair

@@ -75,6 +75,7 @@ namespace isochor
         if (v != face.opposite_vertex)
           found.insert(grid.geometry().vertex_indices(face.cell)[v]);
     side_vertices.assign(found.begin(), found.end());
+    offsets.assign(side_vertices.size(), Vector3());
   }
 
 
@@ -221,6 +222,17 @@ namespace isochor
 
 
   template <int dim>
+  typename RigidSide<dim>::Vector3
+  RigidSide<dim>::offset(const StepContext<dim> &step,
+                         const unsigned int      label) const
+  {
+    return step.grid_is_kept ? offsets[(label - label_of_first) / dim] :
+                               Vector3();
+  }
+
+
+
+  template <int dim>
   void
   RigidSide<dim>::constrain(const StepContext<dim> &step,
                             const void             *owner,
@@ -261,7 +273,8 @@ namespace isochor
         if (node == invalid)
           continue;
         const Vector3 r = arm(step, label_of_first + i * dim);
-        const Vector3 u = goal.rotate(r) - r;
+        const Vector3 u =
+          goal.rotate(r) - r - offset(step, label_of_first + i * dim);
         for (unsigned int a = 0; a < dim; ++a)
           {
             terms        = {{node * nc + a, 1.}, {shifted * nc + a, -1.}};
@@ -304,7 +317,8 @@ namespace isochor
       if (rotation[i])
         goal[axis(i)] = given[axis(i)];
     const FiniteRotation now(theta);
-    equation.value = (FiniteRotation(goal).rotate(r) - r)[a];
+    equation.value =
+      (FiniteRotation(goal).rotate(r) - r - offset(step, equation.label))[a];
     for (unsigned int i = 0; i < n_rotations; ++i)
       {
         const double d = now.derivative(axis(i), r)[a];
@@ -393,10 +407,42 @@ namespace isochor
     // the same on all ranks
     const Vector3 u     = translation_of(step, unknowns);
     const Vector3 theta = rotation_of(step, unknowns);
+    if (rotation_node(step) != invalid)
+      add_to_offsets(step, unknowns, u, theta);
     centre += u;
     moved += u;
     R     = FiniteRotation(theta).matrix() * R;
     total = total_after(theta, R);
+  }
+
+
+
+  template <int dim>
+  void
+  RigidSide<dim>::add_to_offsets(const StepContext<dim> &step,
+                                 const NodalField       &unknowns,
+                                 const Vector3          &u,
+                                 const Vector3          &theta)
+  {
+    if (!step.grid_is_kept)
+      offsets.assign(side_vertices.size(), Vector3());
+    const FiniteRotation turn(theta);
+    std::vector<double>  change(side_vertices.size() * dim, 0.);
+    for (unsigned int i = 0; i < side_vertices.size(); ++i)
+      {
+        const unsigned int node = step.nodes.node(side_vertices[i]);
+        if (node >= step.nodes.n_owned())
+          continue;
+        const Vector3 r = arm(step, label_of_first + i * dim);
+        const Vector3 w = u + turn.rotate(r) - r;
+        for (unsigned int a = 0; a < dim; ++a)
+          change[i * dim + a] =
+            unknowns.local_element(node * step.n_components + a) - w[a];
+      }
+    Utilities::MPI::sum(change, step.grid.communicator(), change);
+    for (unsigned int i = 0; i < side_vertices.size(); ++i)
+      for (unsigned int a = 0; a < dim; ++a)
+        offsets[i][a] += change[i * dim + a];
   }
 
 

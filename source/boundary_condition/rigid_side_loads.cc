@@ -229,6 +229,8 @@ namespace isochor
       state << v << ' ';
     for (const Tensor<2, 3> &rotation : {R, reset_R})
       state << rotation << ' ';
+    for (const Vector3 &v : offsets)
+      state << v << ' ';
   }
 
 
@@ -243,6 +245,9 @@ namespace isochor
     for (Tensor<2, 3> *rotation : {&R, &reset_R})
       for (unsigned int d = 0; d < 9; ++d)
         state >> (*rotation)[d / 3][d % 3];
+    for (Vector3 &v : offsets)
+      for (unsigned int d = 0; d < 3; ++d)
+        state >> v[d];
   }
 
 

@@ -241,6 +241,14 @@ namespace isochor
       });
     }
 
+    bool
+    assembles_load(const StepContext<dim> &step) const override
+    {
+      return std::any_of(sides.begin(), sides.end(), [&](const auto &side) {
+        return side.assembles_moment(step.time);
+      });
+    }
+
     void
     add_constraint_stiffness(const StepContext<dim> &step,
                              const NodalField       &unknowns,
@@ -322,7 +330,7 @@ namespace isochor
             isochor::side_of(step.grid, side.name(), parameter());
           const double outward =
             side.moved_by(step.grid, -place.inwards).second;
-          if (outward > 0)
+          if (outward > 1e-6 * place.cell_size)
             text += (text.empty() ? "" : " ") + ("<" + parameter() + "> has ") +
                     "moved <" + side.name() + "> by " + rounded(outward) +
                     " m out of the grid, whose cells there have a size of " +

@@ -63,7 +63,8 @@ namespace isochor
   template <int dim>
   void
   tell_conflicts(const StepContext<dim> &step,
-                 const NodalConstraints &constraints)
+                 const NodalConstraints &constraints,
+                 const bool              in_contact)
   {
     // formulas that mean the same differ by rounding
     constexpr double rounding = 1e-10;
@@ -75,7 +76,8 @@ namespace isochor
     largest = Utilities::MPI::max(largest, step.grid.communicator());
     std::map<std::pair<std::string, bool>, Group> own;
     for (const auto &conflict : constraints.conflicts)
-      if (conflict.entry < step.nodes.n_owned() * step.n_components &&
+      if (conflict.in_contact == in_contact &&
+          conflict.entry < step.nodes.n_owned() * step.n_components &&
           (conflict.difference == 0. ||
            conflict.difference > rounding * largest))
         {
@@ -139,7 +141,7 @@ namespace isochor
 
 
   template void
-  tell_conflicts(const StepContext<2> &, const NodalConstraints &);
+  tell_conflicts(const StepContext<2> &, const NodalConstraints &, const bool);
   template void
-  tell_conflicts(const StepContext<3> &, const NodalConstraints &);
+  tell_conflicts(const StepContext<3> &, const NodalConstraints &, const bool);
 } // namespace isochor

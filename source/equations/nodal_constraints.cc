@@ -75,7 +75,12 @@ namespace isochor
         if (constrained[i] != is_free && source_of_entry[i] != number &&
             difference > 1e-10 * (std::abs(value) + std::abs(increment[i])))
           conflicts.push_back(
-            {i, source, sources[source_of_entry[i]], difference, true});
+            {i,
+             source,
+             sources[source_of_entry[i]],
+             difference,
+             true,
+             constrained[i] == in_contact || how == in_contact});
         source_of_entry[i] = number;
       }
     constrained[i] = how;
@@ -402,14 +407,20 @@ namespace isochor
       return;
     std::string        winner = sources.front();
     const unsigned int e      = entry[equation.first];
+    bool contact = equation.how == in_contact || constrained[e] == in_contact;
     if (place[e] != none && equation_of_follower[place[e]] != none)
-      winner = sources[source_of_equation[equation_of_follower[place[e]]]];
+      {
+        const unsigned int first = equation_of_follower[place[e]];
+        winner                   = sources[source_of_equation[first]];
+        contact = contact || equations[first].how == in_contact;
+      }
     else if (!source_of_entry.empty())
       winner = sources[source_of_entry[e]];
     conflicts.push_back({e,
                          winner,
                          sources[source_of_equation[number]],
                          known ? std::abs(rest) / size : 0.,
-                         false});
+                         false,
+                         contact});
   }
 } // namespace isochor

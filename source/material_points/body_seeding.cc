@@ -219,6 +219,7 @@ namespace isochor
             corners[v] = geometry.vertices()[geometry.vertex_indices(cell)[v]];
             centre += corners[v] / (dim + 1.);
           }
+        order_for_subdivision<dim>(corners);
         unsigned int zone = zones.size() - 1;
         while (zone > 0 && !(zones[zone].condition(centre, 0.) > 0))
           --zone;

@@ -116,9 +116,11 @@ namespace isochor
 
   template <int dim>
   std::vector<typename PointRefinement<dim>::Part>
-  PointRefinement<dim>::parts_of_domain(const CornerVectors<dim> &domain,
+  PointRefinement<dim>::parts_of_domain(const CornerVectors<dim> &given,
                                         const Tensor<2, dim>     &F)
   {
+    CornerVectors<dim> domain = given;
+    order_for_subdivision<dim>(domain);
     // corners and middles of edges, by pairs of corners
     using Pair = std::pair<unsigned int, unsigned int>;
     std::vector<std::array<Pair, dim + 1>> simplices;

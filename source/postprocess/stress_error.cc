@@ -37,7 +37,7 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm) override
     {
-      const std::string                 name       = "Postprocess/Exact stress";
+      const std::string                 name = this->parameter("Exact stress");
       const std::array<const char *, 6> components = {
         {"xx", "yy", "zz", "xy", "xz", "yz"}};
       for (const auto &entry : split_named_list(prm.get("Exact stress"), name))

@@ -228,6 +228,11 @@ namespace isochor
           terminal.out() << "    contact changed" << std::endl;
         report.continue_with(find_root(true));
       }
+    // of nodes in contact only the last set counts
+    if (report.converged &&
+        Utilities::MPI::max(static_cast<int>(!constraints.conflicts.empty()),
+                            scene.grid.communicator()) != 0)
+      tell_conflicts(setup.context(), constraints, true);
     return report;
   }
 
@@ -332,7 +337,7 @@ namespace isochor
     Utilities::MPI::max(any, scene.grid.communicator(), any);
     const bool changed = any[0] != 0;
     if (any[1] != 0)
-      tell_conflicts(step, constraints);
+      tell_conflicts(step, constraints, false);
     scene.inertia.constrain(step,
                             scene.time.next_time(),
                             scene.boundary_conditions,

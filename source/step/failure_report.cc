@@ -198,9 +198,11 @@ namespace isochor
     if (growth_of_trial >= 0)
       text += ", " + rounded(growth_of_trial) +
               " times in the last iterate of the one that failed";
-    if (plastic_share >= 0)
+    if (plastic_share > 0)
       text +=
         ", " + rounded(100 * plastic_share) + " % of the volume has yielded";
+    else if (plastic_share == 0)
+      text += ", nothing has yielded up to that step";
     if (n_negative_pivots >= 0)
       text += ", the last matrix has " + std::to_string(n_negative_pivots) +
               " negative pivot(s) of displacements (a stable state has none)";
@@ -301,13 +303,20 @@ namespace isochor
               "). Lower <Time/Minimum step size>, look for what happens at "
               "the place of the residual, or use <Dynamics/Inertia = true> "
               "where the body snaps.";
-    else if (evidence.has_lost_stiffness() && evidence.plastic_share < 0)
+    else if (evidence.has_lost_stiffness() && evidence.plastic_share <= 0)
       text +=
         "No equilibrium found near t = " + rounded(time.time) +
-        ", and the material is elastic. Evidence: " + evidence.text() +
-        ". An elastic body may buckle or snap: to follow it, prescribe "
-        "displacements instead of loads, or give it inertia "
-        "(<Dynamics/Inertia = true>). " +
+        (evidence.plastic_share < 0 ?
+           ", and the material is elastic" :
+           ", where no material point has yielded yet") +
+        ". Evidence: " + evidence.text() + ". " +
+        (evidence.plastic_share < 0 ?
+           "An elastic body may buckle or snap: " :
+           "If the stresses are just below the strength, the body yields all "
+           "at once, and this is its limit load; if they are not, it buckles "
+           "or snaps as an elastic one: ") +
+        "to follow it, prescribe displacements instead of loads, or give it "
+        "inertia (<Dynamics/Inertia = true>). " +
         (failure.forces_jump ?
            "But with this quadrature forces jump where points change cells, "
            "which alone can end a run: try <Quadrature/Type = CPDI> first." :

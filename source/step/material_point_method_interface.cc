@@ -139,7 +139,7 @@ namespace isochor
     for (const auto &condition : scene.boundary_conditions)
       {
         dragged = dragged || condition->moves_body(step);
-        loaded  = loaded || condition->follows_body();
+        loaded  = loaded || condition->assembles_load(step);
       }
     return failure_report.explain({step,
                                    equilibrium.nodal_unknowns(),

@@ -237,10 +237,11 @@ namespace isochor
       return true;
     }
 
-    /** Whether assemble() adds a load that turns with the body, such as a
-     * pressure. */
+    /** Whether assemble() adds a load, which add_external_force() doesn't show:
+     * one that turns with the body, such as a pressure. The same on all ranks.
+     */
     virtual bool
-    follows_body() const
+    assembles_load(const StepContext<dim> & /*step*/) const
     {
       return false;
     }

@@ -123,6 +123,11 @@ namespace isochor
     add_moment_force(const StepContext<dim> &step,
                      const NodalField       &unknowns,
                      NodalField             &force) const;
+    bool
+    assembles_moment(const double time) const
+    {
+      return dim == 3 && moment_at(time).norm() > 0;
+    }
     void
     add_moment(const StepContext<dim> &step,
                const NodalField       &unknowns,
@@ -201,14 +206,25 @@ namespace isochor
     Vector3
     translation_of(const StepContext<dim> &step,
                    const NodalField       &unknowns) const;
-    /** x_I - c at the start of the step, of the vertex of a label. */
+    /** X_I - c at the start of the step, X_I the place on the side of the
+     * vertex of a label. */
     Vector3
     arm(const StepContext<dim> &step, const unsigned int label) const;
+    /** x_I - X_I at the start of the step, of the vertex of a label. */
+    Vector3
+    offset(const StepContext<dim> &step, const unsigned int label) const;
     unsigned int
     component(const unsigned int label) const
     {
       return (label - label_of_first) % dim;
     }
+    /** The step has converged, with the translation @p u and the rotation
+     * vector @p theta. Collective. */
+    void
+    add_to_offsets(const StepContext<dim> &step,
+                   const NodalField       &unknowns,
+                   const Vector3          &u,
+                   const Vector3          &theta);
     Vector3
     moment_at(const double time) const;
     /** The rotation vector after @p step, continuous from the last one. */
@@ -228,6 +244,9 @@ namespace isochor
      * rotation since t = 0 and its vector; and at the last reset. */
     Vector3      centre, moved, total, reset_centre;
     Tensor<2, 3> R, reset_R;
+    /** By vertex, on a grid that is kept: how far other conditions, as walls,
+     * have led the node away from its place on the side. */
+    std::vector<Vector3> offsets;
   };
 } // namespace isochor
 

@@ -176,6 +176,7 @@ namespace isochor
       std::string  winner, loser;
       double       difference; ///< of what they prescribe; 0: not known
       bool         equal_rank; ///< both are of the same precedence
+      bool         in_contact; ///< one of them holds in contact only
     };
 
     std::vector<unsigned char> constrained;

@@ -34,6 +34,44 @@ namespace isochor
   template <int dim>
   using CornerVectors = std::array<Tensor<1, dim>, dim + 1>;
 
+  /**
+   * Put the corners of a tetrahedron into the order in which it is subdivided
+   * best, whatever order they come in; its orientation stays. The regular
+   * subdivision cuts the octahedra inside along the diagonal between the
+   * middles of the edges 02 and 13 (Bey, Computing 55 (1995) 355-378): these
+   * are to be the opposite edges with the largest product of lengths. That is
+   * the shortest diagonal, or close to it; of the two equally short ones in a
+   * tetrahedron of a box it is the one whose parts have the shape of the whole.
+   * Of equal products the first one in the given order counts. In 2D: nothing.
+   */
+  template <int dim, typename Vector>
+  void
+  order_for_subdivision(std::array<Vector, dim + 1> &corners)
+  {
+    if constexpr (dim == 3)
+      {
+        constexpr double       rounding          = 1e-8;
+        constexpr unsigned int even_orders[3][4] = {{0, 1, 2, 3},
+                                                    {0, 2, 3, 1},
+                                                    {0, 3, 1, 2}};
+        const auto             given             = corners;
+        double                 largest           = 0;
+        for (const auto &order : even_orders)
+          {
+            const double product =
+              (given[order[0]] - given[order[2]]).norm_square() *
+              (given[order[1]] - given[order[3]]).norm_square();
+            if (product <= (1 + rounding) * largest)
+              continue;
+            largest = product;
+            for (unsigned int c = 0; c < 4; ++c)
+              corners[c] = given[order[c]];
+          }
+      }
+    else
+      (void)corners;
+  }
+
   /** The d! Kuhn simplices of the unit cube, by their corners. They tile it. */
   template <int dim>
   std::vector<std::array<Point<dim>, dim + 1>>
