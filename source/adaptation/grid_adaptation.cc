@@ -438,18 +438,23 @@ namespace isochor
                                 const MaterialPoints<dim> &points,
                                 Statistics                &statistics)
   {
-    if (!grid.is_adaptive())
-      return;
-    unsigned int finest = 0;
-    for (const Leaf<dim> &leaf : grid.adaptive_grid().leaves())
-      finest = std::max(finest, leaf.level);
+    const auto &leaves = grid.adaptive_grid().leaves();
+    const auto [coarsest, finest] =
+      std::minmax_element(leaves.begin(),
+                          leaves.end(),
+                          [](const Leaf<dim> &a, const Leaf<dim> &b) {
+                            return a.level < b.level;
+                          });
     statistics.set("Cells of grid", grid.geometry().n_cells());
-    statistics.set("Finest level of grid", finest);
+    statistics.set("Leaves of grid", leaves.size());
+    statistics.set("Coarsest level of grid", coarsest->level);
+    statistics.set("Finest level of grid", finest->level);
     statistics.set("Changes of grid", n_changes);
     const double n_own = points.handler().n_locally_owned_particles();
     const auto counts = Utilities::MPI::min_max_avg(n_own, grid.communicator());
     statistics.set("Largest share of points on a rank",
                    counts.max / counts.sum);
+    statistics.set("Imbalance of points", counts.max / counts.avg - 1);
   }
 
 

@@ -86,6 +86,12 @@ namespace isochor
                       "into halves, together with neighbours, so that domains "
                       "go on sharing faces. 0: never; on an adaptive grid "
                       "1.5 / 'Points per cell'.");
+    prm.declare_entry("Merge points",
+                      "true",
+                      Patterns::Bool(),
+                      "On an adaptive grid: put together what was split, where "
+                      "that then is smaller than 0.8 times what would be split "
+                      "again.");
     prm.leave_subsection();
   }
 
@@ -97,6 +103,7 @@ namespace isochor
   {
     prm.enter_subsection("Material points");
     largest_share         = prm.get_double("Split at share of cell");
+    merges                = prm.get_bool("Merge points");
     const double asked    = prm.get_integer("Points per cell");
     const double per_cell = asked > 0 ? asked : (1 << dim);
     prm.leave_subsection();
@@ -115,9 +122,11 @@ namespace isochor
 
   template <int dim>
   void
-  PointRefinement<dim>::refine(MaterialPoints<dim>       &points,
-                               const BackgroundGrid<dim> &grid,
-                               const PointLocator<dim>   &locator) const
+  PointRefinement<dim>::refine(
+    MaterialPoints<dim>                         &points,
+    const BackgroundGrid<dim>                   &grid,
+    const PointLocator<dim>                     &locator,
+    const typename PointMerging<dim>::Materials &materials)
   {
     const double share =
       grid.is_adaptive() ? share_on_adaptive_grids : largest_share;
@@ -130,11 +139,29 @@ namespace isochor
         const std::vector<NewPoint> parts =
           with_domains ? split_domains(points, grid, locator, share) :
                          split(points, locator, share);
-        if (Utilities::MPI::sum(parts.size(), grid.communicator()) == 0)
-          return;
+        const auto n = Utilities::MPI::sum(parts.size(), grid.communicator());
+        if (n == 0)
+          break;
+        n_added += n;
         insert(points, grid, parts);
         points.relocate(locator);
       }
+    constexpr double hysteresis = 0.8;
+    if (grid.is_adaptive() && merges)
+      n_removed +=
+        PointMerging<dim>(points, grid, locator, materials, hysteresis * share)
+          .merge();
+  }
+
+
+
+  template <int dim>
+  void
+  PointRefinement<dim>::evaluate(Statistics &statistics)
+  {
+    statistics.set("Points added by splitting", n_added);
+    statistics.set("Points removed by merging", n_removed);
+    n_added = n_removed = 0;
   }
 
 
@@ -182,6 +209,8 @@ namespace isochor
             std::vector<double>   part  = old;
             part[l.volume] /= shifts.size();
             part[l.mass] /= shifts.size();
+            if (l.with_ancestry && part[l.ancestry] == 0)
+              part[l.ancestry] = old[l.volume];
             for (unsigned int d = 0; d < dim; ++d)
               part[l.displacement + d] += u[d];
             if (i > 0)

@@ -7,9 +7,11 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <isochor/base/statistics.h>
 #include <isochor/grid/background_grid.h>
 #include <isochor/material_points/material_points.h>
 #include <isochor/material_points/point_locator.h>
+#include <isochor/material_points/point_merging.h>
 
 #include <vector>
 
@@ -42,12 +44,18 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm);
 
-    /** Split what is too large, if asked for. Invalidates what was gathered
-     * from the points. Collective. */
+    /** Split what is too large, if asked for; on adaptive grids, merge what was
+     * split and is small, see PointMerging. Invalidates what was gathered from
+     * the points. Collective. */
     void
-    refine(MaterialPoints<dim>       &points,
-           const BackgroundGrid<dim> &grid,
-           const PointLocator<dim>   &locator) const;
+    refine(MaterialPoints<dim>                         &points,
+           const BackgroundGrid<dim>                   &grid,
+           const PointLocator<dim>                     &locator,
+           const typename PointMerging<dim>::Materials &materials);
+
+    /** How many points came and went by it since this was called last. */
+    void
+    evaluate(Statistics &statistics);
 
   private:
     struct NewPoint
@@ -76,6 +84,9 @@ namespace isochor
 
     /** Of a point in its cell; 0: any. */
     double largest_share = 0, share_on_adaptive_grids = 0;
+    bool   merges = true;
+    /** Numbers of points, over all ranks. */
+    types::particle_index n_added = 0, n_removed = 0;
   };
 } // namespace isochor
 
