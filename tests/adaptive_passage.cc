@@ -45,6 +45,7 @@ namespace
     double first = 0, most = 0, last = 0;
   };
   PointNumbers numbers_of_points;
+  double       largest_imbalance = 0;
 } // namespace
 
 namespace isochor
@@ -61,6 +62,11 @@ namespace isochor
         numbers_of_points = {numbers_of_points.last, 0, 0};
       numbers_of_points.most =
         std::max(numbers_of_points.most, numbers_of_points.last);
+      const double n_own = result.points.handler().n_locally_owned_particles();
+      const auto   n     = Utilities::MPI::min_max_avg(n_own, MPI_COMM_WORLD);
+      largest_imbalance =
+        std::max(result.time.step == 0 ? 0 : largest_imbalance,
+                 n.max / n.avg - 1);
     }
   };
   ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, PointCounter, "Point counter")
@@ -75,7 +81,7 @@ scene(const std::string &quadrature, const bool merges = true)
          n + ", " + n + (dim == 3 ? ", " + n : "") +
          "\nAdaptive grid/Maximum level = " + (dim == 2 ? "2" : "1") +
          "\nMaterial points/Points per cell = " + (dim == 2 ? "4" : "8") +
-         "\nMaterial points/Merge points = " + (merges ? "true" : "false") +
+         "\nMaterial points/Merge points = " + (merges ? "always" : "never") +
          "\nMaterial/Density = 2\nQuadrature/Type = " + quadrature + '\n';
 }
 
@@ -210,6 +216,26 @@ test_motion(const std::string &quadrature)
   test::check_error("energy", std::abs(energy[1] / energy[0] - 1), 0.01);
 }
 
+/** A block is carried through a grid that doesn't change: the ranks always have
+ * the same number of points, but for a few. */
+void
+test_balance()
+{
+  const auto problem = test::run_scene<2>(
+    "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
+    "Grid/Subdivisions = 32, 32\nAdaptive grid/Maximum level = 0\n"
+    "Material/Density = 2\nMaterial/Poisson ratio = 0.3\n"
+    "Material points/Points per cell = 4\n"
+    "Material points/Region = (x < 0.5) * (y < 0.5)\n"
+    "Boundary conditions/Surfaces of body = body: 1\n"
+    "Boundary conditions/Displacement of body = body: x=0.5*t, y=0.5*t\n"
+    "Time/Step size = 0.1\n");
+  test::check_error("balance of points", largest_imbalance, 0.05);
+  test::check("the same grid",
+              problem->last_statistics().get("Changes of grid") == 0,
+              "");
+}
+
 int
 main(int argc, char **argv)
 {
@@ -223,5 +249,6 @@ main(int argc, char **argv)
   for (const std::string quadrature :
        {"cell-filled", "cell-filled + boundary", "CPDI"})
     test_motion(quadrature);
+  test_balance();
   return 0;
 }

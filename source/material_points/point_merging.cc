@@ -116,6 +116,23 @@ namespace isochor
 
 
   template <int dim>
+  bool
+  PointMerging<dim>::fits_around(const double       volume,
+                                 const unsigned int cell) const
+  {
+    const auto &neighbours = locator.geometry().neighbours(cell);
+    return fits(volume, cell) &&
+           std::all_of(neighbours.begin(),
+                       neighbours.end(),
+                       [&](const unsigned int next) {
+                         return next == SimplexGeometry<dim>::no_cell ||
+                                fits(volume, next);
+                       });
+  }
+
+
+
+  template <int dim>
   types::particle_index
   PointMerging<dim>::merge_points_of_cells()
   {
@@ -159,8 +176,9 @@ namespace isochor
                  G   = deformation_gradient<dim>(y.data(), l);
       return x[l.material] == y[l.material] &&
              V <= std::min(x[l.ancestry], y[l.ancestry]) * (1 + 1e-10) &&
-             fits(x[l.volume] * determinant(F) + y[l.volume] * determinant(G),
-                  cell) &&
+             fits_around(x[l.volume] * determinant(F) +
+                           y[l.volume] * determinant(G),
+                         cell) &&
              (F - G).norm() <= tolerance * F.norm();
     };
     for (auto particle = points.handler().begin();

@@ -87,11 +87,12 @@ namespace isochor
                       "go on sharing faces. 0: never; on an adaptive grid "
                       "1.5 / 'Points per cell'.");
     prm.declare_entry("Merge points",
-                      "true",
-                      Patterns::Bool(),
+                      "with domains",
+                      Patterns::Selection("never|with domains|always"),
                       "On an adaptive grid: put together what was split, where "
                       "that then is smaller than 0.8 times what would be split "
-                      "again.");
+                      "again. 'with domains': with the quadratures "
+                      "'cell-filled + boundary' and 'CPDI' only.");
     prm.leave_subsection();
   }
 
@@ -103,7 +104,7 @@ namespace isochor
   {
     prm.enter_subsection("Material points");
     largest_share         = prm.get_double("Split at share of cell");
-    merges                = prm.get_bool("Merge points");
+    merging               = prm.get("Merge points");
     const double asked    = prm.get_integer("Points per cell");
     const double per_cell = asked > 0 ? asked : (1 << dim);
     prm.leave_subsection();
@@ -147,7 +148,8 @@ namespace isochor
         points.relocate(locator);
       }
     constexpr double hysteresis = 0.8;
-    if (grid.is_adaptive() && merges)
+    if (grid.is_adaptive() &&
+        (merging == "always" || (merging == "with domains" && with_domains)))
       n_removed +=
         PointMerging<dim>(points, grid, locator, materials, hysteresis * share)
           .merge();

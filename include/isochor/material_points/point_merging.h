@@ -93,6 +93,10 @@ namespace isochor
 
     bool
     fits(const double volume, const unsigned int cell) const;
+    /** Into the cell and those next to it: a point that soon comes to one of
+     * them is not to be split again. */
+    bool
+    fits_around(const double volume, const unsigned int cell) const;
     /** The middles of edges that may vanish if it is for the parts around them;
      * the same on all ranks. */
     PlaceTable<dim>

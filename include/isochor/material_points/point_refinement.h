@@ -13,6 +13,7 @@
 #include <isochor/material_points/point_locator.h>
 #include <isochor/material_points/point_merging.h>
 
+#include <string>
 #include <vector>
 
 namespace isochor
@@ -83,8 +84,8 @@ namespace isochor
            const std::vector<NewPoint> &parts) const;
 
     /** Of a point in its cell; 0: any. */
-    double largest_share = 0, share_on_adaptive_grids = 0;
-    bool   merges = true;
+    double      largest_share = 0, share_on_adaptive_grids = 0;
+    std::string merging;
     /** Numbers of points, over all ranks. */
     types::particle_index n_added = 0, n_removed = 0;
   };
