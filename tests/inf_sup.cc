@@ -250,18 +250,19 @@ namespace
           const unsigned int n_levels)
   {
     const std::string number = std::to_string(n), times = number + "*";
-    // places where the product of waves is large, one to a few coarse cells
-    // wide
-    const std::string waves =
-      "sin(" + times + "(2.9*x + 1.3*y) + 1) * sin(" + times +
-      "(3.1*y - 1.7*x) + 2)" +
-      (dim == 3 ? " * sin(" + times + "2.3*z + 1)" : "");
+    // where the product of waves is large, in spots of one to a few coarse
+    // cells
+    const std::string is_fine =
+      dim == 2 ?
+        "sin(" + times + "(2.9*x + 1.3*y) + 1) * sin(" + times +
+          "(3.1*y - 1.7*x) + 2) > " + (how == "sparsely" ? "0.8" : "0.3") :
+        "(x - 0.3)^2 + (y - 0.4)^2 + (z - 0.6)^2 < " +
+          std::string(how == "sparsely" ? "0.01" : "0.1");
     return "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
            "Grid/Subdivisions = " +
            number + ", " + number + (dim == 3 ? ", " + number : "") +
            "\nAdaptive grid/Maximum level = " + std::to_string(n_levels) +
-           "\nAdaptive grid/Cell size = if(" + waves + " > " +
-           (how == "sparsely" ? "0.8" : "0.3") + ", 0.001, 1)\n";
+           "\nAdaptive grid/Cell size = if(" + is_fine + ", 0.001, 1)\n";
   }
 
   std::string
