@@ -188,7 +188,7 @@ namespace isochor
     const Point<dim> a = first.domain.current[end<dim>],
                      b = second.domain.current[end<dim>],
                      m = first.domain.current[middle<dim>];
-    if (!((m - (a + (b - a) / 2)).norm() <= tolerance * (b - a).norm()))
+    if (!((m - (a + (b - a) / 2)).norm() <= straightness * (b - a).norm()))
       return false;
 
     const auto [kept, lost] = Ancestry<dim>::last(first.domain.ancestry);
@@ -210,6 +210,8 @@ namespace isochor
           is[d][c]  = whole.current[c + 1][d] - whole.current[0][d];
         }
     const Tensor<2, dim> F = is * invert(was);
+    if (!are_alike(first.properties, second.properties))
+      return false;
     add_state(first.properties, second.properties, F, pair.properties);
     whole.volume     = pair.properties[points.layout().volume] * determinant(F);
     whole.location   = centroid<dim>(whole.current);

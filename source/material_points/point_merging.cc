@@ -16,12 +16,14 @@ namespace isochor
                                   const BackgroundGrid<dim> &grid,
                                   const PointLocator<dim>   &locator,
                                   const Materials           &materials,
-                                  const double               largest_share)
+                                  const double               largest_share,
+                                  const double               tolerance)
     : points(points)
     , grid(grid)
     , locator(locator)
     , materials(materials)
     , largest_share(largest_share)
+    , tolerance(tolerance)
     , quantum(quantum_of_places(grid))
   {}
 
@@ -53,6 +55,22 @@ namespace isochor
   PointMerging<dim>::fits(const double volume, const unsigned int cell) const
   {
     return volume <= largest_share * locator.geometry().measure(cell);
+  }
+
+
+
+  template <int dim>
+  bool
+  PointMerging<dim>::are_alike(const std::vector<double> &first,
+                               const std::vector<double> &second) const
+  {
+    constexpr double rounding = 1e-6;
+    const auto F = deformation_gradient<dim>(first.data(), points.layout()),
+               G = deformation_gradient<dim>(second.data(), points.layout());
+    Tensor<2, dim> strain = transpose(F) * F;
+    for (unsigned int d = 0; d < dim; ++d)
+      strain[d][d] -= 1;
+    return (F - G).norm() <= tolerance * strain.norm() / 2 + rounding;
   }
 
 
@@ -179,7 +197,7 @@ namespace isochor
              fits_around(x[l.volume] * determinant(F) +
                            y[l.volume] * determinant(G),
                          cell) &&
-             (F - G).norm() <= tolerance * F.norm();
+             are_alike({x.begin(), x.end()}, {y.begin(), y.end()});
     };
     for (auto particle = points.handler().begin();
          particle != points.handler().end();)

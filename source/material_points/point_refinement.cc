@@ -93,6 +93,13 @@ namespace isochor
                       "that then is smaller than 0.8 times what would be split "
                       "again. 'with domains': with the quadratures "
                       "'cell-filled + boundary' and 'CPDI' only.");
+    prm.declare_entry("Merging tolerance",
+                      "0.1",
+                      Patterns::Double(0),
+                      "Merge what is strained alike: deformation gradients "
+                      "differ by at most this times the strain. About a "
+                      "quarter of its square is the part of the strain energy "
+                      "that is lost by it.");
     prm.leave_subsection();
   }
 
@@ -105,6 +112,7 @@ namespace isochor
     prm.enter_subsection("Material points");
     largest_share         = prm.get_double("Split at share of cell");
     merging               = prm.get("Merge points");
+    merging_tolerance     = prm.get_double("Merging tolerance");
     const double asked    = prm.get_integer("Points per cell");
     const double per_cell = asked > 0 ? asked : (1 << dim);
     prm.leave_subsection();
@@ -150,9 +158,13 @@ namespace isochor
     constexpr double hysteresis = 0.8;
     if (grid.is_adaptive() &&
         (merging == "always" || (merging == "with domains" && with_domains)))
-      n_removed +=
-        PointMerging<dim>(points, grid, locator, materials, hysteresis * share)
-          .merge();
+      n_removed += PointMerging<dim>(points,
+                                     grid,
+                                     locator,
+                                     materials,
+                                     hysteresis * share,
+                                     merging_tolerance)
+                     .merge();
   }
 
 

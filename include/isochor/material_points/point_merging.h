@@ -35,9 +35,10 @@ namespace isochor
    * mass, if their deformation gradients are nearly the same. The whole has
    * their mean, scaled to their current volume.
    *
-   * "Nearly" is a bound for the centre of mass (with domains), the second
-   * moment and the internal energy, which change by terms of first and second
-   * order in what differs.
+   * Two parts are merged only if they are strained alike: if their deformation
+   * gradients differ by at most a tolerance times their Green strain. Of their
+   * strain energy, quadratic in the strain, about (tolerance / 2)^2 at most is
+   * lost then.
    */
   template <int dim>
   class PointMerging
@@ -45,10 +46,9 @@ namespace isochor
   public:
     using Materials = std::vector<std::unique_ptr<MaterialModel<dim>>>;
 
-    /** Differences up to this are tolerated: between the deformation gradients
-     * of points, relative to their norm, and between the middle of an edge and
-     * the place of the corner there, relative to the edge. */
-    static constexpr double tolerance = 0.01;
+    /** How far a corner in the middle of an edge may be from there, relative to
+     * the edge. */
+    static constexpr double straightness = 0.01;
 
     /** The volume of a merged point is at most @p largest_share of that of its
      * cell. */
@@ -56,7 +56,8 @@ namespace isochor
                  const BackgroundGrid<dim> &grid,
                  const PointLocator<dim>   &locator,
                  const Materials           &materials,
-                 const double               largest_share);
+                 const double               largest_share,
+                 const double               tolerance);
 
     /** Merge what can be merged; how many points have vanished, over all ranks.
      * Collective. */
@@ -112,6 +113,9 @@ namespace isochor
     /** Make the whole; whether it is as it should be. */
     bool
     unite(Pair &pair) const;
+    bool
+    are_alike(const std::vector<double> &first,
+              const std::vector<double> &second) const;
     /** The state of two points; @p properties are those of the first. */
     void
     add_state(const std::vector<double> &first,
@@ -123,7 +127,7 @@ namespace isochor
     const BackgroundGrid<dim> &grid;
     const PointLocator<dim>   &locator;
     const Materials           &materials;
-    const double               largest_share;
+    const double               largest_share, tolerance;
     const double               quantum;
   };
 } // namespace isochor

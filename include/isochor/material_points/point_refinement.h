@@ -86,6 +86,7 @@ namespace isochor
     /** Of a point in its cell; 0: any. */
     double      largest_share = 0, share_on_adaptive_grids = 0;
     std::string merging;
+    double      merging_tolerance = 0;
     /** Numbers of points, over all ranks. */
     types::particle_index n_added = 0, n_removed = 0;
   };
