@@ -138,19 +138,13 @@ test_stretched(const std::string &formulation, const std::string &quadrature)
                 ": the grid changes",
               changes >= 3,
               std::to_string(changes) + " changes");
-  // CPDI is not exact where a domain is split and its neighbour isn't, as
-  // around hanging nodes in 3D (doc/method.md); the stress is 58 Pa
-  const bool exact = !(dim == 3 && quadrature == "CPDI");
-  test::check_error("homogeneous",
-                    variation_of_stress(points),
-                    exact ? 1e-9 : 6);
-  test::check_error("volume",
-                    std::abs(sums[0] / 1.5 - 1),
-                    exact ? 1e-12 : 2e-4);
+  // the stress is 58 Pa
+  test::check_error("homogeneous", variation_of_stress(points), 1e-9);
+  test::check_error("volume", std::abs(sums[0] / 1.5 - 1), 1e-12);
   test::check_error("mass", std::abs(sums[1] / 2 - 1), 1e-12);
   test::check_error("centre",
                     std::abs(sums[2] / 2 - 0.5) + std::abs(sums[3] / 2 - 0.75),
-                    exact ? 1e-12 : 2e-5);
+                    1e-12);
 }
 
 /** A block is carried through a grid that is fine at its side only; it stays

@@ -11,6 +11,7 @@
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
+#include <isochor/linear_solver/condition_number.h>
 #include <isochor/linear_solver/linear_solver.h>
 
 #include <cstdint>
@@ -28,8 +29,10 @@ namespace
   struct Blocks
   {
     FullMatrix<double> A, B, C;
+    double             condition_number;
   };
   Blocks blocks;
+  bool   finds_condition_number = false;
 
   struct MatrixTaken
   {};
@@ -48,6 +51,8 @@ namespace
     LinearSolverReport
     factorise(const SparseSystem &system) override
     {
+      if (finds_condition_number)
+        blocks.condition_number = scaled_condition_number(system);
       std::vector<unsigned int> number(system.field.size());
       unsigned int              n[2] = {0, 0};
       for (unsigned int i = 0; i < number.size(); ++i)
@@ -167,19 +172,24 @@ namespace
 
 
   /** Take the first matrix of a block with the given compressibility. */
+  template <int dim>
   void
   take_matrix(const std::string &settings)
   {
     try
       {
-        test::run_scene<2>("Linear solver/Solver = Keep matrix\n"
-                           "Formulation/Type = u-p\n"
-                           "Material/Density = 1\n"
-                           "Boundary conditions/Displacement = bottom: x=0, "
-                           "y=0; left: x=0; right: x=0\n"
-                           "Boundary conditions/Gravity = 0, -1e-6*t\n"
-                           "Dynamics/Inertia = false\n" +
-                           settings);
+        test::run_scene<dim>(
+          "Linear solver/Solver = Keep matrix\n"
+          "Formulation/Type = u-p\n"
+          "Material/Density = 1\n"
+          "Boundary conditions/Displacement = bottom: x=0, "
+          "y=0; left: x=0; right: x=0" +
+          std::string(dim == 3 ? "; front: z=0; back: z=0" : "") +
+          "\nBoundary conditions/Gravity = 0, -1e-6*t" +
+          (dim == 3 ? ", 0" : "") +
+          "\n"
+          "Dynamics/Inertia = false\n" +
+          settings);
       }
     catch (const MatrixTaken &)
       {}
@@ -194,17 +204,19 @@ namespace
   }
 
   /** β of the scene, with G = 1. */
+  template <int dim = 2>
   double
   inf_sup_constant(const std::string &settings, const double alpha)
   {
     // without stabilisation, C is M / K: E = 2.6, ν = 0.3, G = 1
-    take_matrix("Formulation/Stabilisation = none\n"
-                "Material/Young modulus = 2.6\nMaterial/Poisson ratio = 0.3\n" +
-                settings);
+    take_matrix<dim>(
+      "Formulation/Stabilisation = none\n"
+      "Material/Young modulus = 2.6\nMaterial/Poisson ratio = 0.3\n" +
+      settings);
     FullMatrix<double> M = blocks.C;
     M *= 2.6 / (3 * (1 - 0.6));
 
-    take_matrix(
+    take_matrix<dim>(
       (alpha == 0 ? std::string("Formulation/Stabilisation = none\n") :
                     "Formulation/Stabilisation = PPP\n"
                     "Formulation/PPP coefficient = " +
@@ -227,6 +239,30 @@ namespace
     left.compute_generalized_eigenvalues_symmetric(
       right, -1e-8, 1e8, 1e-14, values, vectors);
     return std::sqrt(std::max(0., values.size() ? values[0] : 0.));
+  }
+
+  /** A square or cube of n coarse cells a side, of which @p n_levels are halved
+   * here and there: "sparsely" or "densely", no direction preferred. */
+  template <int dim>
+  std::string
+  closure(const std::string &how,
+          const unsigned int n,
+          const unsigned int n_levels)
+  {
+    const std::string number = std::to_string(n), times = number + "*";
+    // where the product of waves is large, in spots of one to a few coarse
+    // cells
+    const std::string is_fine =
+      dim == 2 ?
+        "sin(" + times + "(2.9*x + 1.3*y) + 1) * sin(" + times +
+          "(3.1*y - 1.7*x) + 2) > " + (how == "sparsely" ? "0.8" : "0.3") :
+        "(x - 0.3)^2 + (y - 0.4)^2 + (z - 0.6)^2 < " +
+          std::string(how == "sparsely" ? "0.01" : "0.1");
+    return "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
+           "Grid/Subdivisions = " +
+           number + ", " + number + (dim == 3 ? ", " + number : "") +
+           "\nAdaptive grid/Maximum level = " + std::to_string(n_levels) +
+           "\nAdaptive grid/Cell size = if(" + is_fine + ", 0.001, 1)\n";
   }
 
   std::string
@@ -279,6 +315,44 @@ main(int argc, char **argv)
                   beta[2] < 0.01,
                   std::to_string(beta[2]));
     }
+
+  // Conforming closures of forests.
+  for (const std::string how : {"sparsely", "densely"})
+    {
+      std::vector<double> beta;
+      for (unsigned int n = 2; n <= 8; n *= 2)
+        beta.push_back(
+          inf_sup_constant("Quadrature/Type = points\n" + closure<2>(how, n, 2),
+                           1));
+      const double beta_3d = inf_sup_constant<3>("Quadrature/Type = points\n" +
+                                                   closure<3>(how, 2, 1),
+                                                 1);
+      const double slope   = std::log2(beta[1] / beta[2]);
+      test::check("closure, refined " + how + ": beta > 0.5, does not fall",
+                  beta[2] > 0.5 && slope < 0.1 && beta_3d > 0.4,
+                  std::to_string(beta[2]) + ", slope " + std::to_string(slope) +
+                    ", in 3D " + std::to_string(beta_3d));
+      if (print)
+        std::cout << "closure, " << how << ": " << beta[0] << ' ' << beta[1]
+                  << ' ' << beta[2] << ", in 3D " << beta_3d << std::endl;
+    }
+  finds_condition_number  = true;
+  const std::string block = "Quadrature/Type = points\n"
+                            "Formulation/Stabilisation = PPP\n"
+                            "Material/Young modulus = 3\n"
+                            "Material/Poisson ratio = 0.5\n";
+  take_matrix<2>(block + grid("alternating", 16));
+  const double uniform = blocks.condition_number;
+  take_matrix<2>(block + closure<2>("densely", 4, 2));
+  const double graded = blocks.condition_number;
+  test::check("condition number of a closure, that of its finest cells alone",
+              graded < 1.5 * uniform,
+              std::to_string(graded) + " instead of " +
+                std::to_string(uniform));
+  if (print)
+    std::cout << "condition numbers: closure " << graded << ", uniform "
+              << uniform << std::endl;
+  finds_condition_number = false;
 
   // The uppermost row of cells is cut at the fraction f of its height.
   for (const std::string quadrature : {"cell-filled + boundary", "CPDI"})

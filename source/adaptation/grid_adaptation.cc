@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/adaptation/grid_adaptation.h>
+#include <isochor/adaptation/leaf_weights.h>
 #include <isochor/equations/nodal_unknowns.h>
 
 #include <algorithm>
@@ -16,24 +17,6 @@ namespace isochor
 {
   namespace
   {
-    /** What a leaf costs besides its points, in points: its share of the
-     * unknowns. Three ranks with weights like these were balanced to 0.2 %. */
-    template <int dim>
-    constexpr double cost_of_leaf = (dim == 2 ? 20 : 60);
-
-    /** Whether @p leaf is @p other or a part of it. */
-    template <int dim>
-    bool
-    is_within(const Leaf<dim> &leaf, const Leaf<dim> &other)
-    {
-      if (leaf.tree != other.tree || leaf.level < other.level)
-        return false;
-      for (unsigned int d = 0; d < dim; ++d)
-        if (leaf.corner[d] - other.corner[d] >= other.size()) // or wraps
-          return false;
-      return true;
-    }
-
     /** Tell if more than a few points ask for @p sizes that the maximum level
      * does not allow. Collective. */
     template <int dim>
@@ -392,7 +375,7 @@ namespace isochor
     auto levels = wanted_levels(grid, points, time, n_points);
     add_buffer(grid, n_points, levels);
 
-    const auto leaves = forest.refine([&](const Leaf<dim> &leaf) {
+    const auto         leaves = forest.refine([&](const Leaf<dim> &leaf) {
       if (leaf.level < rule.minimum)
         return true;
       unsigned int i = find_leaf<dim>(old, leaf.tree, leaf.corner);
@@ -403,30 +386,22 @@ namespace isochor
           return true;
       return false;
     });
-    if (leaves == old)
+    const unsigned int n_ranks =
+      Utilities::MPI::n_mpi_processes(grid.communicator());
+    const auto weights    = leaf_weights(old, n_points, leaves);
+    const auto owners     = partition_leaves(weights, n_ranks);
+    const bool is_refined = !(leaves == old);
+    // the points may have moved, or have been split, so that the same grid has
+    // to be divided among the ranks anew
+    if (!is_refined && !is_out_of_balance(weights, forest, owners, n_ranks))
       return false;
     const Motion motion = motion_in_old_grid(grid, last_motion);
 
-    std::vector<double> weights;
-    for (const Leaf<dim> &leaf : leaves)
-      {
-        unsigned int i      = find_leaf<dim>(old, leaf.tree, leaf.corner);
-        double       weight = 0;
-        if (old[i].level <= leaf.level)
-          weight =
-            n_points[i] / std::pow(2., dim * (leaf.level - old[i].level));
-        else
-          for (; i < old.size() && is_within(old[i], leaf); ++i)
-            weight += n_points[i];
-        weights.push_back(weight > 0 ? weight + cost_of_leaf<dim> : 0.1);
-      }
-    const auto owners =
-      partition_leaves(weights,
-                       Utilities::MPI::n_mpi_processes(grid.communicator()));
     points.change_grid(locator,
                        [&]() { return grid.change(leaves, owners, time); });
     set_motion_in_new_grid(motion, grid, last_motion);
-    ++n_changes;
+    if (is_refined)
+      ++n_changes;
     return true;
   }
 
@@ -438,18 +413,23 @@ namespace isochor
                                 const MaterialPoints<dim> &points,
                                 Statistics                &statistics)
   {
-    if (!grid.is_adaptive())
-      return;
-    unsigned int finest = 0;
-    for (const Leaf<dim> &leaf : grid.adaptive_grid().leaves())
-      finest = std::max(finest, leaf.level);
+    const auto &leaves = grid.adaptive_grid().leaves();
+    const auto [coarsest, finest] =
+      std::minmax_element(leaves.begin(),
+                          leaves.end(),
+                          [](const Leaf<dim> &a, const Leaf<dim> &b) {
+                            return a.level < b.level;
+                          });
     statistics.set("Cells of grid", grid.geometry().n_cells());
-    statistics.set("Finest level of grid", finest);
+    statistics.set("Leaves of grid", leaves.size());
+    statistics.set("Coarsest level of grid", coarsest->level);
+    statistics.set("Finest level of grid", finest->level);
     statistics.set("Changes of grid", n_changes);
     const double n_own = points.handler().n_locally_owned_particles();
     const auto counts = Utilities::MPI::min_max_avg(n_own, grid.communicator());
     statistics.set("Largest share of points on a rank",
                    counts.max / counts.sum);
+    statistics.set("Imbalance of points", counts.max / counts.avg - 1);
   }
 
 

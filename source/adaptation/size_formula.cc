@@ -41,10 +41,12 @@ namespace isochor
     {
       if (!formula)
         return this->any_size;
-      const double       size = (*formula)(x, time);
+      const double size = (*formula)(x, time);
+      if (size > 0) // messages are not made for each point
+        return size;
       std::ostringstream place;
       place << x;
-      AssertThrow(size > 0,
+      AssertThrow(false,
                   ExcMessage("The formula of <Adaptive grid/Cell size> is " +
                              std::to_string(size) + " at (" + place.str() +
                              "), t = " + std::to_string(time) +

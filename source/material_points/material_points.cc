@@ -23,6 +23,7 @@ namespace isochor
     , dynamic(dynamic)
     , with_domains(with_domains)
     , with_cell_size(with_cell_size)
+    , with_ancestry(with_cell_size)
   {
     const auto place = [this](unsigned int &field, const unsigned int size) {
       field = n_properties;
@@ -45,6 +46,8 @@ namespace isochor
       place(domain, dim * dim);
     if (with_cell_size)
       place(cell_size, 1);
+    if (with_ancestry)
+      place(ancestry, 1);
   }
 
 

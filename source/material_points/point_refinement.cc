@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/material_points/domain_bisection.h>
 #include <isochor/material_points/point_refinement.h>
 
 #include <algorithm>
@@ -46,6 +47,26 @@ namespace isochor
           }
       return places;
     }
+
+    /** Find location and cell of a part of a domain, which knows those of the
+     * whole. A part whose centroid is outside of the grid stays behind. */
+    template <int dim>
+    void
+    locate_part(const PointLocator<dim> &locator, PointDomain<dim> &part)
+    {
+      const Point<dim>     of_whole = part.location;
+      const Tensor<1, dim> shift    = centroid<dim>(part.current) - of_whole;
+      for (double factor = 1; factor > 1e-3; factor *= 0.75)
+        {
+          const Point<dim> x     = of_whole + factor * shift;
+          const auto       place = locator.locate(x, part.cell);
+          if (!place.found)
+            continue;
+          part.location = x;
+          part.cell     = place.cell;
+          return;
+        }
+    }
   } // namespace
 
 
@@ -62,8 +83,23 @@ namespace isochor
                       "share of the volume of the cell that they are in, into "
                       "4 (2D) or 5 (3D) equal parts; points with domains, of "
                       "the quadratures 'cell-filled + boundary' and 'CPDI', "
-                      "into the 4 or 8 parts of the domain. 0: never; on an "
-                      "adaptive grid 1.5 / 'Points per cell'.");
+                      "into halves, together with neighbours, so that domains "
+                      "go on sharing faces. 0: never; on an adaptive grid "
+                      "1.5 / 'Points per cell'.");
+    prm.declare_entry("Merge points",
+                      "with domains",
+                      Patterns::Selection("never|with domains|always"),
+                      "On an adaptive grid: put together what was split, where "
+                      "that then is smaller than 0.8 times what would be split "
+                      "again. 'with domains': with the quadratures "
+                      "'cell-filled + boundary' and 'CPDI' only.");
+    prm.declare_entry("Merging tolerance",
+                      "0.1",
+                      Patterns::Double(0),
+                      "Merge what is strained alike: deformation gradients "
+                      "differ by at most this times the strain. About a "
+                      "quarter of its square is the part of the strain energy "
+                      "that is lost by it.");
     prm.leave_subsection();
   }
 
@@ -75,6 +111,8 @@ namespace isochor
   {
     prm.enter_subsection("Material points");
     largest_share         = prm.get_double("Split at share of cell");
+    merging               = prm.get("Merge points");
+    merging_tolerance     = prm.get_double("Merging tolerance");
     const double asked    = prm.get_integer("Points per cell");
     const double per_cell = asked > 0 ? asked : (1 << dim);
     prm.leave_subsection();
@@ -93,85 +131,51 @@ namespace isochor
 
   template <int dim>
   void
-  PointRefinement<dim>::refine(MaterialPoints<dim>       &points,
-                               const BackgroundGrid<dim> &grid,
-                               const PointLocator<dim>   &locator) const
+  PointRefinement<dim>::refine(
+    MaterialPoints<dim>                         &points,
+    const BackgroundGrid<dim>                   &grid,
+    const PointLocator<dim>                     &locator,
+    const typename PointMerging<dim>::Materials &materials)
   {
     const double share =
       grid.is_adaptive() ? share_on_adaptive_grids : largest_share;
     if (share == 0)
       return;
+    const bool with_domains = points.layout().with_domains;
     // parts may still be too large; bounded, since each round divides by four
-    for (unsigned int round = 0; round < 8; ++round)
+    for (unsigned int round = 0; round < (with_domains ? 1 : 8); ++round)
       {
-        const std::vector<NewPoint> parts = split(points, locator, share);
-        if (Utilities::MPI::sum(parts.size(), grid.communicator()) == 0)
-          return;
+        const std::vector<NewPoint> parts =
+          with_domains ? split_domains(points, grid, locator, share) :
+                         split(points, locator, share);
+        const auto n = Utilities::MPI::sum(parts.size(), grid.communicator());
+        if (n == 0)
+          break;
+        n_added += n;
         insert(points, grid, parts);
         points.relocate(locator);
       }
+    constexpr double hysteresis = 0.8;
+    if (grid.is_adaptive() &&
+        (merging == "always" || (merging == "with domains" && with_domains)))
+      n_removed += PointMerging<dim>(points,
+                                     grid,
+                                     locator,
+                                     materials,
+                                     hysteresis * share,
+                                     merging_tolerance)
+                     .merge();
   }
 
 
 
   template <int dim>
-  std::vector<typename PointRefinement<dim>::Part>
-  PointRefinement<dim>::parts_of_domain(const CornerVectors<dim> &given,
-                                        const Tensor<2, dim>     &F)
+  void
+  PointRefinement<dim>::evaluate(Statistics &statistics)
   {
-    CornerVectors<dim> domain = given;
-    order_for_subdivision<dim>(domain);
-    // corners and middles of edges, by pairs of corners
-    using Pair = std::pair<unsigned int, unsigned int>;
-    std::vector<std::array<Pair, dim + 1>> simplices;
-    for (unsigned int c = 0; c <= dim; ++c)
-      {
-        simplices.emplace_back();
-        for (unsigned int e = 0; e <= dim; ++e)
-          simplices.back()[e] = {c, e};
-      }
-    if constexpr (dim == 2)
-      simplices.push_back({{{0, 1}, {1, 2}, {0, 2}}});
-    else
-      {
-        simplices.push_back({{{0, 1}, {0, 2}, {0, 3}, {1, 3}}});
-        simplices.push_back({{{0, 1}, {0, 2}, {1, 2}, {1, 3}}});
-        simplices.push_back({{{0, 2}, {0, 3}, {1, 3}, {2, 3}}});
-        simplices.push_back({{{0, 2}, {1, 2}, {1, 3}, {2, 3}}});
-      }
-    // the point itself gets the part in the middle, in 3D one of those
-    std::swap(simplices.front(), simplices[dim + 1]);
-
-    std::vector<Part> parts;
-    for (const auto &simplex : simplices)
-      {
-        Part           part;
-        Tensor<1, dim> centre;
-        for (unsigned int c = 0; c <= dim; ++c)
-          {
-            part.domain[c] =
-              (domain[simplex[c].first] + domain[simplex[c].second]) / 2.;
-            centre += part.domain[c] / (dim + 1.);
-          }
-        for (Tensor<1, dim> &corner : part.domain)
-          corner -= centre;
-        part.shift = F * centre;
-        parts.push_back(part);
-      }
-    return parts;
-  }
-
-
-
-  template <int dim>
-  std::vector<typename PointRefinement<dim>::Part>
-  PointRefinement<dim>::parts_around(const double volume)
-  {
-    static const auto places = places_of_parts<dim>();
-    std::vector<Part> parts(1);
-    for (const Tensor<1, dim> &place : places)
-      parts.push_back({std::pow(volume, 1. / dim) * place, {}});
-    return parts;
+    statistics.set("Points added by splitting", n_added);
+    statistics.set("Points removed by merging", n_removed);
+    n_added = n_removed = 0;
   }
 
 
@@ -184,6 +188,7 @@ namespace isochor
   {
     const PointLayout    &l = points.layout();
     std::vector<NewPoint> parts;
+    static const auto     places = places_of_parts<dim>();
     for (auto &particle : points.handler())
       {
         const unsigned int cell =
@@ -194,41 +199,34 @@ namespace isochor
         if (!(volume > share * locator.geometry().measure(cell)))
           continue;
 
-        CornerVectors<dim> domain;
-        for (unsigned int c = 0; c < dim && l.with_domains; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              domain[c + 1][d] = values[l.domain + c * dim + d];
-              domain[0][d] -= domain[c + 1][d];
-            }
-        std::vector<Part> places =
-          l.with_domains ? parts_of_domain(domain, F) : parts_around(volume);
+        std::array<Tensor<1, dim>, dim + 2> shifts;
+        for (unsigned int i = 0; i <= dim; ++i)
+          shifts[i + 1] = std::pow(volume, 1. / dim) * places[i];
         // beside a wall they come closer
         const Point<dim> x       = particle.get_location();
-        const auto       outside = [&](const Part &part) {
-          return !locator.locate(x + part.shift, cell).found;
+        const auto       outside = [&](const Tensor<1, dim> &shift) {
+          return !locator.locate(x + shift, cell).found;
         };
         for (unsigned int i = 0;
-             i < 20 && std::any_of(places.begin(), places.end(), outside);
+             i < 20 && std::any_of(shifts.begin(), shifts.end(), outside);
              ++i)
-          for (Part &part : places)
-            part.shift *= 0.75;
+          for (Tensor<1, dim> &shift : shifts)
+            shift *= 0.75;
 
         const Tensor<2, dim>      inverse = invert(F);
         const std::vector<double> old(values.begin(), values.end());
-        for (unsigned int i = 0; i < places.size(); ++i)
+        for (unsigned int i = 0; i < shifts.size(); ++i)
           {
             // they move with the point's F, so that X = x - u is affine
-            const Tensor<1, dim> &shift = places[i].shift;
+            const Tensor<1, dim> &shift = shifts[i];
             const Tensor<1, dim>  u     = shift - inverse * shift;
             std::vector<double>   part  = old;
-            part[l.volume] /= places.size();
-            part[l.mass] /= places.size();
+            part[l.volume] /= shifts.size();
+            part[l.mass] /= shifts.size();
+            if (l.with_ancestry && part[l.ancestry] == 0)
+              part[l.ancestry] = old[l.volume];
             for (unsigned int d = 0; d < dim; ++d)
               part[l.displacement + d] += u[d];
-            for (unsigned int c = 0; c < dim && l.with_domains; ++c)
-              for (unsigned int d = 0; d < dim; ++d)
-                part[l.domain + c * dim + d] = places[i].domain[c + 1][d];
             if (i > 0)
               {
                 parts.push_back({cell, x + shift, part});
@@ -239,6 +237,69 @@ namespace isochor
           }
       }
     return parts;
+  }
+
+
+
+  template <int dim>
+  std::vector<typename PointRefinement<dim>::NewPoint>
+  PointRefinement<dim>::split_domains(MaterialPoints<dim>       &points,
+                                      const BackgroundGrid<dim> &grid,
+                                      const PointLocator<dim>   &locator,
+                                      const double               share) const
+  {
+    const SimplexGeometry<dim>   &geometry = locator.geometry();
+    const MPI_Comm                comm     = grid.communicator();
+    std::vector<PointDomain<dim>> domains  = point_domains(points);
+    const auto is_large = [&](const PointDomain<dim> &domain) {
+      return domain.volume > share * geometry.measure(domain.cell);
+    };
+    std::vector<NewPoint> added;
+    if (Utilities::MPI::logical_or(
+          std::any_of(domains.begin(), domains.end(), is_large), comm) == false)
+      return added;
+
+    DomainBisection<dim> bisection(std::move(domains),
+                                   quantum_of_places(grid),
+                                   comm);
+    bisection.bisect([&](PointDomain<dim> &domain) {
+      if (domain.n_halvings > 0)
+        locate_part(locator, domain);
+      return is_large(domain);
+    });
+
+    // the parts of a point follow each other; the first is what remains of it
+    const auto         &parts    = bisection.parts();
+    auto                particle = points.handler().begin();
+    unsigned int        point    = 0;
+    std::vector<double> whole;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      {
+        const bool is_first = (i == 0 || parts[i].point != parts[i - 1].point);
+        for (; point < parts[i].point; ++point)
+          ++particle;
+        if (parts[i].n_halvings == 0)
+          continue;
+        const auto values = particle->get_properties();
+        if (is_first)
+          whole.assign(values.begin(), values.end());
+        std::vector<double> part   = whole;
+        const double        factor = std::ldexp(1., -int(parts[i].n_halvings));
+        part[points.layout().volume] *= factor;
+        part[points.layout().mass] *= factor;
+        store_domain<dim>(parts[i], points.layout(), make_array_view(part));
+        if (!is_first)
+          {
+            added.push_back(
+              {particle->get_surrounding_cell()->active_cell_index(),
+               parts[i].location,
+               part});
+            continue;
+          }
+        std::copy(part.begin(), part.end(), values.begin());
+        particle->set_location(parts[i].location);
+      }
+    return added;
   }
 
 

@@ -26,6 +26,9 @@ namespace isochor
     all_rows.push_back({&unknowns,
                         patches.add_vector("displacement_increment"),
                         step.mixed() ? patches.add_scalar("pressure") : 0});
+    const bool         is_adaptive = step.grid.is_adaptive();
+    const unsigned int level_row =
+      is_adaptive ? patches.add_scalar("level") : 0;
     if (residual != nullptr)
       all_rows.push_back(
         {residual,
@@ -48,6 +51,14 @@ namespace isochor
           corners[v] = step.points.corner(geometry, k, v);
         auto &patch = patches.add_patch(
           ArrayView<const Point<dim>>(corners.data(), dim + 1));
+        if (is_adaptive)
+          {
+            const AdaptiveGrid<dim> &forest = step.grid.adaptive_grid();
+            const Leaf<dim>         &leaf =
+              forest.leaves()[forest.leaf_of_cell(step.points.cell[k])];
+            for (unsigned int v = 0; v <= dim; ++v)
+              patch.data(level_row, v) = leaf.level;
+          }
         for (unsigned int v = 0; v <= dim; ++v)
           {
             const unsigned int first =

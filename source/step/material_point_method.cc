@@ -152,7 +152,7 @@ namespace isochor
         }
       statistics.set_owner("");
       scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
-      scene.adaptation.evaluate(scene.grid, scene.points, statistics);
+      setup.evaluate(statistics);
     }
     {
       TimerOutput::Scope scope(terminal.timer(), "convective phase");

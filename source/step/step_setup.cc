@@ -243,7 +243,13 @@ namespace isochor
               scene.grid, scene.points, *locator, time, last_motion))
           grid_changed();
       }
-    refinement.refine(scene.points, scene.grid, *locator);
+    {
+      TimerOutput::Scope scope(timer, "splitting and merging of points");
+      refinement.refine(scene.points,
+                        scene.grid,
+                        *locator,
+                        scene.kernel.materials);
+    }
     scene.points.gather(arrays);
     scene.quadrature->set_up(
       arrays, *locator, scene.kernel, needs_occupancy, occupancy);
@@ -363,6 +369,18 @@ namespace isochor
     return {Utilities::MPI::sum(
               static_cast<types::global_dof_index>(arrays.cell.size()), comm),
             Utilities::MPI::sum(n_nodes, comm)};
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::evaluate(Statistics &statistics)
+  {
+    if (!scene.grid.is_adaptive())
+      return;
+    scene.adaptation.evaluate(scene.grid, scene.points, statistics);
+    refinement.evaluate(statistics);
   }
 
 

@@ -77,7 +77,8 @@ namespace isochor
       return n <= n_repetitions;
     }
 
-    /** Cells, levels and changes, for the statistics. Collective. */
+    /** Cells, levels and changes of an adaptive @p grid, for the statistics.
+     * Collective. */
     void
     evaluate(const BackgroundGrid<dim> &grid,
              const MaterialPoints<dim> &points,

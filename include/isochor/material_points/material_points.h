@@ -53,7 +53,12 @@ namespace isochor
      * adaptive grids. */
     unsigned int cell_size      = 0;
     bool         with_cell_size = false;
-    unsigned int n_properties   = 0;
+    /** Of a part of a seeded point: how its domain came from the whole one (see
+     * Ancestry), or without domains the V_0 of the whole; 0 of a whole point.
+     * Only on adaptive grids. */
+    unsigned int ancestry      = 0;
+    bool         with_ancestry = false;
+    unsigned int n_properties  = 0;
     /** Whether the plane is a section of a body of revolution, see
      * AxisymmetricMaterial. */
     bool axisymmetric = false;

@@ -7,10 +7,13 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <isochor/base/statistics.h>
 #include <isochor/grid/background_grid.h>
 #include <isochor/material_points/material_points.h>
 #include <isochor/material_points/point_locator.h>
+#include <isochor/material_points/point_merging.h>
 
+#include <string>
 #include <vector>
 
 namespace isochor
@@ -28,10 +31,10 @@ namespace isochor
    * second moment of the mass; beside a wall of the grid, where there is no
    * room for them, the others come closer, and the second moment becomes less.
    *
-   * A point with a domain becomes four (2D) or eight (3D), one for each part
-   * into which the middles of its edges divide the domain (Bey, Computing 55
-   * (1995) 355-378): they fill the domain as it is now, so that volume, mass,
-   * momentum, centre and second moment are conserved whatever its shape.
+   * Domains of points are bisected, and those of neighbours with them, so that
+   * they go on sharing whole faces (DomainBisection): they fill the old ones,
+   * so that volume, mass, momentum, centre and second moment are conserved
+   * whatever their shape.
    */
   template <int dim>
   class PointRefinement
@@ -42,12 +45,18 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm);
 
-    /** Split what is too large, if asked for. Invalidates what was gathered
-     * from the points. Collective. */
+    /** Split what is too large, if asked for; on adaptive grids, merge what was
+     * split and is small, see PointMerging. Invalidates what was gathered from
+     * the points. Collective. */
     void
-    refine(MaterialPoints<dim>       &points,
-           const BackgroundGrid<dim> &grid,
-           const PointLocator<dim>   &locator) const;
+    refine(MaterialPoints<dim>                         &points,
+           const BackgroundGrid<dim>                   &grid,
+           const PointLocator<dim>                     &locator,
+           const typename PointMerging<dim>::Materials &materials);
+
+    /** How many points came and went by it since this was called last. */
+    void
+    evaluate(Statistics &statistics);
 
   private:
     struct NewPoint
@@ -57,30 +66,29 @@ namespace isochor
       std::vector<double> properties;
     };
 
-    /** Make the points that are larger than @p share of their cell smaller;
-     * what they have lost. */
+    /** Split points without domains; those with more than @p share of their
+     * cell become smaller. What they have lost. */
     std::vector<NewPoint>
     split(MaterialPoints<dim>     &points,
           const PointLocator<dim> &locator,
           const double             share) const;
-    /** Where the parts are relative to a point with @p F and the current
-     * @p volume; the first is what remains of the point itself. */
-    struct Part
-    {
-      Tensor<1, dim>     shift;
-      CornerVectors<dim> domain; ///< at t = 0, if the point has one
-    };
-    static std::vector<Part>
-    parts_of_domain(const CornerVectors<dim> &domain, const Tensor<2, dim> &F);
-    static std::vector<Part>
-    parts_around(const double volume);
+    /** Split points with domains; what was added to the points. Collective. */
+    std::vector<NewPoint>
+    split_domains(MaterialPoints<dim>       &points,
+                  const BackgroundGrid<dim> &grid,
+                  const PointLocator<dim>   &locator,
+                  const double               share) const;
     void
     insert(MaterialPoints<dim>         &points,
            const BackgroundGrid<dim>   &grid,
            const std::vector<NewPoint> &parts) const;
 
     /** Of a point in its cell; 0: any. */
-    double largest_share = 0, share_on_adaptive_grids = 0;
+    double      largest_share = 0, share_on_adaptive_grids = 0;
+    std::string merging;
+    double      merging_tolerance = 0;
+    /** Numbers of points, over all ranks. */
+    types::particle_index n_added = 0, n_removed = 0;
   };
 } // namespace isochor
 

@@ -105,6 +105,11 @@ namespace isochor
     std::pair<types::global_dof_index, types::global_dof_index>
     n_active_cells_and_nodes() const;
 
+    /** The grid and what it does to the points, if it is adaptive. Collective.
+     */
+    void
+    evaluate(Statistics &statistics);
+
     /** All of this rank that a run which continues on a kept grid needs; short
      * if the grid is to be reset. */
     std::string

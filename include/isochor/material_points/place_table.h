@@ -1,0 +1,127 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_place_table_h
+#define isochor_place_table_h
+
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /**
+   * Numbers places in space. Places are the same if they differ by rounding,
+   * that is, by much less than the @p quantum: they are rounded to multiples of
+   * it, and where the rounding might go either way, both are looked up.
+   */
+  template <int dim>
+  class PlaceTable
+  {
+  public:
+    using Key = std::array<std::int64_t, dim>;
+
+    static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+    /** @p quantum (m): much larger than errors of rounding, much smaller than
+     * distances between places. */
+    explicit PlaceTable(const double quantum)
+      : quantum(quantum)
+    {}
+
+    unsigned int
+    size() const
+    {
+      return keys.size();
+    }
+
+    /** The number of @p x, or none. */
+    unsigned int
+    find(const Point<dim> &x) const
+    {
+      Key base, other;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double scaled = x[d] / quantum + offset;
+          const double floor  = std::floor(scaled);
+          base[d]             = static_cast<std::int64_t>(floor);
+          other[d]            = base[d] + (scaled - floor < margin     ? -1 :
+                                           scaled - floor > 1 - margin ? 1 :
+                                                                         0);
+        }
+      for (unsigned int choice = 0; choice < (1u << dim); ++choice)
+        {
+          Key  key     = base;
+          bool is_done = false;
+          for (unsigned int d = 0; d < dim; ++d)
+            if ((choice >> d) & 1)
+              {
+                is_done = is_done || other[d] == base[d];
+                key[d]  = other[d];
+              }
+          if (is_done)
+            continue;
+          const auto found = numbers.find(key);
+          if (found != numbers.end())
+            return found->second;
+        }
+      return none;
+    }
+
+    unsigned int
+    find_or_add(const Point<dim> &x)
+    {
+      const unsigned int number = find(x);
+      if (number != none)
+        return number;
+      Key key;
+      for (unsigned int d = 0; d < dim; ++d)
+        key[d] = static_cast<std::int64_t>(std::floor(x[d] / quantum + offset));
+      numbers.emplace(key, keys.size());
+      keys.push_back(key);
+      return keys.size() - 1;
+    }
+
+    /** Coordinates of a place in units of the quantum. */
+    const Key &
+    key(const unsigned int number) const
+    {
+      return keys[number];
+    }
+
+  private:
+    /** Of the quantum: what may be rounded either way. */
+    static constexpr double margin = 0.05;
+    /** So that the places of lattices are in the middle of what is rounded to
+     * the same number, or at least not all at its ends. */
+    static constexpr double offset = 0.381966;
+
+    struct Hash
+    {
+      std::size_t
+      operator()(const Key &key) const
+      {
+        std::uint64_t hash = 0;
+        for (const std::int64_t k : key)
+          {
+            hash = (hash ^ static_cast<std::uint64_t>(k)) * 0x9E3779B97F4A7C15u;
+            hash ^= hash >> 29;
+          }
+        return hash;
+      }
+    };
+
+    double                                      quantum;
+    std::unordered_map<Key, unsigned int, Hash> numbers;
+    std::vector<Key>                            keys;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,90 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_point_domain_h
+#define isochor_point_domain_h
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/point.h>
+
+#include <isochor/material_points/material_points.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /** The domain of a material point, by its corners. */
+  template <int dim>
+  struct PointDomain
+  {
+    using Corners = std::array<Point<dim>, dim + 1>;
+
+    Corners      reference; ///< at t = 0, where neighbours share corners
+    Corners      current;
+    double       volume = 0;     ///< J V_0 of the point
+    Point<dim>   location;       ///< of the point: the centroid, if in the grid
+    unsigned int cell       = 0; ///< that holds the location
+    unsigned int point      = 0; ///< the point that it comes from
+    unsigned int n_halvings = 0; ///< of that point's domain
+    /** What Ancestry makes of the bisections. */
+    double ancestry = 0;
+  };
+
+  /** The domains of the points of this rank, in the order of the handler. */
+  template <int dim>
+  std::vector<PointDomain<dim>>
+  point_domains(const MaterialPoints<dim> &points);
+
+  /** Let @p properties of a point tell where @p domain is: domain, ancestry,
+   * and the displacement of the point to its location. */
+  template <int dim>
+  void
+  store_domain(const PointDomain<dim>  &domain,
+               const PointLayout       &layout,
+               const ArrayView<double> &properties);
+
+  /** The mean of the corners. */
+  template <int dim>
+  Point<dim>
+  centroid(const typename PointDomain<dim>::Corners &corners);
+
+  /** Two places at t = 0 are one if they differ by much less than this (m): a
+   * tiny part of the extent of the grid. */
+  template <int dim>
+  double
+  quantum_of_places(const BackgroundGrid<dim> &grid);
+
+  /**
+   * The bisections that a domain comes from, as the digits of an integer that a
+   * double holds exactly; 0 for a domain as it was seeded. If they become too
+   * many the first are forgotten.
+   *
+   * The corners of the parts of a domain are, in this order: those that are not
+   * on the edge that was bisected, the end of that edge which the part has,
+   * and its middle. The last digit says where the ends were among the corners
+   * of the whole.
+   */
+  template <int dim>
+  struct Ancestry
+  {
+    /** Of the part that has the end at place @p kept of the bisected edge, not
+     * the one at @p lost. */
+    static double
+    of_part(const double       whole,
+            const unsigned int kept,
+            const unsigned int lost);
+    /** The places (kept, lost) of the last bisection; @p part is not 0. */
+    static std::pair<unsigned int, unsigned int>
+    last(const double part);
+    /** Of the whole. */
+    static double
+    of_whole(const double part);
+  };
+} // namespace isochor
+
+#endif

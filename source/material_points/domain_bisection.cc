@@ -1,0 +1,256 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/material_points/domain_bisection.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace isochor
+{
+  namespace
+  {
+    /** The corners of each edge of a simplex. */
+    template <int dim>
+    constexpr std::array<std::pair<unsigned int, unsigned int>,
+                         dim *(dim + 1) / 2>
+    corners_of_edges()
+    {
+      std::array<std::pair<unsigned int, unsigned int>, dim *(dim + 1) / 2>
+                   edges{};
+      unsigned int e = 0;
+      for (unsigned int a = 0; a <= dim; ++a)
+        for (unsigned int b = a + 1; b <= dim; ++b, ++e)
+          {
+            edges[e].first  = a;
+            edges[e].second = b;
+          }
+      return edges;
+    }
+
+    template <int dim>
+    constexpr auto edge_corners = corners_of_edges<dim>();
+  } // namespace
+
+
+
+  template <int dim>
+  DomainBisection<dim>::DomainBisection(std::vector<PointDomain<dim>> &&all,
+                                        const double                    quantum,
+                                        const MPI_Comm                  comm)
+    : domains(std::move(all))
+    , comm(comm)
+    , table(quantum)
+    , is_new(domains.size(), 1)
+  {
+    for (const PointDomain<dim> &domain : domains)
+      edges_of.push_back(number_edges(domain));
+  }
+
+
+
+  template <int dim>
+  typename DomainBisection<dim>::Edges
+  DomainBisection<dim>::number_edges(const PointDomain<dim> &domain)
+  {
+    Edges edges;
+    for (unsigned int e = 0; e < n_edges; ++e)
+      {
+        const auto [a, b] = edge_corners<dim>[e];
+        const Point<dim> middle =
+          domain.reference[a] + (domain.reference[b] - domain.reference[a]) / 2;
+        edges[e] = table.find_or_add(middle);
+        if (edges[e] < is_marked.size())
+          continue;
+        // lengths that are equal but for rounding have to be equal
+        const double length = (domain.current[b] - domain.current[a]).norm();
+        ranks.push_back(
+          {std::floor(2e4 * std::log2(length) + 0.38), table.key(edges[e])});
+        middles.push_back(middle);
+        is_marked.push_back(0);
+      }
+    return edges;
+  }
+
+
+
+  template <int dim>
+  template <typename Condition>
+  unsigned int
+  DomainBisection<dim>::longest(const Edges     &edges,
+                                const Condition &condition) const
+  {
+    unsigned int first = n_edges;
+    for (unsigned int e = 0; e < n_edges; ++e)
+      if (condition(e) &&
+          (first == n_edges || ranks[edges[e]] < ranks[edges[first]]))
+        first = e;
+    return first;
+  }
+
+
+
+  template <int dim>
+  void
+  DomainBisection<dim>::close_marks(std::vector<unsigned int> &newly_marked)
+  {
+    for (bool changed = true; changed;)
+      {
+        changed = false;
+        for (const Edges &edges : edges_of)
+          {
+            if (std::none_of(edges.begin(), edges.end(), [&](const auto edge) {
+                  return is_marked[edge];
+                }))
+              continue;
+            // the whole, then the triangle without corner c; in the plane
+            // these are the same
+            for (unsigned int c = (dim == 2 ? dim + 1 : 0); c <= dim + 1; ++c)
+              {
+                const auto is_in_face = [c](const unsigned int e) {
+                  return edge_corners<dim>[e].first != c &&
+                         edge_corners<dim>[e].second != c;
+                };
+                bool is_touched = false;
+                for (unsigned int e = 0; e < n_edges; ++e)
+                  is_touched =
+                    is_touched || (is_in_face(e) && is_marked[edges[e]]);
+                const unsigned int edge = edges[longest(edges, is_in_face)];
+                if (!is_touched || is_marked[edge])
+                  continue;
+                is_marked[edge] = 1;
+                newly_marked.push_back(edge);
+                changed = true;
+              }
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  DomainBisection<dim>::exchange_marks(std::vector<unsigned int> &newly_marked)
+  {
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      {
+        newly_marked.clear();
+        return;
+      }
+    std::vector<double> places;
+    for (const unsigned int edge : newly_marked)
+      for (unsigned int d = 0; d < dim; ++d)
+        places.push_back(middles[edge][d]);
+    newly_marked.clear();
+    for (const auto &of_rank : Utilities::MPI::all_gather(comm, places))
+      for (std::size_t i = 0; i < of_rank.size(); i += dim)
+        {
+          Point<dim> middle;
+          for (unsigned int d = 0; d < dim; ++d)
+            middle[d] = of_rank[i + d];
+          const unsigned int edge = table.find(middle);
+          if (edge != PlaceTable<dim>::none)
+            is_marked[edge] = 1;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  DomainBisection<dim>::bisect(const IsLarge &is_large)
+  {
+    unsigned int n_rounds_left = 100;
+    for (;;)
+      {
+        AssertThrow(n_rounds_left-- > 0, ExcInternalError());
+        std::vector<unsigned int> newly_marked;
+        for (unsigned int i = 0; i < domains.size(); ++i)
+          if (std::exchange(is_new[i], 0) && is_large(domains[i]))
+            {
+              const unsigned int edge =
+                edges_of[i][longest(edges_of[i],
+                                    [](const unsigned int) { return true; })];
+              if (!std::exchange(is_marked[edge], 1))
+                newly_marked.push_back(edge);
+            }
+        if (Utilities::MPI::sum(newly_marked.size(), comm) == 0)
+          return;
+        for (;;)
+          {
+            close_marks(newly_marked);
+            if (Utilities::MPI::sum(newly_marked.size(), comm) == 0)
+              break;
+            exchange_marks(newly_marked);
+          }
+        bisect_marked();
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  DomainBisection<dim>::bisect_marked()
+  {
+    const auto all_domains = std::move(domains);
+    const auto all_edges   = std::move(edges_of);
+    domains.clear();
+    edges_of.clear();
+    is_new.clear();
+    for (unsigned int i = 0; i < all_domains.size(); ++i)
+      add_parts(all_domains[i], all_edges[i], false);
+    std::fill(is_marked.begin(), is_marked.end(), 0);
+  }
+
+
+
+  template <int dim>
+  void
+  DomainBisection<dim>::add_parts(const PointDomain<dim> &domain,
+                                  const Edges            &edges,
+                                  const bool              is_part)
+  {
+    const unsigned int edge = longest(edges, [&](const unsigned int e) {
+      return is_marked[edges[e]] != 0;
+    });
+    if (edge == n_edges)
+      {
+        domains.push_back(domain);
+        edges_of.push_back(edges);
+        is_new.push_back(is_part);
+        return;
+      }
+    const auto [a, b] = edge_corners<dim>[edge];
+    for (const auto &[kept, lost] :
+         {std::make_pair(a, b), std::make_pair(b, a)})
+      {
+        PointDomain<dim> part = domain;
+        part.volume /= 2;
+        ++part.n_halvings;
+        part.ancestry  = Ancestry<dim>::of_part(domain.ancestry, kept, lost);
+        unsigned int c = 0;
+        for (unsigned int other = 0; other <= dim; ++other)
+          if (other != kept && other != lost)
+            {
+              part.reference[c] = domain.reference[other];
+              part.current[c++] = domain.current[other];
+            }
+        part.reference[c] = domain.reference[kept];
+        part.current[c++] = domain.current[kept];
+        // the same to the last bit in both parts
+        part.reference[c] =
+          domain.reference[a] + (domain.reference[b] - domain.reference[a]) / 2;
+        part.current[c] =
+          domain.current[a] + (domain.current[b] - domain.current[a]) / 2;
+        add_parts(part, number_edges(part), true);
+      }
+  }
+
+
+
+  template class DomainBisection<2>;
+  template class DomainBisection<3>;
+} // namespace isochor

@@ -1,0 +1,275 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+// The members of PointMerging that are about domains.
+#include <deal.II/base/mpi.h>
+
+#include <isochor/material_points/point_merging.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace isochor
+{
+  namespace
+  {
+    /** What was at the middle of the edge that was bisected last is the last
+     * corner of its parts, what they have of its ends the one before. */
+    template <int dim>
+    constexpr unsigned int middle = dim;
+    template <int dim>
+    constexpr unsigned int end = dim - 1;
+
+    /** The centroid at t = 0 of the domain that @p part is a half of. */
+    template <int dim>
+    Point<dim>
+    centroid_of_whole(const PointDomain<dim> &part)
+    {
+      auto corners = part.reference;
+      corners[middle<dim>] =
+        part.reference[middle<dim>] +
+        (part.reference[middle<dim>] - part.reference[end<dim>]);
+      return centroid<dim>(corners);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  PlaceTable<dim>
+  PointMerging<dim>::find_middles(const std::vector<PointDomain<dim>> &domains,
+                                  std::vector<unsigned int> &is_vetoed) const
+  {
+    const MPI_Comm comm       = grid.communicator();
+    const auto     is_willing = [&](const PointDomain<dim> &part) {
+      return part.ancestry > 0 && fits(2 * part.volume, part.cell);
+    };
+    PlaceTable<dim>     own(quantum);
+    std::vector<double> places;
+    for (const PointDomain<dim> &domain : domains)
+      if (is_willing(domain))
+        {
+          const unsigned int before = own.size();
+          if (own.find_or_add(domain.reference[middle<dim>]) == before)
+            for (unsigned int d = 0; d < dim; ++d)
+              places.push_back(domain.reference[middle<dim>][d]);
+        }
+    PlaceTable<dim> all(quantum);
+    for (const auto &of_rank : Utilities::MPI::all_gather(comm, places))
+      for (std::size_t i = 0; i < of_rank.size(); i += dim)
+        {
+          Point<dim> place;
+          for (unsigned int d = 0; d < dim; ++d)
+            place[d] = of_rank[i + d];
+          all.find_or_add(place);
+        }
+    is_vetoed.assign(all.size(), 0);
+    if (all.size() == 0)
+      return all;
+    for (const PointDomain<dim> &domain : domains)
+      for (unsigned int c = 0; c <= dim; ++c)
+        {
+          const unsigned int number = all.find(domain.reference[c]);
+          if (number != PlaceTable<dim>::none &&
+              !(c == middle<dim> && is_willing(domain)))
+            is_vetoed[number] = 1;
+        }
+    Utilities::MPI::max(is_vetoed, comm, is_vetoed);
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  PointMerging<dim>::exchange_parts(std::vector<Part> &parts) const
+  {
+    const MPI_Comm comm = grid.communicator();
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return;
+    std::vector<double> values;
+    for (const Part &part : parts)
+      {
+        for (unsigned int c = 0; c <= dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              values.push_back(part.domain.reference[c][d]);
+              values.push_back(part.domain.current[c][d]);
+            }
+        values.push_back(part.domain.volume);
+        values.push_back(part.domain.ancestry);
+        values.insert(values.end(),
+                      part.properties.begin(),
+                      part.properties.end());
+      }
+    parts.clear();
+    const auto         all  = Utilities::MPI::all_gather(comm, values);
+    const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
+    for (unsigned int r = 0; r < all.size(); ++r)
+      for (const double *value = all[r].data();
+           r != rank && value != all[r].data() + all[r].size();)
+        {
+          Part part;
+          for (unsigned int c = 0; c <= dim; ++c)
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                part.domain.reference[c][d] = *value++;
+                part.domain.current[c][d]   = *value++;
+              }
+          part.domain.volume   = *value++;
+          part.domain.ancestry = *value++;
+          part.properties.assign(value, value + points.layout().n_properties);
+          value += points.layout().n_properties;
+          parts.push_back(part);
+        }
+  }
+
+
+
+  template <int dim>
+  std::vector<typename PointMerging<dim>::Pair>
+  PointMerging<dim>::find_pairs(const std::vector<PointDomain<dim>> &domains,
+                                const PlaceTable<dim>               &middles,
+                                const std::vector<unsigned int>     &is_vetoed)
+  {
+    PlaceTable<dim>   wholes(quantum);
+    std::vector<Pair> pairs;
+    const auto        add = [&](const Part &part, const unsigned int number) {
+      const auto [kept, lost] = Ancestry<dim>::last(part.domain.ancestry);
+      const unsigned int i =
+        wholes.find_or_add(centroid_of_whole<dim>(part.domain));
+      if (i == pairs.size())
+        pairs.emplace_back();
+      pairs[i].middle                              = number;
+      pairs[i].parts[kept < lost ? 0 : 1]          = part;
+      pairs[i].parts[kept < lost ? 0 : 1].is_there = true;
+    };
+    auto particle = points.handler().begin();
+    for (unsigned int i = 0; i < domains.size(); ++i, ++particle)
+      {
+        const unsigned int number = middles.find(domains[i].reference[dim]);
+        if (domains[i].ancestry == 0 || number == PlaceTable<dim>::none ||
+            is_vetoed[number])
+          continue;
+        Part part;
+        part.domain       = domains[i];
+        const auto values = particle->get_properties();
+        part.properties.assign(values.begin(), values.end());
+        part.particle = particle;
+        part.is_own   = true;
+        add(part, number);
+      }
+    std::vector<Part> others;
+    for (const Pair &pair : pairs)
+      for (unsigned int i = 0; i < 2; ++i)
+        if (!pair.parts[i].is_there)
+          others.push_back(pair.parts[1 - i]);
+    exchange_parts(others);
+    for (const Part &part : others)
+      if (!part.is_own && wholes.find(centroid_of_whole<dim>(part.domain)) !=
+                            PlaceTable<dim>::none)
+        add(part, middles.find(part.domain.reference[dim]));
+    return pairs;
+  }
+
+
+
+  template <int dim>
+  bool
+  PointMerging<dim>::unite(Pair &pair) const
+  {
+    const Part &first = pair.parts[0], &second = pair.parts[1];
+    if (!first.is_there || !second.is_there ||
+        Ancestry<dim>::of_whole(first.domain.ancestry) !=
+          Ancestry<dim>::of_whole(second.domain.ancestry))
+      return false;
+    const Point<dim> a = first.domain.current[end<dim>],
+                     b = second.domain.current[end<dim>],
+                     m = first.domain.current[middle<dim>];
+    if (!((m - (a + (b - a) / 2)).norm() <= straightness * (b - a).norm()))
+      return false;
+
+    const auto [kept, lost] = Ancestry<dim>::last(first.domain.ancestry);
+    PointDomain<dim> &whole = pair.whole;
+    whole                   = first.domain;
+    whole.ancestry          = Ancestry<dim>::of_whole(first.domain.ancestry);
+    for (unsigned int c = 0, other = 0; c <= dim; ++c)
+      {
+        const Part        &part = (c == lost ? second : first);
+        const unsigned int from = (c == kept || c == lost ? end<dim> : other++);
+        whole.reference[c]      = part.domain.reference[from];
+        whole.current[c]        = part.domain.current[from];
+      }
+    Tensor<2, dim> was, is;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          was[d][c] = whole.reference[c + 1][d] - whole.reference[0][d];
+          is[d][c]  = whole.current[c + 1][d] - whole.current[0][d];
+        }
+    const Tensor<2, dim> F = is * invert(was);
+    if (!are_alike(first.properties, second.properties))
+      return false;
+    add_state(first.properties, second.properties, F, pair.properties);
+    whole.volume     = pair.properties[points.layout().volume] * determinant(F);
+    whole.location   = centroid<dim>(whole.current);
+    const auto place = locator.locate(whole.location, first.domain.cell);
+    whole.cell       = place.cell;
+    store_domain<dim>(whole, points.layout(), make_array_view(pair.properties));
+    return place.found && determinant(F) > 0 && fits(whole.volume, place.cell);
+  }
+
+
+
+  template <int dim>
+  types::particle_index
+  PointMerging<dim>::merge_domains()
+  {
+    const MPI_Comm            comm    = grid.communicator();
+    const auto                domains = point_domains(points);
+    std::vector<unsigned int> is_vetoed;
+    const PlaceTable<dim>     middles = find_middles(domains, is_vetoed);
+    if (middles.size() == 0)
+      return 0;
+    std::vector<Pair> pairs = find_pairs(domains, middles, is_vetoed);
+    // the parts around a middle together or none of them
+    for (Pair &pair : pairs)
+      if (!unite(pair))
+        is_vetoed[pair.middle] = 1;
+    Utilities::MPI::max(is_vetoed, comm, is_vetoed);
+    std::vector<Particles::ParticleIterator<dim>> vanishing;
+    for (Pair &pair : pairs)
+      {
+        if (is_vetoed[pair.middle])
+          continue;
+        Part &first = pair.parts[0], &second = pair.parts[1];
+        if (first.is_own)
+          {
+            std::copy(pair.properties.begin(),
+                      pair.properties.end(),
+                      first.particle->get_properties().begin());
+            first.particle->set_location(pair.whole.location);
+          }
+        if (second.is_own)
+          vanishing.push_back(second.particle);
+      }
+    points.handler().remove_particles(vanishing);
+    points.handler().update_cached_numbers();
+    return vanishing.size();
+  }
+
+
+
+  template PlaceTable<2>
+  PointMerging<2>::find_middles(const std::vector<PointDomain<2>> &,
+                                std::vector<unsigned int> &) const;
+  template types::particle_index
+  PointMerging<2>::merge_domains();
+  template PlaceTable<3>
+  PointMerging<3>::find_middles(const std::vector<PointDomain<3>> &,
+                                std::vector<unsigned int> &) const;
+  template types::particle_index
+  PointMerging<3>::merge_domains();
+} // namespace isochor

@@ -1,0 +1,165 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/material_points/point_domain.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isochor
+{
+  namespace
+  {
+    /** One more than there are pairs of corners. */
+    template <int dim>
+    constexpr double base = dim *(dim + 1) + 1;
+    /** Base to this power is less than 2^53. */
+    template <int dim>
+    constexpr unsigned int n_digits = (dim == 2 ? 18 : 14);
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<PointDomain<dim>>
+  point_domains(const MaterialPoints<dim> &points)
+  {
+    const PointLayout            &l = points.layout();
+    std::vector<PointDomain<dim>> domains;
+    domains.reserve(points.handler().n_locally_owned_particles());
+    for (const auto &particle : points.handler())
+      {
+        const auto           values = particle.get_properties();
+        const Tensor<2, dim> F = deformation_gradient<dim>(values.data(), l);
+        CornerVectors<dim>   corners;
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              corners[c + 1][d] = values[l.domain + c * dim + d];
+              corners[0][d] -= corners[c + 1][d];
+            }
+        PointDomain<dim> domain;
+        domain.location      = particle.get_location();
+        Point<dim> reference = domain.location;
+        for (unsigned int d = 0; d < dim; ++d)
+          reference[d] -= values[l.displacement + d];
+        for (unsigned int c = 0; c <= dim; ++c)
+          {
+            domain.reference[c] = reference + corners[c];
+            domain.current[c]   = domain.location + F * corners[c];
+          }
+        domain.volume = values[l.volume] * determinant(F);
+        domain.cell   = particle.get_surrounding_cell()->active_cell_index();
+        domain.point  = domains.size();
+        if (l.with_ancestry)
+          domain.ancestry = values[l.ancestry];
+        domains.push_back(domain);
+      }
+    return domains;
+  }
+
+
+
+  template <int dim>
+  void
+  store_domain(const PointDomain<dim>  &domain,
+               const PointLayout       &l,
+               const ArrayView<double> &properties)
+  {
+    const Point<dim> reference = centroid<dim>(domain.reference);
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        properties[l.displacement + d] = domain.location[d] - reference[d];
+        for (unsigned int c = 0; c < dim; ++c)
+          properties[l.domain + c * dim + d] =
+            domain.reference[c + 1][d] - reference[d];
+      }
+    if (l.with_ancestry)
+      properties[l.ancestry] = domain.ancestry;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  centroid(const typename PointDomain<dim>::Corners &corners)
+  {
+    Tensor<1, dim> from_first;
+    for (const Point<dim> &corner : corners)
+      from_first += (corner - corners[0]) / (dim + 1.);
+    return corners[0] + from_first;
+  }
+
+
+
+  template <int dim>
+  double
+  quantum_of_places(const BackgroundGrid<dim> &grid)
+  {
+    double largest = 0;
+    for (const Point<dim> &vertex : grid.geometry().vertices())
+      for (unsigned int d = 0; d < dim; ++d)
+        largest = std::max(largest, std::abs(vertex[d]));
+    return 1e-8 * largest;
+  }
+
+
+
+  template <int dim>
+  double
+  Ancestry<dim>::of_part(const double       whole,
+                         const unsigned int kept,
+                         const unsigned int lost)
+  {
+    const double digit = 1 + kept * dim + (lost < kept ? lost : lost - 1);
+    return std::fmod(whole, std::pow(base<dim>, n_digits<dim> - 1)) *
+             base<dim> +
+           digit;
+  }
+
+
+
+  template <int dim>
+  std::pair<unsigned int, unsigned int>
+  Ancestry<dim>::last(const double part)
+  {
+    const unsigned int pair = std::fmod(part, base<dim>) - 0.5;
+    const unsigned int kept = pair / dim, lost = pair % dim;
+    return {kept, lost < kept ? lost : lost + 1};
+  }
+
+
+
+  template <int dim>
+  double
+  Ancestry<dim>::of_whole(const double part)
+  {
+    return std::floor(part / base<dim>);
+  }
+
+
+
+  template struct Ancestry<2>;
+  template std::vector<PointDomain<2>>
+  point_domains(const MaterialPoints<2> &);
+  template void
+  store_domain(const PointDomain<2> &,
+               const PointLayout &,
+               const ArrayView<double> &);
+  template Point<2>
+  centroid<2>(const typename PointDomain<2>::Corners &);
+  template double
+  quantum_of_places(const BackgroundGrid<2> &);
+  template struct Ancestry<3>;
+  template std::vector<PointDomain<3>>
+  point_domains(const MaterialPoints<3> &);
+  template void
+  store_domain(const PointDomain<3> &,
+               const PointLayout &,
+               const ArrayView<double> &);
+  template Point<3>
+  centroid<3>(const typename PointDomain<3>::Corners &);
+  template double
+  quantum_of_places(const BackgroundGrid<3> &);
+} // namespace isochor
