@@ -122,14 +122,19 @@ namespace isochor
     bool walls = false;
     for (const auto &equation : contact[0].equations)
       walls = walls || equation.how == NodalConstraints::in_contact;
+    // what a wall along an axis holds may also follow a rigid side, a periodic
+    // partner or a tie, or be followed
+    if (!contact[0].equations.empty() || !constraints.ties.node.empty())
+      for (const auto how : contact[0].constrained)
+        walls = walls || how == NodalConstraints::in_contact;
     if (Utilities::MPI::max(walls ? 1 : 0, step.grid.communicator()) == 0)
       return;
     std::array<Followers, 3> places;
     for (unsigned int k = 0; k < 3; ++k)
       {
-        NodalConstraints all = contact[k];
-        if (all.equations.empty())
-          all = *at[k];
+        // see constraints_at()
+        NodalConstraints all =
+          k > 0 && contact[k].equations.empty() ? *at[k] : contact[k];
         all.ties = constraints.ties;
         all.resolve(nc);
         places[k] = displacement_followers(all, nc);

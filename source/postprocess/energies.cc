@@ -354,12 +354,7 @@ namespace isochor
         }
       force.compress(VectorOperation::add);
 
-      // in statics nothing reacts before the first step, unless the body is
-      // stressed from the start
-      const bool starts_unloaded =
-        result.time.step == 0 && initial_energy == 0.;
-      std::map<unsigned int, double> new_reactions;
-      double                         work = 0;
+      double work = work_of_walls_at_sides(result);
       for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
         for (unsigned int a = 0; a < dim; ++a)
           {
@@ -368,21 +363,83 @@ namespace isochor
             work += force.local_element(i) / 2 * u;
             if (result.system.equation(i) != numbers::invalid_unsigned_int)
               continue;
-            const unsigned int entry = step.nodes.vertex(node) * dim + a;
             // of what follows others: of the motion that is prescribed for it
-            const bool   follows = result.system.follows(i);
-            const double moved =
-              follows ? result.system.prescribed_value(i) : u;
-            const double R     = follows ? result.system.follower_force(i) :
-                                           result.system.residual.local_element(i);
-            const auto   old_R = reactions.find(entry);
-            work += (R + (old_R != reactions.end() ? old_R->second :
-                          starts_unloaded          ? 0. :
-                                                     R)) /
-                    2 * moved;
-            new_reactions[entry] = R;
+            const bool follows = result.system.follows(i);
+            if (follows && is_on_side(result, node))
+              continue;
+            work +=
+              work_of_reaction(result,
+                               i,
+                               follows ?
+                                 result.system.follower_force(i) :
+                                 result.system.residual.local_element(i),
+                               follows ? result.system.prescribed_value(i) : u);
           }
       reactions.swap(new_reactions);
+      new_reactions.clear();
+      return work;
+    }
+
+    /** The mean of a reaction @p R (N), at the end of the step, and the one
+     * before of the same entry, times a way (m). */
+    double
+    work_of_reaction(const StepResult<dim> &result,
+                     const unsigned int     entry,
+                     const double           R,
+                     const double           moved)
+    {
+      const unsigned int nc = result.step.n_components;
+      const unsigned int component =
+        result.step.nodes.vertex(entry / nc) * dim + entry % nc;
+      // in statics nothing reacts before the first step, unless the body is
+      // stressed from the start
+      const bool starts_unloaded =
+        result.time.step == 0 && initial_energy == 0.;
+      const auto   old_R       = reactions.find(component);
+      const double before      = old_R != reactions.end() ? old_R->second :
+                                 starts_unloaded          ? 0. :
+                                                            R;
+      new_reactions[component] = R;
+      return (R + before) / 2 * moved;
+    }
+
+    /** Whether a node follows a rigid side, or what does. */
+    static bool
+    is_on_side(const StepResult<dim> &result, const unsigned int node)
+    {
+      bool follows = false;
+      for (unsigned int a = 0; a < dim; ++a)
+        follows = follows || result.system.follows_changing(
+                               node * result.step.n_components + a);
+      return follows;
+    }
+
+    /** Of the walls at nodes that follow rigid sides along them: the way is
+     * that of the wall, not what of it stands in an equation which changes
+     * with the rotation of the side. */
+    double
+    work_of_walls_at_sides(const StepResult<dim> &result)
+    {
+      const MixedSystem<dim> &system    = result.system;
+      const auto             &equations = system.constraint_equations();
+      double                  work      = 0;
+      for (unsigned int k = 0; k < equations.size(); ++k)
+        {
+          const auto &equation = equations[k];
+          if (equation.pivot == NodalConstraints::Equation::none ||
+              equation.precedence >= Precedence::periodic || equation.changes)
+            continue;
+          const unsigned int nc      = result.step.n_components;
+          const unsigned int node    = equation.pivot / nc;
+          bool               on_side = false;
+          for (unsigned int a = 0; a < dim; ++a)
+            on_side = on_side || system.follows_changing(node * nc + a);
+          if (on_side && node < result.step.nodes.n_owned())
+            work += work_of_reaction(result,
+                                     equation.pivot,
+                                     system.multiplier(k),
+                                     equation.value);
+        }
       return work;
     }
 
@@ -398,7 +455,7 @@ namespace isochor
     double stiffness = 0;
     /** Of held unknowns of this rank's vertices at the end of the last step, by
      * dim * vertex + component. */
-    std::map<unsigned int, double> reactions;
+    std::map<unsigned int, double> reactions, new_reactions;
   };
 
   ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Energies, "Energies")

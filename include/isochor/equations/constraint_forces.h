@@ -55,6 +55,13 @@ namespace isochor
       return multipliers[equation];
     }
 
+    /** Those of the constraints. */
+    const std::vector<NodalConstraints::Equation> &
+    all_equations() const
+    {
+      return equations;
+    }
+
     /** Whether a wall, a rigid side or a prescribed displacement acts on this
      * entry. */
     bool

@@ -112,6 +112,16 @@ namespace isochor
                tied.followers().value[k];
     }
 
+    /** Whether an entry follows with coefficients that change with the
+     * unknowns, as on rigid sides. */
+    bool
+    follows_changing(const unsigned int entry) const
+    {
+      const unsigned int k = tied.follower(entry);
+      return k != TiedElements::none &&
+             tied.followers().has(k, Followers::changes);
+    }
+
     /** follower_force(), but of ties only (NodalTies). */
     double
     tie_force(const unsigned int entry) const
@@ -128,6 +138,13 @@ namespace isochor
     followers() const
     {
       return tied.followers();
+    }
+
+    /** Those of the constraints, with the entries that follow by them. */
+    const std::vector<NodalConstraints::Equation> &
+    constraint_equations() const
+    {
+      return constraint_forces.all_equations();
     }
 
     /** λ of an equation of the constraints, see ConstraintForces. Valid after
