@@ -5,14 +5,17 @@ A system is a folder of include/isochor/ and the folder of the same name in
 source/. One uses another if a file of it includes a header of the other one.
 The checks: headers and sources lie in folders of the same name; no system
 uses, directly or through others, one that uses it; no file has more than 500
-lines; the picture in doc/architecture.md shows what the files say.
+lines; the picture and the table of large classes in doc/architecture.md show
+what the files say.
 
     check_systems.py            exit code 1 and a list of what is wrong
-    check_systems.py --picture  write the picture into doc/architecture.md
+    check_systems.py --picture  write both into doc/architecture.md
 """
 import pathlib
 import re
 import sys
+
+import class_sizes
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "doc" / "architecture.md"
@@ -80,13 +83,25 @@ def problems():
     if BEGIN + picture(uses) + END not in PAGE.read_text():
         yield ("the picture in doc/architecture.md is out of date: "
                "run tests/check_systems.py --picture")
+    yield from class_sizes.problems(large_classes(), PAGE.read_text())
+
+
+def large_classes():
+    return class_sizes.large_classes(path for _, path in system_files())
+
+
+def write(begin, end, text):
+    """Into the page, between two lines."""
+    page = PAGE.read_text()
+    start, stop = page.index(begin) + len(begin), page.index(end)
+    PAGE.write_text(page[:start] + text + page[stop:])
 
 
 def main():
     if sys.argv[1:] == ["--picture"]:
-        page = PAGE.read_text()
-        start, end = page.index(BEGIN) + len(BEGIN), page.index(END)
-        PAGE.write_text(page[:start] + picture(read_uses()) + page[end:])
+        write(BEGIN, END, picture(read_uses()))
+        write(class_sizes.BEGIN, class_sizes.END,
+              class_sizes.table(large_classes(), PAGE.read_text()))
         return 0
     found = list(problems())
     print("\n".join(found) if found else "systems: no cycle, files as they should be")

@@ -14,6 +14,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "../doc/plugins/elastic_bed.cc"
 #include "checkpoint_scene.h"
 
 using namespace isochor;
@@ -158,8 +159,8 @@ test_kept_grid(const MPI_Comm comm)
 
 
 
-/** Walls, a rigid side and periodic sides remember where they are, on a grid
- * that is put back every third step. */
+/** Walls, a rigid side and periodic sides remember where they are, and a bed of
+ * springs which nodes it has, on a grid that is put back every third step. */
 void
 test_linear_equations(const MPI_Comm comm)
 {
@@ -172,6 +173,8 @@ test_linear_equations(const MPI_Comm comm)
     {"Grid reset/Steps between resets", "3"},
     {"Boundary conditions/Displacement", ""},
     {"Boundary conditions/Walls", "bottom: n >= -0.005"},
+    {"Boundary conditions/Elastic bed/Boundary", "left"},
+    {"Boundary conditions/Elastic bed/Stiffness", "1e4"},
     {"Boundary conditions/Rigid sides",
      "top: x = 0, force y = -200*t, moment = 20*t"}};
   for (const std::string periodic : {"", "left: right"})

@@ -11,6 +11,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "../doc/plugins/elastic_bed.cc"
+#include "../doc/plugins/lever.cc"
 #include "scene.h"
 
 using namespace isochor;
@@ -120,6 +122,44 @@ test_rigid_sides_on_adaptive_grid(const std::string &settings)
                                  -reaction),
                         1e-7);
     }
+}
+
+/** Conditions that know vertices find them again when the grid changes. A bed
+ * of stiff springs holds a block as a fixed side does; the sides of a lever
+ * move by 1 to -2. */
+void
+test_plugins_on_adaptive_grid()
+{
+  const std::string block =
+    adaptive +
+    "Adaptive grid/Cell size = if(x < 0.1 + t, 0.12, 0.3)\n"
+    "Cut cells/Extension = never\nMaterial/Young modulus = 1e4\nNewton/Tolerance = 1e-10\n"
+    "Postprocess/Reactions = top\nTime/Step size = 0.25\n"
+    "Postprocess/Point probes = b: 0.5, 0.001; t: 0.5, 0.999\n"
+    "Boundary conditions/Displacement = left: x = 0; right: x = 0; ";
+  const auto fixed = test::run_scene<2>(block + "bottom: y = 0; top: y = "
+                                                "-0.001*t\n");
+  const auto bed =
+    test::run_scene<2>(block + "top: y = -0.001*t\nBoundary conditions/Elastic "
+                               "bed/Boundary = bottom\nBoundary conditions/"
+                               "Elastic bed/Stiffness = 1e12\n");
+  const std::string reaction = "Reaction y on top (N)";
+  test::check("the grid of the bed changes",
+              get(*bed, "Changes of grid") > 1,
+              "");
+  test::check_error("an elastic bed on an adaptive grid",
+                    relative(get(*bed, reaction), get(*fixed, reaction)),
+                    1e-6);
+  const auto lever =
+    test::run_scene<2>(block + "\nBoundary conditions/Lever/Boundaries = "
+                               "bottom, top\nBoundary conditions/Lever/Ratio "
+                               "= 2\nBoundary conditions/Lever/Force = "
+                               "100*t\n");
+  test::check_error("a lever on an adaptive grid",
+                    relative(get(*lever, "Displacement y of t (m)"),
+                             -1.997 / 0.997 *
+                               get(*lever, "Displacement y of b (m)")),
+                    1e-2);
 }
 
 /** Simple shear by γ of a periodic cell with three sizes of triangles, σ_xy =
@@ -273,6 +313,24 @@ test_reactions()
                 warnings.find("<Force x through left and right (N)>") !=
                   std::string::npos,
               warnings);
+  const auto of_bottom = [](const std::string &held) {
+    const auto problem = test::run_scene<2>(
+      "Grid/Subdivisions = 2, 2\nMaterial/Young modulus = 1e4\nPostprocess/"
+      "Reactions = bottom\nBoundary conditions/Displacement = top: x = 0, y = "
+      "0.01*t" +
+      held);
+    std::string all;
+    for (const auto &warning : problem->all_warnings().all())
+      all += test::one_line(warning.text);
+    return all;
+  };
+  const std::string text = "no displacement of nodes that the material touches",
+                    none = of_bottom("\n"),
+                    open = of_bottom("; bottom: y >= -0.1\n");
+  test::check("reaction of a side that nothing holds, and of an open one",
+              none.find(text) != std::string::npos &&
+                open.find(text) == std::string::npos,
+              none + open);
   const std::string error = message(cell + "Postprocess/Reactions = roof\n");
   test::check("reaction of a surface of the body",
               error.find("<Reaction x on roof by boundary points (N)>") !=
@@ -308,10 +366,47 @@ test_warnings()
   test::check("a plate that leaves a wall", away.empty(), away);
   test::check("a plate that goes through a wall",
               against.find("<Boundary conditions/Walls> and <Boundary "
-                           "conditions/Rigid sides> determine the same 1 "
+                           "conditions/Rigid sides = top> determine the same 1 "
                            "displacement") != std::string::npos &&
                 against.find("by up to 0.025 m") != std::string::npos,
               against);
+  const std::string fixed_top =
+    keep +
+    "Boundary conditions/Rigid sides = top: x = 0, y = -0.01*t, rotation "
+    "= 0; right: ";
+  const std::string sides = "<Boundary conditions/Rigid sides = top> and "
+                            "<Boundary conditions/Rigid sides = right> "
+                            "determine the same 2 displacement components of "
+                            "nodes, as at (1, 1), ";
+  const std::string apart = warnings("Displacement =\n" + fixed_top +
+                                     "x = 0.01*t, y = 0.02*t, rotation = 0\n");
+  test::check("two rigid sides that contradict each other",
+              apart.find(sides + "otherwise, by up to 0.015 m") !=
+                std::string::npos,
+              apart);
+  const std::string free =
+    warnings("Displacement =\n" + fixed_top + "force x = 10*t\n");
+  test::check("a rigid side that parts from another one",
+              free.find(sides + "and for the second one they depend on what "
+                                "is free to move") != std::string::npos,
+              free);
+  const std::string motion =
+    "x = 0.01*t, y = 0, rotation = -0.03*t, centre = (0.3, 0.4)";
+  const std::string alike = warnings(
+    "Displacement =\nBoundary conditions/Rigid sides = top: " + motion +
+    "; right: " + motion + '\n' + keep);
+  test::check("two rigid sides that move as one",
+              alike.find("sides = top> and") == std::string::npos,
+              alike);
+  const std::string sheared =
+    warnings("Rigid sides = top: force x = 1000*t, rotation = 0, y = 0\n"
+             "Boundary conditions/Periodic sides = left: right\n"
+             "Grid/Subdivisions = 5, 5\nTime/Step size = 0.25\n"
+             "Material/Poisson ratio = 0.5\n" +
+             keep);
+  test::check("no contradiction by rounding of places",
+              sheared.find("determine the same") == std::string::npos,
+              sheared);
   test::check("corners of one pair of periodic sides",
               corner.find("no effect of <Boundary conditions/Hold periodic "
                           "corner>") != std::string::npos &&
@@ -459,6 +554,7 @@ main(int argc, char **argv)
   test_walls_on_adaptive_grid(up + cpdi);
   test_rigid_sides_on_adaptive_grid(up + cpdi);
   test_periodic_sides_on_adaptive_grid();
+  test_plugins_on_adaptive_grid();
   test_rigid_between_periodic(up);
   test_periodic_motion("");
   test_reactions();

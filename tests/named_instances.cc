@@ -10,6 +10,7 @@
 
 #include <filesystem>
 
+#include "../doc/plugins/elastic_bed.cc"
 #include "scene.h"
 
 using namespace isochor;
@@ -234,6 +235,10 @@ namespace
             "<Postprocess: a/Reactions>",
             "There are in <Postprocess: a>:",
             "<Reactions>"});
+    expect("parameter of a subsection of the type",
+           message(block + "subsection Boundary conditions: bed\nset Type = "
+                           "Elastic bed\nset Boundary = bottom\nend\n"),
+           {"did you mean <Boundary conditions: bed/Elastic bed/Boundary>?"});
     expect("message of the object",
            message(block + "subsection Postprocess: a\nset Type = Reactions\n"
                            "set Reactions = roof\nend\n"),
@@ -261,6 +266,21 @@ namespace
                            "set Displacement = left: y = 1\nend\n"),
            {"<Boundary conditions: side/Displacement> and <Boundary "
             "conditions/Displacement> prescribe 1 displacement components"});
+    const auto sides =
+      make(block + "subsection Boundary conditions\nset Rigid sides = top: x = "
+                   "0, y = -0.01*t, rotation = 0\nend\n"
+                   "subsection Boundary conditions: other\nset Type = Rigid "
+                   "sides\nset Rigid sides = right: x = 0, y = 0, rotation = "
+                   "0.01*t, centre = (1, 0)\nend\n",
+           "sides");
+    sides->run();
+    std::string apart;
+    for (const auto &warning : sides->all_warnings().all())
+      apart += one_line(warning.text) + "\n";
+    expect("two rigid sides of two sections",
+           apart,
+           {"<Boundary conditions/Rigid sides = top> and <Boundary conditions: "
+            "other/Rigid sides = right> determine the same 2"});
     const auto  idle = make(block + "subsection Boundary conditions: punch\n"
                                     "set Type = Surfaces of body\n"
                                     "set Penalty of body displacement = 10\n"

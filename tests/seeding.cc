@@ -321,8 +321,12 @@ test_corner_orders(const unsigned int n)
   double     error = 0;
   bool       kept  = true;
   const std::vector<std::array<Point<3>, 4>> tetrahedra = {
-    // of a cube, and one of no particular shape
+    // of a cube; the one in the middle of a cube of five, with three equal
+    // diagonals, and that turned and stretched, with two; one of no particular
+    // shape
     {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}},
+    {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}},
+    {{{0.5, 0, 0}, {-0.5, 0, 0}, {0, 0.5, 0.9}, {0, -0.5, 0.9}}},
     {{{0, 0, 0}, {1.1, 0.2, 0}, {0.3, 0.9, 0.1}, {0.2, 0.4, 1.3}}}};
   for (const auto &tetrahedron : tetrahedra)
     {

@@ -44,6 +44,7 @@ namespace isochor
     void
     initialize(const BackgroundGrid<dim> &grid) override
     {
+      vertices.clear(); // an adaptive grid has others from time to time
       if (boundary.empty())
         return;
       const types::boundary_id id =

@@ -58,6 +58,7 @@ namespace isochor
         {
           const types::boundary_id id =
             grid.boundary_id(names[k], this->parameter("Lever/Boundaries"));
+          vertices[k].clear(); // an adaptive grid has others from time to time
           for (const BoundaryFace &face : grid.boundary_faces())
             for (unsigned int v = 0; v <= dim && face.id == id; ++v)
               if (v != face.opposite_vertex)

@@ -216,8 +216,8 @@ namespace isochor
     /**
      * How unlikely it is that @p candidate is meant by @p path: the edit
      * distance of the names, plus that of the enclosing subsections. The latter
-     * counts little at most, since a right name in a wrong section is common.
-     */
+     * counts little at most, since a right name in a wrong section is common,
+     * and least in a section with a name, which is meant as it stands there. */
     std::pair<unsigned int, unsigned int>
     mismatch(const Path &path, const Path &candidate)
     {
@@ -227,8 +227,10 @@ namespace isochor
         return join_path(Path(p.begin(), p.end() - 1));
       };
       const unsigned int names = edit_distance(path.back(), candidate.back());
-      const unsigned int sections =
-        edit_distance(section(path), section(candidate));
+      unsigned int sections = edit_distance(section(path), section(candidate));
+      if (path.front() == candidate.front() &&
+          path.front().find(": ") != std::string::npos)
+        sections = std::min(sections, 1u);
       return {names + std::min(sections, wrong_section), sections};
     }
 

@@ -172,7 +172,10 @@ namespace isochor
     {
       unsigned int label = 0;
       for (const auto &side : sides)
-        side.constrain(step, this, label, constraints);
+        {
+          constraints.source = this->name + " = " + side.name();
+          side.constrain(step, this, label, constraints);
+        }
     }
 
     bool

@@ -51,11 +51,14 @@ namespace isochor
   std::string
   parameter_of(const std::string &source)
   {
-    const auto colon = source.find(": ");
-    return colon == std::string::npos ?
-             "Boundary conditions/" + source :
-             "Boundary conditions: " + source.substr(colon + 2) + "/" +
-               source.substr(0, colon);
+    const auto        sign = std::min(source.find(" = "), source.size());
+    const std::string name = source.substr(0, sign), item = source.substr(sign);
+    const auto        colon = name.find(": ");
+    return (colon == std::string::npos ?
+              "Boundary conditions/" + name :
+              "Boundary conditions: " + name.substr(colon + 2) + "/" +
+                name.substr(0, colon)) +
+           item;
   }
 
 
@@ -66,20 +69,24 @@ namespace isochor
                  const NodalConstraints &constraints,
                  const bool              in_contact)
   {
-    // formulas that mean the same differ by rounding
-    constexpr double rounding = 1e-10;
-    double           largest  = 0;
+    // formulas that mean the same differ by rounding: of what they prescribe,
+    // and of the places of nodes
+    constexpr double rounding = 1e-10, rounding_of_places = 1e-13;
+    double           largest = 0, farthest = 0;
+    for (const Point<dim> &vertex : step.grid.geometry().vertices())
+      for (unsigned int d = 0; d < dim; ++d)
+        farthest = std::max(farthest, std::abs(vertex[d]));
     for (const double increment : constraints.increment)
       largest = std::max(largest, std::abs(increment));
     for (const double value : constraints.followers.value)
       largest = std::max(largest, std::abs(value));
     largest = Utilities::MPI::max(largest, step.grid.communicator());
+    const double smallest = rounding * largest + rounding_of_places * farthest;
     std::map<std::pair<std::string, bool>, Group> own;
     for (const auto &conflict : constraints.conflicts)
       if (conflict.in_contact == in_contact &&
           conflict.entry < step.nodes.n_owned() * step.n_components &&
-          (conflict.difference == 0. ||
-           conflict.difference > rounding * largest))
+          (conflict.difference == 0. || conflict.difference > smallest))
         {
           Group &group =
             own[{conflict.winner + "\n" + conflict.loser, conflict.equal_rank}];
@@ -134,7 +141,7 @@ namespace isochor
             ". The first one counts there. If that isn't meant, let both "
             "prescribe the same, or leave these nodes out of one of them (the "
             "order is that of doc/method.md: displacements, walls, rigid "
-            "sides, periodic sides).");
+            "sides, periodic sides; of the same kind the one named first).");
       }
   }
 

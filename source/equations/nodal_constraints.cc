@@ -264,12 +264,12 @@ namespace isochor
     equation.pivot       = (i == none ? none : row[i].first);
     if (i == none)
       {
-        // what others hold must be what this one asks for
-        std::array<double, 3> rest{};
-        for (unsigned int b = 0; b < equation.n_vector; ++b)
-          rest[b] = (b == equation.component) - equation.projection[b];
+        // what others hold must be what this one asks for, along what walls
+        // hold and along the rest of the vector
+        std::array<double, 3> whole{};
+        whole[equation.component] = 1;
         if (equation.n_vector > 1)
-          combine(equation, number, rest);
+          combine(equation, number, whole);
         note_lost(equation, number);
         return;
       }

@@ -405,8 +405,9 @@ namespace isochor
                   ExcLinearSolverFailed(
                     "MUMPS: the matrix is singular, " +
                     std::to_string(n_null_pivots) +
-                    " pivot(s) vanish, and there is no solution. Are the "
-                    "boundary conditions enough to hold every body?"));
+                    " pivot(s) vanish, and there is no solution: the "
+                    "boundary conditions may not be enough to hold every "
+                    "body"));
     }
 
     void

@@ -117,7 +117,7 @@ namespace isochor
             }
           sum_over_ranks(force, step.grid.communicator());
           if (result.time.step == 0 && !tell_column(result, names[i]))
-            warn_if_free(step, names[i], touched, held);
+            warn_if_free(result, i, touched, held);
           for (unsigned int a = 0; a < dim; ++a)
             statistics.set(std::string("Reaction ") + "xyz"[a] + " on " +
                              names[i] + " (N)",
@@ -162,15 +162,31 @@ namespace isochor
       return false;
     }
 
-    void
-    warn_if_free(const StepContext<dim> &step,
-                 const std::string      &name,
-                 const bool              touched,
-                 const bool              held) const
+    /** Whether a condition names vertices of a boundary: one-sided ones may
+     * hold them later. */
+    bool
+    may_be_held(const StepResult<dim>        &result,
+                const std::set<unsigned int> &of_boundary) const
     {
-      const MPI_Comm comm = step.grid.communicator();
+      for (const auto &condition : result.conditions)
+        for (const unsigned int vertex : condition->held_vertices())
+          if (of_boundary.count(vertex) != 0)
+            return true;
+      return false;
+    }
+
+    void
+    warn_if_free(const StepResult<dim> &result,
+                 const unsigned int     i,
+                 const bool             touched,
+                 const bool             held) const
+    {
+      const StepContext<dim> &step = result.step;
+      const std::string      &name = names[i];
+      const MPI_Comm          comm = step.grid.communicator();
       if (Utilities::MPI::max(static_cast<int>(touched), comm) != 0 &&
-          Utilities::MPI::max(static_cast<int>(held), comm) == 0)
+          Utilities::MPI::max(static_cast<int>(held), comm) == 0 &&
+          !may_be_held(result, vertices[i]))
         step.warnings.add(
           "no reaction on <" + name + ">",
           "The reaction on <" + name + "> of the parameter <" +

@@ -119,7 +119,8 @@ namespace isochor
       Patterns::Integer(0),
       "Steps between two checkpoints, from which an interrupted "
       "run can be resumed. Another is written at the end. 0: "
-      "none after a number of steps.");
+      "none after a number of steps, and none at all, not even at "
+      "the end, if <Wall time interval> is 0, too.");
     prm.declare_entry("Wall time interval",
                       "0",
                       Patterns::Double(0),
@@ -404,7 +405,10 @@ namespace isochor
       }
     AssertThrow(newest < n_slots,
                 ExcMessage("There is no checkpoint to resume from in <" +
-                           directory + ">. " + problems));
+                           directory + ">. " + problems +
+                           " A run writes them if it sets "
+                           "<Checkpoint/Interval> or <Checkpoint/Wall time "
+                           "interval>."));
 
     run_on_all_ranks(comm, [&]() { check_problem(*slots[newest].contents); });
     restore(*slots[newest].contents, state);

@@ -321,8 +321,9 @@ namespace isochor
   StepSetup<dim>::collect_elements(
     const std::vector<EquationTerm<dim> *> &terms)
   {
-    if (!laid_out)
+    if (!laid_out && !is_resumed)
       return;
+    is_resumed = false;
     TimerOutput::Scope     scope(timer, "grid reset");
     const StepContext<dim> step = context();
     elements.clear();
@@ -407,8 +408,7 @@ namespace isochor
     boost::archive::binary_oarchive archive(stream);
     archive << scene.adaptation.save_state(scene.grid) << grid_reset;
     if (!grid_reset.due())
-      archive << touched_vertices << elements << first_element << arrays
-              << extension;
+      archive << touched_vertices << arrays << extension;
     return stream.str();
   }
 
@@ -426,9 +426,9 @@ namespace isochor
       grid_changed();
     archive >> grid_reset;
     is_current = false;
+    is_resumed = true;
     if (!grid_reset.due())
-      archive >> touched_vertices >> elements >> first_element >> arrays >>
-        extension;
+      archive >> touched_vertices >> arrays >> extension;
   }
 
 

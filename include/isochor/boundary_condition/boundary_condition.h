@@ -47,17 +47,20 @@ namespace isochor
     parse_parameters(ParameterHandler & /*prm*/)
     {}
 
-    /** Look up boundary names and the like; once, after the grid is made. */
+    /** Look up boundary names and the like, after the grid is made; and again
+     * when it has been replaced, unless grid_changed() does something else. */
     virtual void
     initialize(const BackgroundGrid<dim> & /*grid*/)
     {}
 
     /** The grid has been replaced (BackgroundGrid::change()): cells and
-     * vertices have other numbers. @p at_start: there was no step yet.
-     * Collective. */
+     * vertices have other numbers. @p at_start: there was no step yet. By
+     * default initialize() is called once more. Collective. */
     virtual void
-    grid_changed(const BackgroundGrid<dim> & /*grid*/, const bool /*at_start*/)
-    {}
+    grid_changed(const BackgroundGrid<dim> &grid, const bool /*at_start*/)
+    {
+      initialize(grid);
+    }
 
     /** For conditions on the body: where it is at t = 0, and its points, which
      * are set up anew before touch_vertices() is called. Both outlive this
@@ -68,7 +71,7 @@ namespace isochor
     {}
 
     /** The first step is set up: warn of what can't be meant, as parts of the
-     * parameters that act on nothing. See scene_checks.h. Collective. */
+     * parameters that act on nothing. See boundary_checks.h. Collective. */
     virtual void
     check_scene(const StepContext<dim> & /*step*/) const
     {}

@@ -9,6 +9,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace isochor
@@ -42,7 +43,9 @@ namespace isochor
    * are to be the opposite edges with the largest product of lengths. That is
    * the shortest diagonal, or close to it; of the two equally short ones in a
    * tetrahedron of a box it is the one whose parts have the shape of the whole.
-   * Of equal products the first one in the given order counts. In 2D: nothing.
+   * Of equal products that counts whose diagonal, turned such that its first
+   * component that isn't 0 is positive, comes last in the order of components.
+   * In 2D: nothing.
    */
   template <int dim, typename Vector>
   void
@@ -55,15 +58,38 @@ namespace isochor
                                                     {0, 2, 3, 1},
                                                     {0, 3, 1, 2}};
         const auto             given             = corners;
-        double                 largest           = 0;
+        // between the middles of two edges, twice; either sense means the same
+        const auto diagonal_of = [&given](const unsigned int(&order)[4]) {
+          Tensor<1, dim> d = (given[order[0]] - given[order[1]]) +
+                             (given[order[2]] - given[order[3]]);
+          const double size = d.norm();
+          for (unsigned int a = 0; a < dim; ++a)
+            if (std::abs(d[a]) > rounding * size)
+              return d[a] > 0 ? d : -d;
+          return d;
+        };
+        const auto comes_later = [](const Tensor<1, dim> &d,
+                                    const Tensor<1, dim> &e) {
+          const double equal = rounding * (d.norm() + e.norm());
+          for (unsigned int a = 0; a < dim; ++a)
+            if (std::abs(d[a] - e[a]) > equal)
+              return d[a] > e[a];
+          return false;
+        };
+        double         largest = 0;
+        Tensor<1, dim> best;
         for (const auto &order : even_orders)
           {
             const double product =
               (given[order[0]] - given[order[2]]).norm_square() *
               (given[order[1]] - given[order[3]]).norm_square();
-            if (product <= (1 + rounding) * largest)
+            const Tensor<1, dim> diagonal = diagonal_of(order);
+            if (product < (1 - rounding) * largest ||
+                (product <= (1 + rounding) * largest &&
+                 !comes_later(diagonal, best)))
               continue;
             largest = product;
+            best    = diagonal;
             for (unsigned int c = 0; c < 4; ++c)
               corners[c] = given[order[c]];
           }

@@ -73,7 +73,8 @@ namespace isochor
     bool
     repeats_first_step(const NodalField &unknowns);
 
-    /** Ask the @p terms for their elements, after a reset. */
+    /** Ask the @p terms for their elements, after a reset; and in a resumed run
+     * whose grid is kept, since terms remember what they named. */
     void
     collect_elements(const std::vector<EquationTerm<dim> *> &terms);
 
@@ -209,6 +210,7 @@ namespace isochor
     bool             nodes_changed = false;
     bool             is_fresh      = false;
     bool             laid_out      = false;
+    bool             is_resumed    = false; ///< without elements as yet
     /** Whether no point has moved since start_step(). */
     bool                      is_current = false;
     std::vector<unsigned int> touched_vertices;
