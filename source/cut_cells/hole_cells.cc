@@ -52,10 +52,10 @@ namespace isochor
   std::set<unsigned int>
   CellOccupancy<dim>::empty_cells_around(const unsigned int cell) const
   {
-    const unsigned int limit = grid.is_adaptive() ? most_cells : largest_hole;
+    const unsigned int most = grid.is_adaptive() ? most_cells : largest_hole;
     std::set<unsigned int>    gap       = {cell};
     std::vector<unsigned int> to_follow = {cell};
-    while (!to_follow.empty() && gap.size() <= limit)
+    while (!to_follow.empty() && gap.size() <= most)
       {
         const unsigned int next = to_follow.back();
         to_follow.pop_back();
@@ -75,8 +75,10 @@ namespace isochor
   {
     const SimplexGeometry<dim> &geometry = grid.geometry();
     Content                     hole;
-    unsigned int                n_neighbours = 0;
-    double J = 0, G = 0, volume = 0, volume_times_seeded = 0;
+    if (gap.size() > (grid.is_adaptive() ? most_cells : largest_hole))
+      return hole; // the gap may be larger than what was looked at
+    unsigned int n_neighbours = 0;
+    double       J = 0, G = 0, volume = 0, volume_times_seeded = 0;
     for (const unsigned int cell : gap)
       for (unsigned int i = 0; i <= dim; ++i)
         {
@@ -119,8 +121,6 @@ namespace isochor
   {
     if (gap.size() <= largest_hole)
       return true;
-    if (gap.size() > most_cells)
-      return false;
     double volume = 0;
     for (const unsigned int cell : gap)
       volume += grid.geometry().measure(cell);
