@@ -221,6 +221,39 @@ test_flight(const std::string &quadrature)
   test::check_error("no stress in flight", variation_of_stress(points), 1e-8);
 }
 
+/** Between the points of a stretched block is a gap that is a part of one cell
+ * at first, and many cells when the grid has been refined around it. It is
+ * integrated all the same: the stress stays homogeneous. */
+template <int dim>
+void
+test_refined_gap(const std::string &formulation)
+{
+  const auto problem = test::run_scene<dim>(
+    box<dim>(dim == 2 ? 4 : 3) + law +
+    "Material/Poisson ratio = 0.3\n"
+    "Grid/Stretch = y: 0 -> 0, 1 -> 0.2*t\n"
+    "Adaptive grid/Maximum level = " +
+    std::string(dim == 2 ? "2" : "1") +
+    "\nAdaptive grid/Cell size = if(t > 0.1, 0.07, 1)\n"
+    "Material points/Region = " +
+    (dim == 2 ? "(x - 0.54)^2 + (y - 0.6)^2 > 0.0081" :
+                "(x - 0.5)^2 + (y - 0.5)^2 + (z - 0.5)^2 > 0.0324") +
+    "\nQuadrature/Type = cell-filled\nFormulation/Type = " + formulation +
+    "\nBoundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0; "
+    "top: y=0.2*t" +
+    (dim == 3 ? "; front: z=0; back: z=0" : "") + "\nTime/Step size = 0.25\n");
+  test::check_error(formulation + ", dim " + std::to_string(dim) +
+                      ": a gap between points in a finer grid, stress",
+                    variation_of_stress(problem->material_points()),
+                    1e-9);
+  const std::string unit = (dim == 2 ? "(m^2)" : "(m^3)");
+  test::check_error("volume in the grid",
+                    std::abs(problem->last_statistics().get(
+                               "Volume in the grid " + unit) -
+                             1.15),
+                    1e-12);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -244,5 +277,8 @@ main(int argc, char **argv)
   test_carried<3>("CPDI");
   test_flight<2>("cell-filled");
   test_flight<2>("CPDI");
+  test_refined_gap<3>("u-p");
+  test_refined_gap<2>("u");
+  test_refined_gap<2>("u-p");
   return 0;
 }

@@ -243,6 +243,26 @@ namespace
            {"ERROR",
             "Material points/Points per cell in zones",
             "Material points/Lattice spacing"});
+    expect("domains that don't fit together",
+           messages<2>(
+             good +
+             "Material points/Points per cell in zones = 9: y > 0.5; 12: y > "
+             "0.75\n"),
+           {"WARNING",
+            "4 points beside 9 at 4 faces, 9 points beside 12 at 4 faces",
+            "<Material points/Points per cell in zones>",
+            "4, 6 and 12"});
+    expect("domains that fit together",
+           messages<2>(
+             good +
+             "Material points/Points per cell in zones = 12: y > 0.5; 6: y > "
+             "0.75\n"),
+           {});
+    expect("points without domains don't have to fit",
+           messages<2>(good +
+                       "Material points/Points per cell in zones = 9: y > "
+                       "0.5\nQuadrature/Type = cell-filled\n"),
+           {});
     expect("lattice and mesh",
            messages<2>(good + "Material points/Lattice spacing = 0.1\n"
                               "Material points/Body mesh = body.msh\n"),

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace isochor
 {
@@ -159,6 +160,50 @@ namespace isochor
 
 
 
+    /** Whether a cell around @p vertex holds points. */
+    template <int dim>
+    bool
+    is_near_points(const unsigned int        vertex,
+                   const CellOccupancy<dim> &occupancy)
+    {
+      for (const unsigned int cell : occupancy.cells_at(vertex))
+        if (const auto content = occupancy.content(cell))
+          if (!content->is_hole && content->reference_volume > 0)
+            return true;
+      return false;
+    }
+
+
+
+    /** The vertices whose states that of @p cell is made of: its own, or, if
+     * there are no points around these, of the nearest layer of cells around
+     * that has some. */
+    template <int dim>
+    std::set<unsigned int>
+    vertices_near_points(const unsigned int        cell,
+                         const CellOccupancy<dim> &occupancy)
+    {
+      constexpr unsigned int      most_layers = 16; // more than in any hole
+      const SimplexGeometry<dim> &geometry    = occupancy.grid.geometry();
+      const auto                 &own         = geometry.vertex_indices(cell);
+      std::set<unsigned int>      vertices(own.begin(), own.end());
+      for (unsigned int layer = 0; layer < most_layers; ++layer)
+        {
+          if (std::any_of(vertices.begin(), vertices.end(), [&](const auto v) {
+                return is_near_points(v, occupancy);
+              }))
+            break;
+          const auto inner = vertices;
+          for (const unsigned int v : inner)
+            for (const unsigned int other : occupancy.cells_at(v))
+              for (const unsigned int w : geometry.vertex_indices(other))
+                vertices.insert(w);
+        }
+      return vertices;
+    }
+
+
+
     /** Bring what this rank knows of holes of other ranks to these. */
     template <int dim>
     void
@@ -260,7 +305,7 @@ namespace isochor
       {
         if (geometry.owner(fill.first) == rank)
           holes.push_back(fill.first);
-        for (const unsigned int v : geometry.vertex_indices(fill.first))
+        for (const unsigned int v : vertices_near_points(fill.first, occupancy))
           {
             MeanStates<dim> around;
             add_points_around(v, points, occupancy, kernel, around);

@@ -55,7 +55,7 @@ namespace isochor
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       for (const unsigned int v : geometry.vertex_indices(cell))
         ranks[v].insert(geometry.owner(cell));
-    for (unsigned int layer = 0; layer < n_near_layers; ++layer)
+    for (unsigned int layer = 0; layer < n_near_layers(); ++layer)
       {
         auto wider = ranks;
         for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
@@ -168,7 +168,11 @@ namespace isochor
              ++q)
           {
             const double V0 = points.volume[q];
-            content.volume += determinant(points.F[q]) * V0;
+            const double J  = determinant(points.F[q]);
+            content.volume += J * V0;
+            if (!points.seeded_volume.empty())
+              content.volume_times_seeded +=
+                J * V0 * J * points.seeded_volume[q];
             content.reference_volume += V0;
             content.volume_times_G +=
               V0 * kernel.materials[points.material[q]]->shear_modulus();
@@ -259,7 +263,8 @@ namespace isochor
                        {double(content.cell),
                         content.volume,
                         content.reference_volume,
-                        content.volume_times_G});
+                        content.volume_times_G,
+                        content.volume_times_seeded});
           }
       }
     for (auto &cell : cells)
@@ -286,118 +291,15 @@ namespace isochor
     const std::size_t n_vertices = message[0];
     for (std::size_t i = 1; i <= n_vertices; ++i)
       activate(static_cast<unsigned int>(message[i]));
-    for (std::size_t i = 1 + n_vertices; i < message.size(); i += 4)
+    for (std::size_t i = 1 + n_vertices; i < message.size(); i += 5)
       {
         const double *in = &message[i];
         Content      &to = entry(static_cast<unsigned int>(in[0]));
         to.volume += in[1];
         to.reference_volume += in[2];
         to.volume_times_G += in[3];
+        to.volume_times_seeded += in[4];
       }
-  }
-
-
-
-  template <int dim>
-  void
-  CellOccupancy<dim>::find_hole_cells()
-  {
-    constexpr unsigned int none = SimplexGeometry<dim>::no_cell;
-    std::set<unsigned int> candidates;
-    for (const Content &content : contents)
-      for (const unsigned int cell : grid.geometry().neighbours(content.cell))
-        if (cell != none && this->content(cell) == nullptr)
-          candidates.insert(cell);
-
-    std::vector<Content> holes;
-    while (!candidates.empty())
-      {
-        const std::set<unsigned int> gap =
-          empty_cells_around(*candidates.begin());
-        const Content hole = fill_of_gap(gap);
-        for (const unsigned int cell : gap)
-          {
-            candidates.erase(cell);
-            if (hole.is_hole)
-              {
-                const double measure = grid.geometry().measure(cell);
-                holes.push_back(hole);
-                holes.back().cell   = cell;
-                holes.back().volume = measure;
-                holes.back().reference_volume *= measure;
-                holes.back().volume_times_G *= measure;
-              }
-          }
-      }
-    for (const Content &hole : holes)
-      {
-        entry_of_cell[hole.cell] = contents.size();
-        contents.push_back(hole);
-        for (const unsigned int v : grid.geometry().vertex_indices(hole.cell))
-          ++n_occupied_at[v];
-      }
-  }
-
-
-
-  template <int dim>
-  std::set<unsigned int>
-  CellOccupancy<dim>::empty_cells_around(const unsigned int cell) const
-  {
-    std::set<unsigned int>    gap       = {cell};
-    std::vector<unsigned int> to_follow = {cell};
-    while (!to_follow.empty() && gap.size() <= largest_hole)
-      {
-        const unsigned int next = to_follow.back();
-        to_follow.pop_back();
-        for (const unsigned int other : grid.geometry().neighbours(next))
-          if (other != SimplexGeometry<dim>::no_cell &&
-              content(other) == nullptr && gap.insert(other).second)
-            to_follow.push_back(other);
-      }
-    return gap;
-  }
-
-
-
-  template <int dim>
-  typename CellOccupancy<dim>::Content
-  CellOccupancy<dim>::fill_of_gap(const std::set<unsigned int> &gap) const
-  {
-    const SimplexGeometry<dim> &geometry = grid.geometry();
-    Content                     hole;
-    if (gap.size() > largest_hole)
-      return hole;
-    unsigned int n_neighbours = 0;
-    double       J = 0, G = 0;
-    for (const unsigned int cell : gap)
-      for (unsigned int i = 0; i <= dim; ++i)
-        {
-          const unsigned int other = geometry.neighbours(cell)[i];
-          if (other == SimplexGeometry<dim>::no_cell)
-            {
-              for (unsigned int v = 0; v <= dim; ++v)
-                if (v != i &&
-                    is_at_open_boundary(geometry.vertex_indices(cell)[v]))
-                  return hole;
-              continue;
-            }
-          if (gap.count(other) != 0)
-            continue;
-          const Content &neighbour = *content(other);
-          if (!(neighbour.reference_volume > 0))
-            return hole;
-          ++n_neighbours;
-          J += neighbour.volume / neighbour.reference_volume;
-          G += neighbour.volume_times_G / neighbour.reference_volume;
-        }
-    hole.is_hole = n_neighbours >= dim;
-    if (hole.is_hole)
-      {
-        hole.reference_volume = n_neighbours / J;
-        hole.volume_times_G   = G / J;
-      }
-    return hole;
   }
 
 

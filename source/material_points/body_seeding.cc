@@ -167,28 +167,20 @@ namespace isochor
 
 
   template <int dim>
-  std::vector<Seed<dim>>
-  BodySeeding<dim>::seeds_in_cells(
-    const SimplexGeometry<dim>                      &geometry,
-    const std::map<std::string, types::material_id> &group_ids,
-    const bool                                       with_domains) const
+  std::vector<typename BodySeeding<dim>::Zone>
+  BodySeeding<dim>::create_zones(const bool with_domains) const
   {
-    struct Zone
-    {
-      Quadrature<dim>                 rule;
-      std::vector<CornerVectors<dim>> domains;
-      Expression<dim>                 condition;
-    };
     std::vector<Zone> zones;
     const auto        add_zone = [&](const unsigned int     n_points,
                               const Expression<dim> &condition) {
       if (with_domains)
         {
           const auto points = material_points_with_domains<dim>(n_points);
-          zones.push_back({points.rule, points.domains, condition});
+          zones.push_back({n_points, points.rule, points.domains, condition});
         }
       else
-        zones.push_back({material_point_rule<dim>(n_points), {}, condition});
+        zones.push_back(
+          {n_points, material_point_rule<dim>(n_points), {}, condition});
     };
     // parts with edges half as long as those of the cell, which may be
     // stretched before they are longer than a cell
@@ -203,7 +195,32 @@ namespace isochor
                Expression<dim>(zone.second,
                                "Material points/Points per cell in zones",
                                FormulaVariables::space));
+    return zones;
+  }
 
+
+
+  template <int dim>
+  unsigned int
+  BodySeeding<dim>::find_zone(const std::vector<Zone> &zones,
+                              const Point<dim>        &centroid)
+  {
+    unsigned int zone = zones.size() - 1;
+    while (zone > 0 && !(zones[zone].condition(centroid, 0.) > 0))
+      --zone;
+    return zone;
+  }
+
+
+
+  template <int dim>
+  std::vector<Seed<dim>>
+  BodySeeding<dim>::seeds_in_cells(
+    const SimplexGeometry<dim>                      &geometry,
+    const std::map<std::string, types::material_id> &group_ids,
+    const bool                                       with_domains) const
+  {
+    const std::vector<Zone> zones = create_zones(with_domains);
     const Expression<dim>  in_body(parameters.region, "Material points/Region");
     std::vector<Seed<dim>> seeds;
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
@@ -220,9 +237,7 @@ namespace isochor
             centre += corners[v] / (dim + 1.);
           }
         order_for_subdivision<dim>(corners);
-        unsigned int zone = zones.size() - 1;
-        while (zone > 0 && !(zones[zone].condition(centre, 0.) > 0))
-          --zone;
+        const unsigned int     zone = find_zone(zones, centre);
         const Quadrature<dim> &rule = zones[zone].rule;
         for (unsigned int q = 0; q < rule.size(); ++q)
           {

@@ -6,6 +6,7 @@
 
 #include <isochor/base/expression.h>
 #include <isochor/material_points/material_points.h>
+#include <isochor/material_points/point_domain.h>
 #include <isochor/material_points/relocation.h>
 
 #include <algorithm>
@@ -273,6 +274,7 @@ namespace isochor
     arrays.velocity.resize(point_layout.dynamic ? n : 0);
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
+    arrays.seeded_volume.resize(point_layout.with_ancestry ? n : 0);
 
     const PointLayout &l = point_layout;
     for_each_in_arrays([&](const unsigned int q,
@@ -284,6 +286,8 @@ namespace isochor
       arrays.mass[q]     = properties[l.mass];
       arrays.weight[q]   = properties[l.volume];
       arrays.material[q] = static_cast<unsigned char>(properties[l.material]);
+      if (l.with_ancestry)
+        arrays.seeded_volume[q] = seeded_volume<dim>(properties, l);
       if (!l.with_domains)
         return;
       arrays.domain[q][0] = Tensor<1, dim>();

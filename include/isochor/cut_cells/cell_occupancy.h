@@ -40,7 +40,10 @@ namespace isochor
     /**
      * Take stock of @p points. If @p find_holes, a few empty cells in a row
      * that occupied ones enclose face by face become holes; these then count
-     * as occupied. Collective.
+     * as occupied. Where the grid has been refined since the points were
+     * seeded, a gap between few of them is many cells: on adaptive grids it
+     * also is a hole if it isn't larger than a few points as they were seeded.
+     * Collective.
      */
     void
     update(const PointArrays<dim> &points,
@@ -54,6 +57,9 @@ namespace isochor
       double       volume           = 0; ///< Σ J V_0 at t_n
       double       reference_volume = 0; ///< Σ V_0
       double       volume_times_G   = 0; ///< Σ V_0 G
+      /** Σ J V_0 J V_s, with the volumes V_s of the points as they were seeded
+       * (PointArrays::seeded_volume). */
+      double volume_times_seeded = 0;
       /** Without points: the measure of the cell is its volume, with J and G in
        * the mean of the cells around the hole. */
       bool is_hole = false;
@@ -161,7 +167,7 @@ namespace isochor
     void
     find_hole_cells();
     /** @p cell and the empty cells connected with it, as far as needed to see
-     * whether they are more than largest_hole. */
+     * whether they are more than a hole has. */
     std::set<unsigned int>
     empty_cells_around(const unsigned int cell) const;
     /** The content of each cell of a gap, in units of the cell's measure: J and
@@ -169,11 +175,33 @@ namespace isochor
      * not enclosed. */
     Content
     fill_of_gap(const std::set<unsigned int> &gap) const;
+    /** Whether an enclosed gap between points, one of which has the volume
+     * @p point as it was seeded (0 if the grid doesn't adapt), is as small as
+     * a hole. */
+    bool
+    is_small(const std::set<unsigned int> &gap, const double point) const;
+    /** Whether each cell of @p gap can be reached from each other one in at
+     * most largest_extent steps to neighbours. */
+    bool
+    is_compact(const std::set<unsigned int> &gap) const;
+    /** How many layers of cells around its own a rank has to know to agree with
+     * the others on all holes in them. */
+    unsigned int
+    n_near_layers() const
+    {
+      return (grid.is_adaptive() ? largest_extent : largest_hole) + 2;
+    }
 
-    /** Cells of a hole, at most, and how many layers of cells around its own a
-     * rank has to know to agree with the others on all of them. */
-    static constexpr unsigned int largest_hole  = (dim == 2 ? 6 : 2);
-    static constexpr unsigned int n_near_layers = largest_hole + 2;
+    /** Cells of a hole, at most, as long as the points are in the cells that
+     * they were seeded for. */
+    static constexpr unsigned int largest_hole = (dim == 2 ? 6 : 2);
+    /** On adaptive grids, otherwise: its volume, in those of points as they
+     * were seeded, its cells, and the steps from one to another. The volume is
+     * that of two cells of the original grid with the usual number of points,
+     * less than largest_hole allows there. */
+    static constexpr unsigned int most_points    = (dim == 2 ? 8 : 16);
+    static constexpr unsigned int most_cells     = 128;
+    static constexpr unsigned int largest_extent = (dim == 2 ? 12 : 6);
 
     std::vector<unsigned int>  cells_at_start, cells_at_vertices;
     std::vector<unsigned int>  n_cells_at;

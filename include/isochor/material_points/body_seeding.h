@@ -7,6 +7,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <isochor/base/expression.h>
+#include <isochor/base/warnings.h>
 #include <isochor/grid/background_grid.h>
 #include <isochor/material_points/seeding.h>
 
@@ -50,7 +52,33 @@ namespace isochor
           const bool                 with_domains,
           const unsigned int         n_materials) const;
 
+    /** Warn where simplex domains of cells with different numbers of points
+     * divide the face between them differently. */
+    void
+    check_domains(const BackgroundGrid<dim> &grid, Warnings &warnings) const;
+
   private:
+    /** Cells with the same number of points. */
+    struct Zone
+    {
+      unsigned int                    n_points;
+      Quadrature<dim>                 rule;
+      std::vector<CornerVectors<dim>> domains; ///< if there are any
+      Expression<dim>                 condition;
+    };
+
+    /** The last one that holds counts; the first one is everywhere. */
+    std::vector<Zone>
+    create_zones(const bool with_domains) const;
+    /** The zone of a cell with this @p centroid. */
+    static unsigned int
+    find_zone(const std::vector<Zone> &zones, const Point<dim> &centroid);
+    void
+    check_domains_in_cells(
+      const SimplexGeometry<dim>                      &geometry,
+      const std::map<std::string, types::material_id> &group_ids,
+      Warnings                                        &warnings) const;
+
     struct Parameters
     {
       unsigned int             points_per_cell = 0; ///< 0: by quadrature

@@ -113,6 +113,14 @@ namespace isochor
          const bool         with_domains = false,
          const bool         axisymmetric = false);
 
+    /** See BodySeeding::check_domains(); before the grid changes. */
+    void
+    check_domains(Warnings &warnings) const
+    {
+      if (point_layout.with_domains)
+        seeding.check_domains(grid, warnings);
+    }
+
     /**
      * Let @p change replace the mesh of the grid (it returns what
      * BackgroundGrid::change() does), and put the points into the new cells.

@@ -79,6 +79,9 @@ namespace isochor
     std::vector<double>         radius;
     std::vector<double>         history; ///< n_history values a point
     std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
+    /** V_0 of what the point was part of as it was seeded, before it was split;
+     * empty on grids that don't adapt. */
+    std::vector<double> seeded_volume;
     /** Domains at t = 0, if the layout has them. */
     std::vector<CornerVectors<dim>> domain;
 

@@ -1,0 +1,124 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/grid/mesh_reader.h>
+#include <isochor/material_points/body_seeding.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace isochor
+{
+  namespace
+  {
+    /** The corners of domains on the face x_dim = 0 of the reference simplex,
+     * in small units. The tilings divide all faces in the same way. */
+    template <int dim>
+    std::set<std::array<long, dim - 1>>
+    corners_on_face(const Quadrature<dim>                 &rule,
+                    const std::vector<CornerVectors<dim>> &domains)
+    {
+      constexpr double                    units = 1e8;
+      std::set<std::array<long, dim - 1>> corners;
+      for (unsigned int q = 0; q < domains.size(); ++q)
+        for (const Tensor<1, dim> &corner : domains[q])
+          if (const Point<dim> x = rule.point(q) + corner;
+              std::abs(x[dim - 1]) * units < 1)
+            {
+              std::array<long, dim - 1> place;
+              for (unsigned int d = 0; d + 1 < dim; ++d)
+                place[d] = std::lround(x[d] * units / 16);
+              corners.insert(place);
+            }
+      return corners;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  BodySeeding<dim>::check_domains(const BackgroundGrid<dim> &grid,
+                                  Warnings                  &warnings) const
+  {
+    if (parameters.zones.empty())
+      return;
+    if (parameters.body_mesh.empty())
+      return check_domains_in_cells(grid.geometry(),
+                                    grid.group_ids(),
+                                    warnings);
+    Triangulation<dim> body;
+    const MeshGroups   names =
+      read_mesh<dim>(parameters.body_mesh, "Material points/Body mesh", body);
+    check_domains_in_cells(SimplexGeometry<dim>(body), names.cells, warnings);
+  }
+
+
+
+  template <int dim>
+  void
+  BodySeeding<dim>::check_domains_in_cells(
+    const SimplexGeometry<dim>                      &geometry,
+    const std::map<std::string, types::material_id> &group_ids,
+    Warnings                                        &warnings) const
+  {
+    const std::vector<Zone>                          zones = create_zones(true);
+    std::vector<std::set<std::array<long, dim - 1>>> corners;
+    for (const Zone &zone : zones)
+      corners.push_back(corners_on_face<dim>(zone.rule, zone.domains));
+
+    // by cell; those without points are in none
+    const unsigned int    none = zones.size();
+    const Expression<dim> in_body(parameters.region, "Material points/Region");
+    std::vector<unsigned int> zone_of(geometry.n_cells(), none);
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      {
+        Point<dim> centroid;
+        for (const unsigned int v : geometry.vertex_indices(cell))
+          centroid += geometry.vertices()[v] / (dim + 1.);
+        if (in_body(centroid, 0.) > 0 &&
+            in_groups(geometry.cell_iterator(cell)->material_id(),
+                      parameters.groups,
+                      group_ids))
+          zone_of[cell] = find_zone(zones, centroid);
+      }
+
+    std::map<std::pair<unsigned int, unsigned int>, unsigned int> n_faces;
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      for (const unsigned int other : geometry.neighbours(cell))
+        if (other != SimplexGeometry<dim>::no_cell && other > cell &&
+            zone_of[cell] != none && zone_of[other] != none &&
+            corners[zone_of[cell]] != corners[zone_of[other]])
+          ++n_faces[std::minmax(zones[zone_of[cell]].n_points,
+                                zones[zone_of[other]].n_points)];
+    if (n_faces.empty())
+      return;
+    std::ostringstream text;
+    text << "The domains of the points don't fit together where cells of "
+            "different zones of <Material points/Points per cell in zones> "
+            "meet: ";
+    for (auto pair = n_faces.begin(); pair != n_faces.end(); ++pair)
+      text << (pair == n_faces.begin() ? "" : ", ") << pair->first.first
+           << " points beside " << pair->first.second << " at " << pair->second
+           << " faces";
+    text << ". Corners of domains hang on faces of others there, and even a "
+            "homogeneous stress has forces on them. Choose numbers that divide "
+            "the faces of cells alike ("
+         << (dim == 2 ? "1 and 3; 4, 6 and 12; 9 and 27; 16, 24 and 48" :
+                        "1 and 4; 8 and 32; 27 and 108")
+         << "), the same everywhere, or a <Quadrature/Type> without domains "
+            "(points, cell-filled).";
+    warnings.add("domains that don't fit together", text.str());
+  }
+
+
+
+  template void
+  BodySeeding<2>::check_domains(const BackgroundGrid<2> &, Warnings &) const;
+  template void
+  BodySeeding<3>::check_domains(const BackgroundGrid<3> &, Warnings &) const;
+} // namespace isochor
