@@ -10,6 +10,10 @@
 #include <isochor/boundary_condition/finite_rotation.h>
 #include <isochor/boundary_condition/wall_surface.h>
 
+#include <array>
+#include <iomanip>
+#include <sstream>
+
 #include "mesh_file.h"
 
 using namespace isochor;
@@ -390,6 +394,71 @@ test_sliding()
   test::check_error("sliding on along curved walls", relative(far, once), 2e-3);
 }
 
+/** The work of walls that move a plate's body: the strain energy, whatever
+ * the angle at which it stands. */
+void
+test_work_of_walls()
+{
+  for (const double degrees : {0., 30.})
+    {
+      const double c = std::cos(degrees * numbers::PI / 180),
+                   s = std::sin(degrees * numbers::PI / 180);
+      std::ostringstream corners;
+      corners << std::setprecision(17) << "0, 0; " << c << ", " << s << "; "
+              << c - s << ", " << s + c << "; " << -s << ", " << c << '\n';
+      const auto problem = test::run_scene<2>(
+        "Grid/Type = trapezoid\nGrid/Corners = " + corners.str() + keep +
+        "Grid/Subdivisions = 4, 4\nMaterial/Young modulus = 1e6\n"
+        "Time/Step size = 0.05\nNewton/Tolerance = 1e-11\n"
+        "Postprocess/Write energies = always\n"
+        "Boundary conditions/Rigid sides = top: rotation = 0\n"
+        "Boundary conditions/Walls = left: n = 0; bottom: n = 0; right: n = "
+        "0.02*t\n");
+      const double work   = get(*problem, "External work (J)"),
+                   energy = get(*problem, "Strain energy (J)");
+      test::check("work of walls at a rigid side, " +
+                    std::to_string(static_cast<int>(degrees)),
+                  energy > 10 && relative(work, energy) < 1e-3,
+                  std::to_string(work) + " and " + std::to_string(energy));
+    }
+}
+
+
+
+/** In dynamics walls that press start with the acceleration they have, also
+ * where what they hold follows a rigid side: whether they are given along an
+ * axis or along the normal. */
+void
+test_pressed_side()
+{
+  const auto run = [](const std::string &stops) {
+    const auto problem = test::run_scene<2>(
+      keep +
+      "Quadrature/Type = CPDI\nMaterial points/Points per cell = 4\n"
+      "Grid/Subdivisions = 4, 4\nMaterial/Young modulus = 1e6\n"
+      "Material/Poisson ratio = 0.4\nMaterial/Density = 1000\n"
+      "Dynamics/Inertia = true\nTime/Step size = 0.02\nTime/End time = 0.2\n"
+      "Newton/Tolerance = 1e-11\nPostprocess/Write energies = always\n"
+      "Boundary conditions/Rigid sides = top: force x = -2e4*min(1, 5*t), "
+      "force y = -3e4*min(1, 5*t)\nBoundary conditions/" +
+      stops + "\n");
+    return std::array<double, 2>{
+      {get(*problem, "Translation x of rigid side top (m)"),
+       get(*problem, "Energy lost by the scheme (J)")}};
+  };
+  const auto along_axes    = run("Displacement = left: x >= 0; bottom: y >= 0"),
+             along_normals = run("Walls = left: n >= 0; bottom: n >= 0");
+  test::check("a side pressed to walls starts alike",
+              relative(along_axes[0], along_normals[0]) < 1e-8,
+              std::to_string(along_axes[0]) + " and " +
+                std::to_string(along_normals[0]));
+  test::check("its energy is kept",
+              std::abs(along_axes[1]) < 2.,
+              std::to_string(along_axes[1]) + " J");
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -408,4 +477,6 @@ main(int argc, char **argv)
   test_curved_walls_3d("u", u);
   test_curved_walls_3d("u-p", up);
   test_sliding();
+  test_work_of_walls();
+  test_pressed_side();
 }
