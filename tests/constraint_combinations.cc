@@ -14,30 +14,16 @@
 #include "scene.h"
 
 using namespace isochor;
+using test::get;
+using test::relative;
 
 namespace
 {
-  const std::string keep = "Grid reset/Steps between resets = 0\n"
-                           "Grid reset/Smallest element quality = 0\n";
-
   /** Coarse cells of a quarter, smaller ones as far as x = 0.25 + t/2. */
   const std::string adaptive =
     "Grid/Type = adaptive\nGrid/Subdivisions = 4, 4\n"
     "Adaptive grid/Maximum level = 1\n"
     "Adaptive grid/Cell size = if(x < 0.3 + 0.5*t, 0.12, 0.3)\n";
-
-  template <int dim>
-  double
-  get(const MaterialPointMethod<dim> &problem, const std::string &column)
-  {
-    return problem.last_statistics().get(column);
-  }
-
-  double
-  relative(const double value, const double expected)
-  {
-    return std::abs(value / expected - 1);
-  }
 
   std::string
   message(const std::string &settings)
@@ -273,7 +259,7 @@ test_periodic_motion(const std::string &settings)
       "sin(2*pi*x)*y, cos(2*pi*x)*y\n"
       "Time/End time = 0.02\nTime/Step size = 0.005\n"
       "Postprocess/Point probes = A: 0.4, 0.6\n" +
-      keep + settings +
+      test::keep_grid + settings +
       "Boundary conditions/Displacement = bottom: x = 0, y = 0\n"
       "Boundary conditions/Periodic sides = left: right\n"
       "Boundary conditions/Rigid sides = top: force y = -0.02*" +
@@ -369,7 +355,7 @@ test_warnings()
                 against.find("by up to 0.025 m") != std::string::npos,
               against);
   const std::string fixed_top =
-    keep +
+    test::keep_grid +
     "Boundary conditions/Rigid sides = top: x = 0, y = -0.01*t, rotation "
     "= 0; right: ";
   const std::string sides = "<Boundary conditions/Rigid sides = top> and "
@@ -392,19 +378,22 @@ test_warnings()
     "x = 0.01*t, y = 0, rotation = -0.03*t, centre = (0.3, 0.4)";
   const std::string alike = warnings(
     "Displacement =\nBoundary conditions/Rigid sides = top: " + motion +
-    "; right: " + motion + '\n' + keep);
+    "; right: " + motion + '\n' + test::keep_grid);
   test::check("two rigid sides that move as one",
               alike.find("sides = top> and") == std::string::npos,
               alike);
-  const std::string sheared =
-    warnings("Rigid sides = top: force x = 1000*t, rotation = 0, y = 0\n"
+  // of loads only: increments of rounding size are all that is prescribed
+  const std::string turned =
+    warnings("Rigid sides = top: rotation = 0, force x = 0, force y = 1e6*t\n"
              "Boundary conditions/Periodic sides = left: right\n"
-             "Grid/Subdivisions = 5, 5\nTime/Step size = 0.25\n"
-             "Material/Poisson ratio = 0.5\n" +
-             keep);
+             "Grid/Type = trapezoid\nGrid/Corners = 0.1, 0.3; 1.1, 0.7; 0.7, "
+             "1.7; -0.3, 1.3\n"
+             "Grid/Subdivisions = 5, 5\nTime/Step size = 0.1\n"
+             "Material/Young modulus = 3e6\nMaterial/Poisson ratio = 0.3\n" +
+             test::keep_grid);
   test::check("no contradiction by rounding of places",
-              sheared.find("determine the same") == std::string::npos,
-              sheared);
+              turned.find("determine the same") == std::string::npos,
+              turned);
   test::check("corners of one pair of periodic sides",
               corner.find("no effect of <Boundary conditions/Hold periodic "
                           "corner>") != std::string::npos &&
@@ -429,7 +418,7 @@ test_guided_plate(const double degrees, const std::string &form)
        << "\nBoundary conditions/Rigid sides = top: force x = " << 3e6 * s
        << "*t, force y = " << -3e6 * c << "*t\n";
   const auto problem = test::run_scene<2>(
-    text.str() + keep + form +
+    text.str() + test::keep_grid + form +
     "Material/Young modulus = 1e7\nTime/Step size = 0.5\n"
     "Newton/Tolerance = 1e-11\nPostprocess/Reactions = left, right\n"
     "Boundary conditions/Walls = left: n = 0; right: n = 0; bottom: n = 0\n");

@@ -14,40 +14,13 @@
 #include "mesh_file.h"
 
 using namespace isochor;
+using test::get;
+using test::get_vector;
+using test::relative;
 
 namespace
 {
   using Vector3 = Tensor<1, 3>;
-
-  const std::string keep = "Grid reset/Steps between resets = 0\n"
-                           "Grid reset/Smallest element quality = 0\n";
-
-  double
-  relative(const double value, const double expected)
-  {
-    return std::abs(value / expected - 1);
-  }
-
-  template <int dim>
-  double
-  get(const MaterialPointMethod<dim> &problem, const std::string &column)
-  {
-    return problem.last_statistics().get(column);
-  }
-
-  /** Columns of three components; @p name has an x for them. */
-  Vector3
-  vector(const MaterialPointMethod<3> &problem, const std::string &name)
-  {
-    Vector3 v;
-    for (unsigned int a = 0; a < 3; ++a)
-      {
-        std::string column             = name;
-        column[column.find(" x ") + 1] = "xyz"[a];
-        v[a]                           = get(problem, column);
-      }
-    return v;
-  }
 
   /** An eighth of the hollow sphere 1 < r < 2, turned by @p R: n x n / 2 x n
    * prisms, each of three tetrahedra. */
@@ -200,7 +173,7 @@ test_sphere()
                kept     = energy(4,
                              some_turn(),
                              "n >= 1e-4*t",
-                             keep + "Time/Step size = 0.5\n"),
+                             test::keep_grid + "Time/Step size = 0.5\n"),
                expected = pressure * delta / 2 * numbers::PI / 2 * a * a;
   test::check_error("a hollow sphere", relative(fine, expected), 0.05);
   test::check_error("extrapolated",
@@ -248,7 +221,7 @@ test_some_rotations_free()
                             "-0.2*t");
   const FiniteRotation R(theta);
   const Vector3        Q =
-    R.pull_back(vector(*moved, "Moment x of rigid side top (N m)"));
+    R.pull_back(get_vector(*moved, "Moment x of rigid side top (N m)"));
   const auto work = [&](const unsigned int axis, const unsigned int along) {
     Vector3 e;
     e[axis] = 1;
@@ -259,7 +232,7 @@ test_some_rotations_free()
                              "y = " +
                              text(Q[1] / work(1, 1)));
   test::check_error("one rotation free",
-                    (vector(*one, rotation) - theta).norm(),
+                    (get_vector(*one, rotation) - theta).norm(),
                     1e-7);
   // (Tᵀ (0, M_y, M_z)) has the components Q_y and Q_z
   const double det = work(1, 1) * work(2, 2) - work(2, 1) * work(1, 2);
@@ -268,13 +241,13 @@ test_some_rotations_free()
     text((Q[1] * work(2, 2) - work(2, 1) * Q[2]) / det) +
     ", moment z = " + text((work(1, 1) * Q[2] - work(1, 2) * Q[1]) / det));
   test::check_error("two rotations free",
-                    (vector(*two, rotation) - theta).norm(),
+                    (get_vector(*two, rotation) - theta).norm(),
                     1e-7);
   // about y nothing acts
   const auto free =
     run_block(translation + "rotation x = 0.3*t, rotation z = -0.2*t");
-  const Vector3 turned  = vector(*free, rotation),
-                moments = vector(*free, "Moment x of rigid side top (N m)");
+  const Vector3 turned  = get_vector(*free, rotation),
+                moments = get_vector(*free, "Moment x of rigid side top (N m)");
   test::check("a free rotation turns", std::abs(turned[1]) > 1e-3, "");
   test::check_error("no moment does work on it",
                     std::abs(FiniteRotation(turned).pull_back(moments)[1]) /
@@ -394,7 +367,7 @@ main(int argc, char **argv)
   test_sphere();
   test_some_rotations_free();
   test_one_axis("");
-  test_one_axis(keep + "Time/Step size = 0.25\n");
+  test_one_axis(test::keep_grid + "Time/Step size = 0.25\n");
   test_slab();
   test_slab_scenes();
 }

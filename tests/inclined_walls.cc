@@ -17,9 +17,6 @@ using namespace isochor;
 
 namespace
 {
-  const std::string keep = "Grid reset/Steps between resets = 0\n"
-                           "Grid reset/Smallest element quality = 0\n";
-
   /** The unit square, or a prism of it, turned by @p degrees about z. */
   std::string
   turned_box(const double degrees)
@@ -105,9 +102,10 @@ test_tensions()
        {"points", "cell-filled", "cell-filled + boundary", "CPDI"})
     test_tension<2>("u-p, " + quadrature,
                     up + "Quadrature/Type = " + quadrature + '\n');
-  test_tension<2>("u, kept grid", u + keep + "Time/Step size = 0.25\n");
+  test_tension<2>("u, kept grid",
+                  u + test::keep_grid + "Time/Step size = 0.25\n");
   test_tension<2>("u-p, CPDI, kept grid",
-                  up + keep +
+                  up + test::keep_grid +
                     "Quadrature/Type = CPDI\nTime/Step size = 0.25\n");
   test_tension<2>("u-p, Block FGMRES",
                   up + "Linear solver/Solver = Block FGMRES\n");
@@ -121,7 +119,7 @@ test_tensions()
   const std::string dynamic =
     "Dynamics/Inertia = true\nMaterial/Density = 1000\nTime/End time = "
     "0.2\nTime/Step size = 0.02\n" +
-    keep;
+    test::keep_grid;
   test_tension<2>("u, dynamic", u + dynamic);
   test_tension<2>("u-p, CPDI, dynamic",
                   up + dynamic + "Quadrature/Type = CPDI\n");
@@ -182,11 +180,11 @@ test_contact()
     1e-8);
   // a wall 0.01 m away takes one fifth less
   const auto late = test::run_scene<2>(
-    block + keep +
+    block + test::keep_grid +
     "Time/Step size = 0.25\nBoundary conditions/Walls = left: n "
     "= 0; top: n = 0.05*t; bottom: n >= -0.01\n");
   const auto equal = test::run_scene<2>(
-    block + keep +
+    block + test::keep_grid +
     "Time/Step size = 0.25\nBoundary conditions/Walls = left: n "
     "= 0; top: n = 0.04*t; bottom: n = 0\n");
   test::check_error("a wall at a distance",
@@ -251,7 +249,7 @@ test_ring()
                     std::abs(reaction(*curved, "inner").norm() / expected - 1),
                     1e-7);
   for (const std::string &more :
-       {std::string(), keep + "Time/Step size = 0.5\n"})
+       {std::string(), test::keep_grid + "Time/Step size = 0.5\n"})
     {
       const auto turned = test::run_scene<2>(
         ring + turned_ring(25) + more +

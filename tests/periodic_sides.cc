@@ -15,9 +15,7 @@ namespace
   const std::string u  = "Formulation/Type = u\nMaterial/Poisson ratio = 0.3\n";
   const std::string up = "Formulation/Type = u-p\nFormulation/Stabilisation = "
                          "PPP\nMaterial/Poisson ratio = 0.5\n";
-  const std::string keep = "Grid reset/Steps between resets = 0\n"
-                           "Grid reset/Smallest element quality = 0\n"
-                           "Time/Step size = 0.25\n";
+  const std::string keep = test::keep_grid + "Time/Step size = 0.25\n";
 
   template <int dim>
   std::string

@@ -14,12 +14,10 @@
 #include "scene.h"
 
 using namespace isochor;
+using test::relative;
 
 namespace
 {
-  const std::string keep = "Grid reset/Steps between resets = 0\n"
-                           "Grid reset/Smallest element quality = 0\n";
-
   template <int dim>
   std::string
   block()
@@ -42,12 +40,6 @@ namespace
   {
     return problem.last_statistics().get(quantity + " of rigid side " + side +
                                          " (" + unit + ")");
-  }
-
-  double
-  relative(const double value, const double expected)
-  {
-    return std::abs(value / expected - 1);
   }
 
   /** Whether residuals of the last step fell quadratically at its end. */
@@ -327,7 +319,7 @@ test_torsion()
   const auto   run =
     [](const unsigned int n, const std::string &angle, const double step) {
       return test::run_scene<3>(
-        round_bar(n) + keep +
+        round_bar(n) + test::keep_grid +
         "Material/Young modulus = 1e4\nMaterial/Poisson ratio = 0.5\n"
         "Formulation/Type = u-p\nFormulation/Stabilisation = PPP\n"
         "Formulation/PPP coefficient = 1\nNewton/Tolerance = 1e-8\n"
@@ -375,7 +367,7 @@ test_spin()
   for (const std::string quadrature : {"points", "CPDI"})
     {
       const std::string turning =
-        block<2>() + keep +
+        block<2>() + test::keep_grid +
         "Dynamics/Inertia = true\nDynamics/Spectral radius = 1\n"
         "Material/Density = 1000\nMaterial/Young modulus = 1e7\n"
         "Time/End time = 1\nTime/Step size = 0.02\nNewton/Tolerance = 1e-8\n"
@@ -436,7 +428,7 @@ main(int argc, char **argv)
                          "PPP\nMaterial/Poisson ratio = 0.5\n";
   test_rotation();
   test_prescribed("u", "");
-  test_prescribed("u, kept grid", keep + "Time/Step size = 0.25\n");
+  test_prescribed("u, kept grid", test::keep_grid + "Time/Step size = 0.25\n");
   test_prescribed("u-p, CPDI", up + "Quadrature/Type = CPDI\n");
   const std::string lower = "bottom: x = 0, y = 0, rotation = 0;";
   const std::string upper = " top: x = 0.2*t, y = -0.05*t, rotation = -0.3*t";
@@ -454,7 +446,7 @@ main(int argc, char **argv)
                                "rotation z = -0.1*t";
   test_loads<3>("3D, u", "", lower_3d + upper_3d);
   test_loads<3>("3D, u, kept grid",
-                keep + "Time/Step size = 0.5\n",
+                test::keep_grid + "Time/Step size = 0.5\n",
                 lower_3d + upper_3d);
   test_loads<3>("3D, u-p, Block FGMRES",
                 up + "Linear solver/Solver = Block FGMRES\n",

@@ -17,48 +17,22 @@
 #include "mesh_file.h"
 
 using namespace isochor;
+using test::get;
+using test::get_vector;
+using test::relative;
 
 namespace
 {
   using Vector3 = Tensor<1, 3>;
 
-  const std::string keep   = "Grid reset/Steps between resets = 0\n"
-                             "Grid reset/Smallest element quality = 0\n";
   const std::string newton = "Newton/Tolerance = 1e-11\n"
                              "Newton/Reuse factorisation = 0\n"
                              "Postprocess/Write energies = always\n";
-
-  template <int dim>
-  double
-  get(const MaterialPointMethod<dim> &problem, const std::string &column)
-  {
-    return problem.last_statistics().get(column);
-  }
-
-  /** Columns of three components; @p name has an x for them. */
-  Vector3
-  vector(const MaterialPointMethod<3> &problem, const std::string &name)
-  {
-    Vector3 v;
-    for (unsigned int a = 0; a < 3; ++a)
-      {
-        std::string column             = name;
-        column[column.find(" x ") + 1] = "xyz"[a];
-        v[a]                           = get(problem, column);
-      }
-    return v;
-  }
 
   double
   difference(const Vector3 &value, const Vector3 &expected)
   {
     return (value - expected).norm() / expected.norm();
-  }
-
-  double
-  relative(const double value, const double expected)
-  {
-    return std::abs(value / expected - 1);
   }
 
   std::string
@@ -132,14 +106,14 @@ test_guided_plate(const std::string &form)
     {
       const Vector3 down    = R * Vector3({0, 0, -1});
       const auto    problem = test::run_scene<3>(
-        turned_box(R) + keep + newton + form +
+        turned_box(R) + test::keep_grid + newton + form +
         "Material/Young modulus = 1e7\nTime/Step size = 0.5\n"
            "Boundary conditions/Walls = x0: n = 0; x1: n = 0; y0: n = 0; y1: n = "
            "0; z0: n = 0\nBoundary conditions/Rigid sides = z1: " +
         components("force ", 3e6 * down) + '\n');
-      const Vector3 moved = vector(*problem, "Translation x" + top + "(m)"),
-                    turn  = vector(*problem, "Rotation x" + top + "(rad)"),
-                    force = vector(*problem, "Force x" + top + "(N)");
+      const Vector3 moved = get_vector(*problem, "Translation x" + top + "(m)"),
+                    turn  = get_vector(*problem, "Rotation x" + top + "(rad)"),
+                    force = get_vector(*problem, "Force x" + top + "(N)");
       const double way    = moved * down;
       test::check_error("a plate between four walls doesn't turn",
                         turn.norm(),
@@ -154,7 +128,7 @@ test_guided_plate(const std::string &form)
     }
   // the plate node by node
   const auto by_nodes = test::run_scene<3>(
-    turned_box(unit_symmetric_tensor<3>()) + keep + newton + form +
+    turned_box(unit_symmetric_tensor<3>()) + test::keep_grid + newton + form +
     "Material/Young modulus = 1e7\nTime/Step size = 0.5\n"
     "Postprocess/Reactions = z1\n"
     "Boundary conditions/Displacement = x0: x = 0; x1: x = 0; y0: y = 0; y1: "
@@ -194,17 +168,19 @@ test_two_walls(const std::string &name, const std::string &settings)
   const auto straight = run(no_turn, walls, loads(no_turn));
   const auto turned   = run(some_turn(), walls, loads(some_turn()));
   check_order("two walls, " + name);
-  const Vector3 moved = vector(*by_axes, "Translation x" + top + "(m)"),
-                turn  = vector(*by_axes, "Rotation x" + top + "(rad)");
+  const Vector3 moved = get_vector(*by_axes, "Translation x" + top + "(m)"),
+                turn  = get_vector(*by_axes, "Rotation x" + top + "(rad)");
   double worst        = 0;
   for (const auto *problem : {straight.get(), turned.get()})
     {
       const Tensor<2, 3> R = problem == turned.get() ? some_turn() : no_turn;
-      test::add_error(
-        worst,
-        difference(vector(*problem, "Translation x" + top + "(m)"), R * moved));
       test::add_error(worst,
-                      difference(vector(*problem, "Rotation x" + top + "(rad)"),
+                      difference(get_vector(*problem,
+                                            "Translation x" + top + "(m)"),
+                                 R * moved));
+      test::add_error(worst,
+                      difference(get_vector(*problem,
+                                            "Rotation x" + top + "(rad)"),
                                  R * turn));
       test::add_error(worst,
                       relative(get(*problem, "Strain energy (J)"),
@@ -218,13 +194,13 @@ test_two_walls(const std::string &name, const std::string &settings)
                         walls,
                         components("", some_turn() * moved) + ", " +
                           components("rotation ", some_turn() * turn));
-  test::check_error("its loads come back, " + name,
-                    std::max(difference(vector(*back, "Force x" + top + "(N)"),
-                                        some_turn() * force),
-                             difference(vector(*back,
-                                               "Moment x" + top + "(N m)"),
-                                        some_turn() * moment)),
-                    1e-7);
+  test::check_error(
+    "its loads come back, " + name,
+    std::max(difference(get_vector(*back, "Force x" + top + "(N)"),
+                        some_turn() * force),
+             difference(get_vector(*back, "Moment x" + top + "(N m)"),
+                        some_turn() * moment)),
+    1e-7);
 }
 
 namespace
@@ -351,10 +327,10 @@ test_curved_walls_3d(const std::string &name, const std::string &settings)
   const auto         straight = by_angle(no_turn, 0.2),
              turned           = by_angle(some_turn(), 0.2);
   check_order("curved and flat walls, " + name);
-  const Vector3 M = vector(*straight, "Moment x" + of_side + "(N m)");
+  const Vector3 M = get_vector(*straight, "Moment x" + of_side + "(N m)");
   test::check_error(
     "curved walls, turned, " + name,
-    std::max(difference(vector(*turned, "Moment x" + of_side + "(N m)"),
+    std::max(difference(get_vector(*turned, "Moment x" + of_side + "(N m)"),
                         some_turn() * M),
              relative(get(*turned, energy), get(*straight, energy))),
     1e-8);
@@ -368,7 +344,8 @@ test_curved_walls_3d(const std::string &name, const std::string &settings)
   const auto back = run(some_turn(), components("moment ", some_turn() * M));
   check_order("curved walls and moments, " + name);
   test::check_error("its rotation comes back, " + name,
-                    difference(vector(*back, "Rotation x" + of_side + "(rad)"),
+                    difference(get_vector(*back,
+                                          "Rotation x" + of_side + "(rad)"),
                                some_turn() * Vector3({0, 0, 0.2})),
                     1e-7);
 }
@@ -381,7 +358,7 @@ test_sliding()
 {
   const auto energy_after = [&](const unsigned int n) {
     const auto problem = test::run_scene<2>(
-      ring<2>(unit_symmetric_tensor<3>(), 1.6) + keep + newton +
+      ring<2>(unit_symmetric_tensor<3>(), 1.6) + test::keep_grid + newton +
       "Material/Young modulus = 1e4\nMaterial points/Region = 0.4 - "
       "atan2(y, x)\nBoundary conditions/Walls = x0: n = 0; x1: n = 0\n"
       "Time/End time = " +
@@ -407,7 +384,8 @@ test_work_of_walls()
       corners << std::setprecision(17) << "0, 0; " << c << ", " << s << "; "
               << c - s << ", " << s + c << "; " << -s << ", " << c << '\n';
       const auto problem = test::run_scene<2>(
-        "Grid/Type = trapezoid\nGrid/Corners = " + corners.str() + keep +
+        "Grid/Type = trapezoid\nGrid/Corners = " + corners.str() +
+        test::keep_grid +
         "Grid/Subdivisions = 4, 4\nMaterial/Young modulus = 1e6\n"
         "Time/Step size = 0.05\nNewton/Tolerance = 1e-11\n"
         "Postprocess/Write energies = always\n"
@@ -433,7 +411,7 @@ test_pressed_side()
 {
   const auto run = [](const std::string &stops) {
     const auto problem = test::run_scene<2>(
-      keep +
+      test::keep_grid +
       "Quadrature/Type = CPDI\nMaterial points/Points per cell = 4\n"
       "Grid/Subdivisions = 4, 4\nMaterial/Young modulus = 1e6\n"
       "Material/Poisson ratio = 0.4\nMaterial/Density = 1000\n"
@@ -466,7 +444,7 @@ main(int argc, char **argv)
   const std::string u  = "Formulation/Type = u\nMaterial/Poisson ratio = 0.3\n";
   const std::string up = "Formulation/Type = u-p\nFormulation/Stabilisation = "
                          "PPP\nMaterial/Poisson ratio = 0.45\n";
-  const std::string steps = keep + "Time/Step size = 0.5\n";
+  const std::string steps = test::keep_grid + "Time/Step size = 0.5\n";
   test_guided_plate(u);
   test_guided_plate(up);
   test_two_walls("u", u);

@@ -95,6 +95,39 @@ namespace isochor
       return problem;
     }
 
+    /** For set_parameters(): the grid moves with the body and is never put
+     * back. */
+    inline const std::string keep_grid =
+      "Grid reset/Steps between resets = 0\n"
+      "Grid reset/Smallest element quality = 0\n";
+
+    /** Of the last step's statistics. */
+    template <int dim>
+    double
+    get(const MaterialPointMethod<dim> &problem, const std::string &column)
+    {
+      return problem.last_statistics().get(column);
+    }
+
+    /** The same, of three columns: of the x in @p column, and of y and z in its
+     * place. */
+    inline Tensor<1, 3>
+    get_vector(const MaterialPointMethod<3> &problem, const std::string &column)
+    {
+      const auto   x = column.find(" x ") + 1;
+      Tensor<1, 3> v;
+      for (unsigned int a = 0; a < 3; ++a)
+        v[a] = get(problem, std::string(column).replace(x, 1, 1, "xyz"[a]));
+      return v;
+    }
+
+    /** |value / expected - 1| */
+    inline double
+    relative(const double value, const double expected)
+    {
+      return std::abs(value / expected - 1);
+    }
+
     /** Print "what: OK", or what went wrong, from rank 0 or where it did. */
     inline void
     check(const std::string &what, const bool ok, const std::string &details)

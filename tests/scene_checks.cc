@@ -225,13 +225,21 @@ namespace
         "Boundary conditions/Boundary points per face"}},
       {{"Material points/Points per cell = 4",
         "Material points/Lattice spacing = 0.125",
-        "Material points/Points per cell"}}};
+        "Material points/Points per cell"}},
+      {{"Material points/Merge points = always",
+        "",
+        "Material points/Merge points"}}};
     for (const auto &c : cases)
       {
         expect("without effect: " + c[0] + (c[1].empty() ? "" : ", ") + c[1],
                messages<2>(good + c[1] + "\n" + c[0] + "\n"),
                {"WARNING", "no effect", c[2]});
       }
+    expect("a tolerance where nothing is merged",
+           messages<2>(good + "Grid/Type = adaptive\nMaterial points/Merge "
+                              "points = never\n"
+                              "Material points/Merging tolerance = 1\n"),
+           {"WARNING", "no effect", "Material points/Merging tolerance"});
     expect("the default in other words",
            messages<2>(good + "Formulation/Type = u\n"
                               "Formulation/PPP coefficient = 1.0\n"),

@@ -14,6 +14,7 @@
 #include "scene.h"
 
 using namespace isochor;
+using test::relative;
 
 namespace
 {
@@ -114,12 +115,6 @@ reactions(const std::string &settings, const std::string &boundary = "top")
   history                  = {{column, {}}};
   test::run_scene<2>(block + settings);
   return history[column];
-}
-
-double
-relative(const double value, const double expected)
-{
-  return std::abs(value / expected - 1);
 }
 
 void

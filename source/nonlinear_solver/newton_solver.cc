@@ -376,7 +376,7 @@ namespace isochor
             matrix_is_current = expect_need = true;
             last_ratio = reduction = 1.;
             if (log != nullptr)
-              *log << "    contact changed\n";
+              *log << "    other conditions hold\n";
           }
       }
     return report;

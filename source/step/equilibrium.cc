@@ -197,14 +197,30 @@ namespace isochor
   NewtonReport
   Equilibrium<dim>::solve()
   {
-    const bool   predicted = predict();
-    NewtonReport report    = solve_with_contact();
+    const bool predicted = predict();
+    if (!predicted)
+      forget_plastic_matrix();
+    NewtonReport report = solve_with_contact();
     if (!report.converged && predicted)
       {
         start_from_rest();
+        forget_plastic_matrix();
         report = solve_with_contact();
       }
     return report;
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::forget_plastic_matrix()
+  {
+    const auto &materials = scene.kernel.materials;
+    if (std::any_of(materials.begin(), materials.end(), [](const auto &law) {
+          return law->dissipates();
+        }))
+      linear_step.forget_factorisation();
   }
 
 
@@ -225,7 +241,7 @@ namespace isochor
       {
         lay_out_system(false);
         if (terminal.log())
-          terminal.out() << "    contact changed" << std::endl;
+          terminal.out() << "    other conditions hold" << std::endl;
         report.continue_with(find_root(true));
       }
     // of nodes in contact only the last set counts
@@ -404,11 +420,11 @@ namespace isochor
       system.project_changing(unknowns);
     };
     // a few times: the set that holds at the end is found by the outer search
-    constexpr unsigned int most_changes = 8;
-    unsigned int           n_changes    = 0;
+    constexpr unsigned int most_looks = 8;
+    unsigned int           n_looks    = 0;
     if (with_contact)
-      problem.change_conditions = [this, &n_changes](const double force_scale) {
-        return ++n_changes <= most_changes &&
+      problem.change_conditions = [this, &n_looks](const double force_scale) {
+        return ++n_looks <= most_looks &&
                change_contact_on_the_way(force_scale);
       };
     relinearise();

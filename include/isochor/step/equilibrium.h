@@ -137,6 +137,11 @@ namespace isochor
     void
     settle_weight(NewtonReport &report);
 
+    /** Before a start from rest, where nothing flows: a matrix kept from points
+     * that did would make too much of the first correction, which takes in what
+     * is prescribed and can't be judged by its residual. */
+    void
+    forget_plastic_matrix();
     /** Begin the search for the nodes in contact, with those of the last step,
      * and lay out the system for it. */
     void
