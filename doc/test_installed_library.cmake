@@ -58,6 +58,19 @@ if(NOT n EQUAL 2)
   message(FATAL_ERROR "the tube in an annulus gives ${statistics}")
 endif()
 
+# the same in an adaptive grid of two plugins, within 0.3 %, fine where it is told to be
+run(COMMAND ${place}/usr/bin/isochor ${DOC}/plugins/adaptive_annulus.prm --quiet
+  --output-directory adaptive_tube IN ${place}/plugins)
+run(COMMAND tail -n 1 adaptive_tube/statistics.txt IN ${place}/plugins
+  OUTPUT ${place}/plugins/last_step_of_tube)
+file(READ ${place}/plugins/last_step_of_tube last_step)
+string(REGEX MATCHALL "(9[.]5[0-5][0-9]*e-04|0[.]00095[0-5][0-9]*)" walls "${last_step}")
+list(LENGTH walls n)
+# cells, leaves (384 coarse ones), coarsest and finest level, changes
+if(NOT n EQUAL 2 OR NOT last_step MATCHES " 1824 864 0 1 [12] ")
+  message(FATAL_ERROR "the tube in an adaptive annulus gives ${last_step}")
+endif()
+
 run(COMMAND ${place}/usr/bin/isochor ${DOC}/plugins/backward_euler.prm --quiet
   --output-directory fall IN ${place}/plugins)
 run(COMMAND tail -n 1 fall/statistics.txt IN ${place}/plugins
