@@ -10,6 +10,7 @@ quantity, as "u_y(A), displacement".
 """
 
 import csv
+import importlib.util
 import os
 import re
 import statistics as stat
@@ -24,6 +25,10 @@ sys.path.insert(0, str(ROOT / "prm" / "tools"))
 
 import isochor_output as output  # noqa: E402
 import numpy as np  # noqa: E402
+
+PRM = ROOT / "prm"
+# of scenes of which only the statistics are wanted
+QUIET = {"Postprocess/Write grid": "false", "Time/Output interval": 1e9}
 
 TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001)
 
@@ -93,6 +98,32 @@ class Anchor:
     error: float
     equations: int
     cpu: float = None
+
+
+# ----------------------------------------------------------- preparations ---
+
+
+def load(path):
+    """The Python module in the file @p path, which is on no search path."""
+    specification = importlib.util.spec_from_file_location(path.stem, path)
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    return module
+
+
+def mesh(geo, path, options=(), **numbers):
+    """Let gmsh mesh @p geo in 2D, unless @p path is there already."""
+    if path.exists():
+        return path
+    path.parent.mkdir(parents=True, exist_ok=True)
+    command = ["gmsh", "-2", str(geo), "-o", str(path), *options]
+    for name, value in numbers.items():
+        command += ["-setnumber", name, str(value)]
+    try:
+        subprocess.run(command, check=True, capture_output=True)
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise output.OutputError(f"gmsh failed: {error}") from error
+    return path
 
 
 # ------------------------------------------------------------- measuring ---

@@ -28,7 +28,6 @@ sys.path.insert(0, str(HERE))
 
 import harness  # noqa: E402
 import report  # noqa: E402
-import scenes  # noqa: E402
 from harness import ROOT, output  # noqa: E402
 
 PRM = ROOT / "prm"
@@ -48,7 +47,7 @@ class Work:
 
     def once(self, prm, overrides, executable=None):
         """(CPU seconds, MB) of one run."""
-        run = harness.Run("", "work", 0, prm, {**scenes.QUIET, **overrides})
+        run = harness.Run("", "work", 0, prm, {**harness.QUIET, **overrides})
         cost = harness.Cost([], [])
         harness.execute(
             executable or self.arguments.executable,
@@ -313,7 +312,7 @@ def overhead(work):
     """The whole run over its factorisations and solutions, wall time of the
     program's own clocks: the plate (h = 0.001 m, ν = 0.33) and Cook's membrane."""
     meshes = work.directory / "meshes"
-    plate = scenes.mesh(
+    plate = harness.mesh(
         PRM / "tension_plate" / "plate.geo", meshes / "plate.msh", h=0.001
     )
     cases = {
@@ -362,13 +361,13 @@ def pairs(work):
     if not work.arguments.baseline:
         return None
     meshes = work.directory / "meshes"
-    foot = scenes.mesh(
+    foot = harness.mesh(
         PRM / "strip_footing" / "footing.geo",
         meshes / "footing.msh",
         h=0.1,
         h_edge=0.025,
     )
-    plate = scenes.mesh(
+    plate = harness.mesh(
         PRM / "tension_plate" / "plate.geo", meshes / "plate.msh", h=0.001
     )
     old = work.arguments.baseline_prm

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/thickness.h>
 #include <isochor/boundary_condition/surface_forces.h>
 #include <isochor/equations/nodal_unknowns.h>
 
@@ -84,10 +85,9 @@ namespace isochor
   SurfaceForces<dim>::area(const StepContext<dim> &step,
                            const unsigned int      b) const
   {
-    const double length = points.reference_area(b).norm();
-    return step.kernel.axisymmetric ?
-             2 * numbers::PI * points.reference_location(b)[0] * length :
-             length;
+    return thickness(step.kernel.axisymmetric,
+                     points.reference_location(b)[0]) *
+           points.reference_area(b).norm();
   }
 
 
@@ -235,13 +235,11 @@ namespace isochor
       return EvaluationStatus::inverted_point;
     Tensor<1, dim> a = determinant(F) * (points.reference_area(b) * invert(F));
     // a ring of the radius at the end of the step
-    double radius = 0;
-    if (step.kernel.axisymmetric)
-      {
-        radius =
-          (points.reference_location(b) + displacement(step, unknowns, b))[0];
-        a *= 2 * numbers::PI * radius;
-      }
+    const double radius =
+      step.kernel.axisymmetric ?
+        (points.reference_location(b) + displacement(step, unknowns, b))[0] :
+        0.;
+    a *= thickness(step.kernel.axisymmetric, radius);
 
     const unsigned int nc = step.n_components, n_dofs = nodes.n_nodes * nc;
     for (unsigned int I = 0; I < nodes.n_nodes; ++I)

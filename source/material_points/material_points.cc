@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/expression.h>
+#include <isochor/base/thickness.h>
 #include <isochor/material_points/material_points.h>
 #include <isochor/material_points/point_domain.h>
 #include <isochor/material_points/relocation.h>
@@ -156,9 +157,8 @@ namespace isochor
         std::fill(properties.begin(), properties.end(), 0.);
         properties[point_layout.volume] = seed.volume;
         properties[point_layout.mass] =
-          seed.volume * materials[material]->density();
-        if (point_layout.axisymmetric)
-          properties[point_layout.mass] *= 2 * numbers::PI * seed.location[0];
+          thickness(point_layout.axisymmetric, seed.location[0]) * seed.volume *
+          materials[material]->density();
         properties[point_layout.material] = material;
         for (unsigned int d = 0; d < dim; ++d)
           properties[point_layout.F + d * dim + d] = 1.;
@@ -418,18 +418,6 @@ namespace isochor
     insert_particles(particles,
                      locator,
                      exchange_points(records, grid.geometry(), n_shipped));
-  }
-
-
-
-  template <int dim>
-  double
-  MaterialPoints<dim>::total_reference_volume() const
-  {
-    double volume = 0;
-    for (const auto &particle : particles)
-      volume += particle.get_properties()[point_layout.volume];
-    return Utilities::MPI::sum(volume, grid.communicator());
   }
 
 

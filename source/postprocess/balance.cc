@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/thickness.h>
 #include <isochor/postprocess/postprocessor.h>
 
 #include <algorithm>
@@ -79,11 +80,9 @@ namespace isochor
           min_J = std::min(min_J, J);
           max_J = std::max(max_J, J);
           sums[0] += 1;
-          sums[1] += J * values[l.volume];
-          if (l.axisymmetric)
-            sums[1] +=
-              J * values[l.volume] *
-              (2 * numbers::PI * particle.get_location()[0] / hoop - 1);
+          sums[1] +=
+            J * values[l.volume] *
+            thickness(l.axisymmetric, particle.get_location()[0] / hoop);
           sums[2] += values[l.mass];
           if (l.dynamic)
             for (unsigned int a = 0; a < dim; ++a)

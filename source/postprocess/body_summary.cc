@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/thickness.h>
 #include <isochor/postprocess/body_summary.h>
 
 #include <limits>
@@ -16,7 +17,7 @@ namespace isochor
   body_summary(const MaterialPoints<dim> &points, const MPI_Comm comm)
   {
     const PointLayout      &l    = points.layout();
-    double                  mass = 0, ring = 0;
+    double                  mass = 0, volume = 0;
     std::array<double, dim> lower, upper;
     lower.fill(std::numeric_limits<double>::max());
     upper.fill(std::numeric_limits<double>::lowest());
@@ -24,8 +25,10 @@ namespace isochor
       {
         const auto properties = point.get_properties();
         mass += properties[l.mass];
-        ring += 2 * numbers::PI * properties[l.volume] *
-                (point.get_location()[0] - properties[l.displacement]);
+        volume +=
+          properties[l.volume] *
+          thickness(l.axisymmetric,
+                    point.get_location()[0] - properties[l.displacement]);
         for (unsigned int d = 0; d < dim; ++d)
           {
             lower[d] = std::min(lower[d], point.get_location()[d]);
@@ -34,9 +37,7 @@ namespace isochor
       }
 
     std::ostringstream text;
-    text << "Body: "
-         << (l.axisymmetric ? Utilities::MPI::sum(ring, comm) :
-                              points.total_reference_volume())
+    text << "Body: " << Utilities::MPI::sum(volume, comm)
          << (dim == 2 && !l.axisymmetric ? " m^2, " : " m^3, ")
          << Utilities::MPI::sum(mass, comm) << " kg, points in ";
     for (unsigned int d = 0; d < dim; ++d)

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/thickness.h>
 #include <isochor/material_model/tensor_tools.h>
 #include <isochor/postprocess/point_fields.h>
 
@@ -153,8 +154,7 @@ namespace isochor
         copy_point<dim>(properties,
                         points.layout(),
                         hoop,
-                        kernel.axisymmetric ? 2 * numbers::PI * x[0] / hoop :
-                                              1.,
+                        thickness(kernel.axisymmetric, x[0] / hoop),
                         rows,
                         patch.data);
       }

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/expression.h>
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/thickness.h>
 #include <isochor/postprocess/postprocessor.h>
 
 #include <algorithm>
@@ -75,9 +76,9 @@ namespace isochor
                   for (unsigned int b = 0; b < dim; ++b)
                     F[a][b] = properties[l.F + a * dim + b];
                 }
-              double V = determinant(F) * properties[l.volume];
-              if (l.axisymmetric)
-                V *= particle.get_location()[0]; // of the ring, over 2 pi
+              const double V =
+                determinant(F) * properties[l.volume] *
+                thickness(l.axisymmetric, particle.get_location()[0]);
               const double exact = reference.stress(origin, result.step.time);
               const double error =
                 properties[l.stress + reference.component] - exact;

@@ -176,10 +176,6 @@ namespace isochor
     const PointLayout &
     layout() const;
 
-    /** Sum over all points and ranks. */
-    double
-    total_reference_volume() const;
-
   private:
     /** The consecutive points of a cell in the handler. */
     struct Group

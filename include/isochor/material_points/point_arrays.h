@@ -8,6 +8,7 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/tensor.h>
 
+#include <isochor/base/thickness.h>
 #include <isochor/grid/simplex_geometry.h>
 #include <isochor/material_points/seeding.h>
 
@@ -233,8 +234,9 @@ namespace isochor
     {
       return radius.empty() ?
                1. :
-               2 * numbers::PI * radius[q] /
-                 history[q * static_cast<std::size_t>(n_history)];
+               isochor::thickness(
+                 true,
+                 radius[q] / history[q * static_cast<std::size_t>(n_history)]);
     }
 
     /** The volume that point @p q integrates, at t = 0 (m^dim; in axisymmetry
