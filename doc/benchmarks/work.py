@@ -28,6 +28,7 @@ sys.path.insert(0, str(HERE))
 
 import harness  # noqa: E402
 import report  # noqa: E402
+from resets import resets  # noqa: E402
 from harness import ROOT, output  # noqa: E402
 
 PRM = ROOT / "prm"
@@ -426,7 +427,8 @@ def pairs(work):
 
 
 TABLES = {
-    table.__name__: table for table in (grid, skipped, finite_elements, overhead, pairs)
+    table.__name__: table
+    for table in (grid, skipped, finite_elements, overhead, pairs, resets)
 }
 
 
