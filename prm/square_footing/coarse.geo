@@ -6,7 +6,7 @@
 // level  how often they are halved where cells are smallest. The last nodes of
 //        the base lie half of such a cell inside its edge, see prm/prandtl
 // y points upwards, the surface is y = 0.
-DefineConstant[ level = {3, Min 0, Max 8, Name "level"} ];
+DefineConstant[ level = {2, Min 0, Max 8, Name "level"} ];
 width = 2.5;
 depth = 2;
 b     = 0.5 / (1 + 0.5 / 2^level); // half the base
