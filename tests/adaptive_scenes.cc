@@ -226,24 +226,29 @@ test_flight(const std::string &quadrature)
  * integrated all the same: the stress stays homogeneous. */
 template <int dim>
 void
-test_refined_gap(const std::string &formulation)
+test_refined_gap(const std::string &formulation,
+                 const std::string &level,
+                 const std::string &size,
+                 const std::string &radius)
 {
   const auto problem = test::run_scene<dim>(
     box<dim>(dim == 2 ? 4 : 3) + law +
     "Material/Poisson ratio = 0.3\n"
     "Grid/Stretch = y: 0 -> 0, 1 -> 0.2*t\n"
     "Adaptive grid/Maximum level = " +
-    std::string(dim == 2 ? "2" : "1") +
-    "\nAdaptive grid/Cell size = if(t > 0.1, 0.07, 1)\n"
+    level + "\nAdaptive grid/Cell size = if(t > 0.1, " + size +
+    ", 1)\n"
     "Material points/Region = " +
-    (dim == 2 ? "(x - 0.54)^2 + (y - 0.6)^2 > 0.0081" :
-                "(x - 0.5)^2 + (y - 0.5)^2 + (z - 0.5)^2 > 0.0324") +
+    (dim == 2 ? "(x - 0.54)^2 + (y - 0.6)^2 > " :
+                "(x - 0.5)^2 + (y - 0.5)^2 + (z - 0.5)^2 > ") +
+    radius + "^2" +
     "\nQuadrature/Type = cell-filled\nFormulation/Type = " + formulation +
     "\nBoundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0; "
     "top: y=0.2*t" +
     (dim == 3 ? "; front: z=0; back: z=0" : "") + "\nTime/Step size = 0.25\n");
   test::check_error(formulation + ", dim " + std::to_string(dim) +
-                      ": a gap between points in a finer grid, stress",
+                      ": a gap between points in a grid of level " + level +
+                      ", stress",
                     variation_of_stress(problem->material_points()),
                     1e-9);
   const std::string unit = (dim == 2 ? "(m^2)" : "(m^3)");
@@ -252,6 +257,39 @@ test_refined_gap(const std::string &formulation)
                                "Volume in the grid " + unit) -
                              1.15),
                     1e-12);
+}
+
+/** Cells are halved again and again at a wall, or in a corner: the parts of
+ * points beside it stay in the grid. Some cells share no vertex with one that
+ * holds points; they get the state of the nearest ones, and the stress stays
+ * homogeneous (in 3D gaps between points are larger than what is filled). */
+template <int dim>
+void
+test_splitting_at_wall(const std::string &distance)
+{
+  const auto problem = test::run_scene<dim>(
+    box<dim>(1) + law +
+    "Material/Density = 2\n"
+    "Material/Poisson ratio = 0.3\nGrid/Stretch = y: 0 -> 0, 1 -> -0.1*t\n"
+    "Adaptive grid/Maximum level = " +
+    std::string(dim == 2 ? "9" : "3") +
+    "\nAdaptive grid/Cell size = 2^(-10*t) + " + distance +
+    "\nQuadrature/Type = cell-filled\nFormulation/Type = u-p\n"
+    "Material points/Points per cell = " +
+    std::string(dim == 2 ? "3" : "8") +
+    "\nBoundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0; "
+    "top: y=-0.1*t" +
+    (dim == 3 ? "; front: z=0; back: z=0" : "") + "\nTime/Step size = 0.1\n");
+  // an error if points have left the grid
+  const std::string what =
+    "cells ever smaller at " + distance + " = 0, dim " + std::to_string(dim);
+  test::check_error(what + ": mass of points",
+                    std::abs(moments(problem->material_points())[1] / 2 - 1),
+                    1e-12);
+  if (dim == 2)
+    test::check_error(what + ": stress",
+                      variation_of_stress(problem->material_points()),
+                      1e-9);
 }
 
 int
@@ -277,8 +315,11 @@ main(int argc, char **argv)
   test_carried<3>("CPDI");
   test_flight<2>("cell-filled");
   test_flight<2>("CPDI");
-  test_refined_gap<3>("u-p");
-  test_refined_gap<2>("u");
-  test_refined_gap<2>("u-p");
+  test_refined_gap<3>("u-p", "1", "0.17", "0.18");
+  test_refined_gap<2>("u", "2", "0.07", "0.09");
+  test_refined_gap<2>("u-p", "2", "0.07", "0.09");
+  test_splitting_at_wall<2>("x + abs(y - 0.4)");
+  test_splitting_at_wall<2>("x + y");
+  test_splitting_at_wall<3>("x + y + abs(z - 0.4)");
   return 0;
 }

@@ -8,7 +8,7 @@ import numpy as np
 from harness import output
 
 plt = output.plt
-SCENE = Path(__file__).resolve().parent / "scenes" / "vertical_cut.prm"
+SCENE = Path(__file__).resolve().parents[2] / "prm/vertical_cut/vertical_cut.prm"
 # gamma H/c of the collapse: lower and upper bounds of limit analysis
 EXACT = {20: (5.4, 5.5), 0: (3.77, 3.83)}
 CASES = {  # name: parameters, how much above the upper bound it may be, quick

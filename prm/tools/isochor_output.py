@@ -204,7 +204,7 @@ def read_points(directory, step=-1):
     """The material points of one output, a dict of numpy arrays: 'position'
     (n, 3), 'time', and every field under its name; 'deformation_gradient' as
     (n, 3, 3). @p step counts the outputs in points.pvd, -1 is the last."""
-    data = _read_output(directory, "points", step)
+    data = read_output(directory, "points", step)
     del data["cells"]
     gradient = data.get("deformation_gradient")
     if gradient is not None and gradient.shape[-1] == 9:
@@ -221,16 +221,17 @@ def read_points_at(directory, time):
 def read_grid(directory, step=-1):
     """The active cells of one output of the background grid: like
     read_points(), with 'triangles' (m, 3), the vertices of the cells."""
-    data = _read_output(directory, "grid", step)
+    data = read_output(directory, "grid", step)
     data["triangles"] = data.pop("cells")
     if data["triangles"].shape[1] != 3:
         raise OutputError(f"The grid in {directory} is not of triangles.")
     return data
 
 
-def _read_output(directory, kind, step):
+def read_output(directory, kind, step=-1):
     """Time, positions, cells (m, vertices of a cell) and fields of an output,
-    those of all pieces together."""
+    those of all pieces together. @p kind: "grid", "points", or, of a run that
+    has failed, "failure-grid" and "failure-points"."""
     records = read_times(directory, kind)
     if not -len(records) <= step < len(records):
         raise OutputError(

@@ -15,6 +15,11 @@ namespace isochor
 {
   namespace
   {
+    /** What N_v counts at least in the mean of the points around the vertex v:
+     * all of them may lie on the faces opposite to it, where N_v is zero or by
+     * rounding a little less. */
+    constexpr double smallest_weight = 1e-10;
+
     /** Sums over the points around one vertex, weighted by N_v(x_p) J_p V0_p:
      * what a state is made of, in quantities that may be averaged. For laws
      * that don't know directions F matters as det F and F F^T only; the mean of
@@ -150,7 +155,9 @@ namespace isochor
                           mean_values.begin());
               kernel.materials[material]->to_mean_values(mean_values.data());
               states.emplace(material, MeanState<dim>(points.n_history))
-                .first->second.add(points.shape[q][v] * points.volume[q] *
+                .first->second.add(std::max(points.shape[q][v],
+                                            smallest_weight) *
+                                     points.volume[q] *
                                      determinant(points.F[q]),
                                    points.F[q],
                                    mean_values.data());

@@ -48,6 +48,53 @@ namespace isochor
       return places;
     }
 
+    /** Move parts at the @p shifts from @p x, in @p cell, closer to it until
+     * all are in the grid: beside a wall along an axis along this axis only,
+     * else in all directions, in the end to @p x itself. */
+    template <int dim>
+    void
+    make_fit(const PointLocator<dim>             &locator,
+             const unsigned int                   cell,
+             const Point<dim>                    &x,
+             std::array<Tensor<1, dim>, dim + 2> &shifts)
+    {
+      const auto fit = [&](const Tensor<1, dim> &factors) {
+        return std::all_of(shifts.begin(),
+                           shifts.end(),
+                           [&](const auto &shift) {
+                             Point<dim> place = x;
+                             for (unsigned int d = 0; d < dim; ++d)
+                               place[d] += factors[d] * shift[d];
+                             return locator.locate(place, cell).found;
+                           });
+      };
+      Tensor<1, dim> along; // which axes
+      for (unsigned int d = 0; d < dim; ++d)
+        along[d] = 1;
+      Tensor<1, dim> factors = along;
+      if (fit(factors))
+        return;
+      for (unsigned int axis = 0; axis < dim; ++axis)
+        {
+          Tensor<1, dim> flat = factors;
+          flat[axis]          = 0;
+          if (!fit(flat))
+            continue;
+          along       = Tensor<1, dim>();
+          along[axis] = 1;
+          break;
+        }
+      constexpr unsigned int most_trials = 20;
+      for (unsigned int trial = 1; trial <= most_trials && !fit(factors);
+           ++trial)
+        for (unsigned int d = 0; d < dim; ++d)
+          if (along[d] > 0)
+            factors[d] = (trial < most_trials ? 0.75 * factors[d] : 0);
+      for (Tensor<1, dim> &shift : shifts)
+        for (unsigned int d = 0; d < dim; ++d)
+          shift[d] *= factors[d];
+    }
+
     /** Find location and cell of a part of a domain, which knows those of the
      * whole. A part whose centroid is outside of the grid stays behind. */
     template <int dim>
@@ -202,16 +249,8 @@ namespace isochor
         std::array<Tensor<1, dim>, dim + 2> shifts;
         for (unsigned int i = 0; i <= dim; ++i)
           shifts[i + 1] = std::pow(volume, 1. / dim) * places[i];
-        // beside a wall they come closer
-        const Point<dim> x       = particle.get_location();
-        const auto       outside = [&](const Tensor<1, dim> &shift) {
-          return !locator.locate(x + shift, cell).found;
-        };
-        for (unsigned int i = 0;
-             i < 20 && std::any_of(shifts.begin(), shifts.end(), outside);
-             ++i)
-          for (Tensor<1, dim> &shift : shifts)
-            shift *= 0.75;
+        const Point<dim> x = particle.get_location();
+        make_fit(locator, cell, x, shifts);
 
         const Tensor<2, dim>      inverse = invert(F);
         const std::vector<double> old(values.begin(), values.end());

@@ -29,7 +29,8 @@ namespace isochor
    * of an equilateral triangle or tetrahedron around it, all of which know what
    * it knew. Volume, mass and momentum are conserved, and so are centre and
    * second moment of the mass; beside a wall of the grid, where there is no
-   * room for them, the others come closer, and the second moment becomes less.
+   * room for them, the others come closer, and the second moment becomes less:
+   * that across the wall if it is along an axis, else all of it.
    *
    * Domains of points are bisected, and those of neighbours with them, so that
    * they go on sharing whole faces (DomainBisection): they fill the old ones,
