@@ -5,6 +5,7 @@
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/contact_search.h>
+#include <isochor/boundary_condition/distance_to_body.h>
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
@@ -28,10 +29,10 @@ namespace isochor
    * wall that stands in the distance u(x, t) from where the node was generated,
    * see ContactSearch. The set of nodes in contact is kept from step to step.
    *
-   * A node that has not yet touched the wall remembers its distance. One that
-   * has starts each step on a reset grid at the wall; on a grid that is kept
-   * (see GridReset), where the last one left it. So does material that comes to
-   * the boundary later.
+   * At a reset of the grid a node is as far from the wall as the body next to
+   * it, see gaps_of_body(); on a grid that is kept (see GridReset) where the
+   * last step left it. With quadratures that don't know where the body ends a
+   * node that has touched the wall starts at it.
    */
   template <int dim>
   class PrescribedDisplacement : public BoundaryCondition<dim>
@@ -85,8 +86,11 @@ namespace isochor
         }
       leave_nodes_to_later_entries();
       for (auto &condition : conditions)
-        if (condition.side != 0)
-          place_walls(condition);
+        {
+          condition.gap_of_body.clear();
+          if (condition.side != 0)
+            place_walls(condition);
+        }
     }
 
     void
@@ -124,6 +128,17 @@ namespace isochor
                               condition.boundary,
                               condition.component,
                               condition.side);
+    }
+
+    /** At a reset of the grid: how far the body is from one-sided walls. */
+    void
+    collect_elements(const StepContext<dim> &step,
+                     ElementNodes & /*elements*/) override
+    {
+      if (!step.grid_is_kept)
+        for (auto &condition : conditions)
+          if (condition.side != 0)
+            measure_gaps(condition, step);
     }
 
     std::vector<unsigned int>
@@ -226,6 +241,9 @@ namespace isochor
       Expression<dim>           displacement;
       std::vector<unsigned int> vertices;
       std::vector<WallNode>     wall; ///< by vertex, if one-sided
+      /** Distances of the body from the wall at the last reset of the grid, by
+       * vertex; empty if they are not known. */
+      std::vector<double> gap_of_body;
     };
 
     /** Tell if the body has been pushed out of the row of cells at the
@@ -281,6 +299,7 @@ namespace isochor
                             side,
                             Expression<dim>(item.substr(equals + 1), name),
                             {},
+                            {},
                             {}});
     }
 
@@ -328,20 +347,10 @@ namespace isochor
     {
       for (unsigned int i = 0; i < condition.wall.size(); ++i)
         {
-          const Point<dim> &x    = reference[condition.vertices[i]];
-          double            best = std::numeric_limits<double>::max();
-          unsigned int      from = 0;
-          for (unsigned int j = 0; j < old.wall.size() && best > 0; ++j)
-            {
-              const double distance =
-                x.distance_square(old_reference[old.vertices[j]]);
-              if (distance < best)
-                {
-                  best = distance;
-                  from = j;
-                }
-            }
-          if (best == std::numeric_limits<double>::max())
+          const Point<dim>  &x = reference[condition.vertices[i]];
+          const unsigned int from =
+            nearest_vertex(x, old.vertices, old_reference);
+          if (from == numbers::invalid_unsigned_int)
             continue;
           WallNode &node = condition.wall[i];
           node           = old.wall[from];
@@ -368,7 +377,31 @@ namespace isochor
       const double motion = condition.displacement(x, step.time) -
                             condition.displacement(x, step.old_time);
       const WallNode &node = condition.wall[i];
+      if (!step.grid_is_kept && !condition.gap_of_body.empty())
+        return motion - condition.side * condition.gap_of_body[i];
       return step.grid_is_kept || !node.touched ? motion - node.gap : motion;
+    }
+
+    /** A node at the wall may go through it by as much as the body is away from
+     * the wall there. */
+    void
+    measure_gaps(Condition &condition, const StepContext<dim> &step) const
+    {
+      Tensor<1, dim> inwards;
+      inwards[condition.component] = condition.side;
+      condition.gap_of_body        = gaps_of_body<dim>(
+        step,
+        reference,
+        condition.vertices,
+        std::vector<Tensor<1, dim>>(condition.vertices.size(), inwards),
+        [&](const unsigned int i) {
+          return condition.side *
+                 condition.displacement(reference[condition.vertices[i]],
+                                        step.old_time);
+        });
+      for (unsigned int i = 0; i < condition.gap_of_body.size(); ++i)
+        if (step.old_time == 0 && condition.gap_of_body[i] > 0)
+          condition.wall[i].released = condition.wall[i].was_released = true;
     }
 
     void
@@ -396,52 +429,42 @@ namespace isochor
       const NodalField                                        &unknowns,
       const NodalField                                        &reaction,
       const NodalTies                                         &ties,
-      const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const;
+      const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const
+    {
+      const double penetration =
+        tolerance.relative * largest_increment(step, unknowns);
+      const std::vector<unsigned char> is_tied =
+        tied_nodes(ties, step.nodes.n_local());
+      std::vector<unsigned int> objections;
+      for (const auto &condition : conditions)
+        for (unsigned int i = 0; i < condition.wall.size(); ++i)
+          {
+            objections.push_back(Objection::none);
+            const unsigned int node = step.nodes.node(condition.vertices[i]);
+            if (node >= step.nodes.n_owned())
+              continue;
+            const unsigned int entry =
+              node * step.n_components + condition.component;
+            if (!condition.wall[i].released)
+              objections.back() =
+                condition.side * reaction.local_element(entry) <
+                    -tolerance.force ?
+                  Objection::pulls :
+                  Objection::none;
+            else if (!is_tied[node] &&
+                     condition.side * (unknowns.local_element(entry) -
+                                       increment(condition, i, step)) <
+                       -penetration)
+              objections.back() = Objection::penetrates;
+          }
+      Utilities::MPI::max(objections, step.grid.communicator(), objections);
+      return objections;
+    }
 
     std::vector<Condition>  conditions;
     std::vector<Point<dim>> reference;
     ContactSearch           search;
   };
-
-
-
-  template <int dim>
-  std::vector<unsigned int>
-  PrescribedDisplacement<dim>::find_objections(
-    const StepContext<dim>                                  &step,
-    const NodalField                                        &unknowns,
-    const NodalField                                        &reaction,
-    const NodalTies                                         &ties,
-    const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const
-  {
-    const double penetration =
-      tolerance.relative * largest_increment(step, unknowns);
-    const std::vector<unsigned char> is_tied =
-      tied_nodes(ties, step.nodes.n_local());
-    std::vector<unsigned int> objections;
-    for (const auto &condition : conditions)
-      for (unsigned int i = 0; i < condition.wall.size(); ++i)
-        {
-          objections.push_back(Objection::none);
-          const unsigned int node = step.nodes.node(condition.vertices[i]);
-          if (node >= step.nodes.n_owned())
-            continue;
-          const unsigned int entry =
-            node * step.n_components + condition.component;
-          if (!condition.wall[i].released)
-            objections.back() = condition.side * reaction.local_element(entry) <
-                                    -tolerance.force ?
-                                  Objection::pulls :
-                                  Objection::none;
-          else if (!is_tied[node] &&
-                   condition.side * (unknowns.local_element(entry) -
-                                     increment(condition, i, step)) <
-                     -penetration)
-            objections.back() = Objection::penetrates;
-        }
-    Utilities::MPI::max(objections, step.grid.communicator(), objections);
-    return objections;
-  }
 
 
 

@@ -96,6 +96,7 @@ namespace isochor
           wall.surface.initialize(grid,
                                   grid.boundary_id(wall.boundary, parameter()));
           wall.nodes.clear();
+          wall.gap_of_body.clear();
           for (const auto &at : wall.surface.nodes())
             {
               Node node;
@@ -133,6 +134,15 @@ namespace isochor
                           parameter(),
                           wall.boundary,
                           step.grid.boundary_id(wall.boundary, parameter()));
+    }
+
+    void
+    collect_elements(const StepContext<dim> &step,
+                     ElementNodes & /*elements*/) override
+    {
+      for (Wall &wall : walls)
+        if (wall.one_sided && !step.grid_is_kept)
+          wall.measure_gaps(step, reference, normals_of(wall, step));
     }
 
     std::vector<unsigned int>
@@ -308,6 +318,8 @@ namespace isochor
       const Node &node = wall.nodes[i];
       if (follows_curve(wall, step))
         return node.gap_now;
+      if (!step.grid_is_kept && !wall.gap_of_body.empty())
+        return wall.gap_of_body[i];
       return step.grid_is_kept || !node.contact.touched ? node.contact.gap : 0.;
     }
 
@@ -348,10 +360,7 @@ namespace isochor
         tolerance.relative * largest_increment(step, unknowns);
       const std::vector<unsigned char> is_tied =
         tied_nodes(constraints.ties, step.nodes.n_local());
-      unsigned int n_nodes = 0;
-      for (const Wall &wall : walls)
-        n_nodes += wall.nodes.size();
-      std::vector<double> force(n_nodes, 0.);
+      std::vector<double> force(held_vertices().size(), 0.); // by label
       for (unsigned int k = 0; k < constraints.equations.size(); ++k)
         if (constraints.equations[k].owner == this)
           force[constraints.equations[k].label] = system.multiplier(k);
@@ -453,22 +462,19 @@ namespace isochor
               const std::vector<Point<dim>> &old_reference,
               Wall                          &wall) const
     {
+      std::vector<unsigned int> vertices;
+      old.add_vertices(vertices);
       for (Node &node : wall.nodes)
         {
-          const Point<dim> &x       = reference[node.vertex];
-          const auto        nearest = std::min_element(
-            old.nodes.begin(),
-            old.nodes.end(),
-            [&](const Node &a, const Node &b) {
-              return x.distance_square(old_reference[a.vertex]) <
-                     x.distance_square(old_reference[b.vertex]);
-            });
-          if (!wall.one_sided || nearest == old.nodes.end())
+          const Point<dim>  &x = reference[node.vertex];
+          const unsigned int nearest =
+            nearest_vertex(x, vertices, old_reference);
+          if (!wall.one_sided || nearest == numbers::invalid_unsigned_int)
             continue;
-          node.contact = nearest->contact;
+          node.contact = old.nodes[nearest].contact;
           if (!node.contact.touched)
             node.contact.gap +=
-              wall.displacement(old_reference[nearest->vertex], 0.) -
+              wall.displacement(old_reference[vertices[nearest]], 0.) -
               wall.displacement(x, 0.);
         }
     }

@@ -12,6 +12,35 @@
 
 namespace isochor
 {
+  namespace
+  {
+    /** Those of @p all that have a @p place in another field, which an equation
+     * has all or none of its entries in. */
+    template <typename Place>
+    Followers
+    select_followers(const Followers &all, const Place &place)
+    {
+      Followers result;
+      for (unsigned int k = 0; k < all.size(); ++k)
+        {
+          if (place(all.entry[k]) == numbers::invalid_unsigned_int)
+            continue;
+          result.entry.push_back(place(all.entry[k]));
+          result.value.push_back(all.value[k]);
+          result.flags.push_back(all.flags[k]);
+          for (std::size_t i = all.start[k]; i < all.start[k + 1]; ++i)
+            {
+              result.master.push_back(place(all.master[i]));
+              result.weight.push_back(all.weight[i]);
+            }
+          result.start.push_back(result.master.size());
+        }
+      return result;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   InertiaTerm<dim>::prescribe(
@@ -81,7 +110,12 @@ namespace isochor
       }
     project(step, momentum, followers, given_velocity, velocity);
     if (by_stresses && !prescribed)
-      note_pressed(step, constraints, contact, {{&start, &middle, &end}});
+      {
+        note_pressed(step, constraints, contact, {{&start, &middle, &end}});
+        // those of a grid that is kept are those of the last step
+        if (step.mixed() && !step.grid_is_kept)
+          leave_out_unfelt_pressure(step, start);
+      }
     const bool from_walls = by_stresses && !pressed.followers.entry.empty();
     if (from_walls)
       {
@@ -187,26 +221,27 @@ namespace isochor
   InertiaTerm<dim>::displacement_followers(const NodalConstraints &constraints,
                                            const unsigned int      n_components)
   {
-    const Followers &all   = constraints.followers;
-    const auto       place = [n_components](const unsigned int entry) {
-      return entry / n_components * dim + entry % n_components;
-    };
-    Followers result;
-    for (unsigned int k = 0; k < all.size(); ++k)
-      {
-        if (all.entry[k] % n_components == dim)
-          continue; // a pressure
-        result.entry.push_back(place(all.entry[k]));
-        result.value.push_back(all.value[k]);
-        result.flags.push_back(all.flags[k]);
-        for (std::size_t i = all.start[k]; i < all.start[k + 1]; ++i)
-          {
-            result.master.push_back(place(all.master[i]));
-            result.weight.push_back(all.weight[i]);
-          }
-        result.start.push_back(result.master.size());
-      }
-    return result;
+    return select_followers(constraints.followers,
+                            [n_components](const unsigned int entry) {
+                              return entry % n_components == dim ?
+                                       numbers::invalid_unsigned_int :
+                                       entry / n_components * dim +
+                                         entry % n_components;
+                            });
+  }
+
+
+
+  template <int dim>
+  Followers
+  InertiaTerm<dim>::pressure_followers(const NodalConstraints &constraints)
+  {
+    return select_followers(constraints.followers,
+                            [](const unsigned int entry) {
+                              return entry % (dim + 1) == dim ?
+                                       entry / (dim + 1) :
+                                       numbers::invalid_unsigned_int;
+                            });
   }
 
 
@@ -336,6 +371,8 @@ namespace isochor
     const StepContext<2> &,
     const std::vector<std::unique_ptr<BoundaryCondition<2>>> &,
     const NodalConstraints &);
+  template Followers
+  InertiaTerm<2>::pressure_followers(const NodalConstraints &);
   template void
   InertiaTerm<2>::set_trial_increments(const StepContext<2> &,
                                        NodalConstraints &) const;
@@ -346,6 +383,8 @@ namespace isochor
     const StepContext<3> &,
     const std::vector<std::unique_ptr<BoundaryCondition<3>>> &,
     const NodalConstraints &);
+  template Followers
+  InertiaTerm<3>::pressure_followers(const NodalConstraints &);
   template void
   InertiaTerm<3>::set_trial_increments(const StepContext<3> &,
                                        NodalConstraints &) const;

@@ -16,9 +16,13 @@ namespace isochor
 {
   template <int dim>
   void
-  MassMatrix<dim>::reinit(const StepContext<dim> &step, const bool with_domains)
+  MassMatrix<dim>::reinit(const StepContext<dim>    &step,
+                          const std::vector<double> &weights,
+                          const unsigned int         components)
   {
     const PointArrays<dim> &points = step.points;
+    weight                         = weights;
+    n_components                   = components;
     step.nodes.initialize(lumped, 1);
     step.nodes.initialize(diagonal, 1);
     cell_mass.clear();
@@ -29,7 +33,7 @@ namespace isochor
            ++q)
         {
           const auto   stencil = points.stencil(step.grid.geometry(), k, q);
-          const double m       = points.mass[q];
+          const double m       = weight[q];
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
               const unsigned int node = step.nodes.node(stencil.vertex[I]);
@@ -45,6 +49,16 @@ namespace isochor
     lumped.compress(VectorOperation::add);
     diagonal.compress(VectorOperation::add);
     domain_inertia.clear();
+  }
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::reinit(const StepContext<dim> &step, const bool with_domains)
+  {
+    const PointArrays<dim> &points = step.points;
+    reinit(step, points.mass, dim);
     if (!with_domains)
       return;
     step.nodes.initialize(diagonal_of_domains, 1);
@@ -106,7 +120,7 @@ namespace isochor
         for (unsigned int I = 0; I < n; ++I)
           for (unsigned int J = 0; J < n; ++J)
             matrix[I * n + J] =
-              points.mass[element] * stencil.shape[I] * stencil.shape[J];
+              weight[element] * stencil.shape[I] * stencil.shape[J];
         return;
       }
     constexpr unsigned int n = dim + 1;
@@ -119,13 +133,14 @@ namespace isochor
 
 
   template <int dim>
+  template <typename Field>
   void
-  MassMatrix<dim>::collect(const StepContext<dim>            &step,
-                           const std::vector<Tensor<1, dim>> &field,
-                           NodalField                        &result) const
+  MassMatrix<dim>::collect_components(const StepContext<dim> &step,
+                                      const Field            &field,
+                                      NodalField             &result) const
   {
     const PointArrays<dim> &points = step.points;
-    step.nodes.initialize(result, dim);
+    step.nodes.initialize(result, n_components);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
@@ -134,12 +149,42 @@ namespace isochor
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
               const unsigned int node = step.nodes.node(stencil.vertex[I]);
-              for (unsigned int a = 0; a < dim; ++a)
-                result.local_element(node * dim + a) +=
-                  points.mass[q] * stencil.shape[I] * field[q][a];
+              for (unsigned int a = 0; a < n_components; ++a)
+                result.local_element(node * n_components + a) +=
+                  weight[q] * stencil.shape[I] * field(q, a);
             }
         }
     result.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::collect(const StepContext<dim>            &step,
+                           const std::vector<Tensor<1, dim>> &field,
+                           NodalField                        &result) const
+  {
+    AssertDimension(n_components, dim);
+    collect_components(
+      step,
+      [&](const unsigned int q, const unsigned int a) { return field[q][a]; },
+      result);
+  }
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::collect(const StepContext<dim>    &step,
+                           const std::vector<double> &field,
+                           NodalField                &result) const
+  {
+    AssertDimension(n_components, 1);
+    collect_components(
+      step,
+      [&](const unsigned int q, const unsigned int) { return field[q]; },
+      result);
   }
 
 
@@ -150,6 +195,21 @@ namespace isochor
                                const NodalField       &field,
                                NodalField             &result) const
   {
+    if (n_components == 1)
+      add_product_of_components<1>(step, field, result);
+    else
+      add_product_of_components<dim>(step, field, result);
+  }
+
+
+
+  template <int dim>
+  template <int n>
+  void
+  MassMatrix<dim>::add_product_of_components(const StepContext<dim> &step,
+                                             const NodalField       &field,
+                                             NodalField &result) const
+  {
     const PointArrays<dim> &points = step.points;
     const double *const     x      = field.begin();
     double *const           y      = result.begin();
@@ -157,21 +217,21 @@ namespace isochor
       {
         for (unsigned int q = 0; q < points.n_points(); ++q)
           {
-            const auto     stencil = points.stencil(step.grid.geometry(), 0, q);
-            Tensor<1, dim> value;
+            const auto   stencil = points.stencil(step.grid.geometry(), 0, q);
+            Tensor<1, n> value;
             for (unsigned int I = 0; I < stencil.n_nodes; ++I)
               {
                 const double *const nodal =
-                  x + step.nodes.node(stencil.vertex[I]) * dim;
-                for (unsigned int a = 0; a < dim; ++a)
+                  x + step.nodes.node(stencil.vertex[I]) * n;
+                for (unsigned int a = 0; a < n; ++a)
                   value[a] += stencil.shape[I] * nodal[a];
               }
-            value *= points.mass[q];
+            value *= weight[q];
             for (unsigned int I = 0; I < stencil.n_nodes; ++I)
               {
                 double *const nodal =
-                  y + step.nodes.node(stencil.vertex[I]) * dim;
-                for (unsigned int a = 0; a < dim; ++a)
+                  y + step.nodes.node(stencil.vertex[I]) * n;
+                for (unsigned int a = 0; a < n; ++a)
                   nodal[a] += stencil.shape[I] * value[a];
               }
           }
@@ -183,10 +243,10 @@ namespace isochor
           step.grid.geometry().vertex_indices(points.cell[k]);
         std::array<unsigned int, dim + 1> first;
         for (unsigned int I = 0; I <= dim; ++I)
-          first[I] = step.nodes.node(vertices[I]) * dim;
+          first[I] = step.nodes.node(vertices[I]) * n;
         for (unsigned int I = 0, entry = 0; I <= dim; ++I)
           for (unsigned int J = 0; J <= I; ++J, ++entry)
-            for (unsigned int a = 0; a < dim; ++a)
+            for (unsigned int a = 0; a < n; ++a)
               {
                 const double m = cell_mass[k][entry];
                 y[first[I] + a] += m * x[first[J] + a];
@@ -237,7 +297,7 @@ namespace isochor
                          const NodalField       &field,
                          NodalField             &result) const
   {
-    step.nodes.initialize(result, dim);
+    step.nodes.initialize(result, n_components);
     add_product(step, field, result);
     result.compress(VectorOperation::add);
   }
@@ -252,7 +312,7 @@ namespace isochor
   {
     for (unsigned int k = 0; k < followers.size(); ++k)
       if (const unsigned int entry = followers.entry[k];
-          entry < step.nodes.n_owned() * dim)
+          entry < step.nodes.n_owned() * n_components)
         {
           const double value        = load.local_element(entry);
           load.local_element(entry) = 0.;
@@ -295,13 +355,14 @@ namespace isochor
   {
     // The matrix scaled to a unit diagonal, so that residuals of nodes with
     // little mass count for what they do to their points.
-    const unsigned int n = step.nodes.n_owned() * dim;
+    const unsigned int n = step.nodes.n_owned() * n_components;
     NodalField         scale, residual, correction;
-    step.nodes.initialize(scale, dim);
+    step.nodes.initialize(scale, n_components);
     for (unsigned int i = 0; i < n; ++i)
       scale.local_element(i) =
-        diagonal.local_element(i / dim) +
-        (with_domains ? diagonal_of_domains.local_element(i / dim) : 0.);
+        diagonal.local_element(i / n_components) +
+        (with_domains ? diagonal_of_domains.local_element(i / n_components) :
+                        0.);
     for (unsigned int k = 0; k < followers.size(); ++k)
       if (const unsigned int entry = followers.entry[k]; entry < n)
         {
@@ -348,7 +409,7 @@ namespace isochor
     };
 
     interpolate(followers, given, solution);
-    step.nodes.initialize(residual, dim);
+    step.nodes.initialize(residual, n_components);
     add_product(step, solution, residual);
     if (with_domains)
       add_product_of_domains(step, solution, residual);

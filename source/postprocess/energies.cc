@@ -314,8 +314,11 @@ namespace isochor
                 "together) hardly lose any. Else smaller steps (<Time/Step "
                 "size>) and cells.";
       else
-        text << "Use smaller steps (<Time/Step size>) and cells, a larger "
-                "<Dynamics/Spectral radius>, or a grid that is kept (<Grid "
+        text << "Use "
+             << (lost > 0 ? "smaller steps (<Time/Step size>) and cells, a "
+                            "larger" :
+                            "a smaller")
+             << " <Dynamics/Spectral radius>, or a grid that is kept (<Grid "
                 "reset/Steps between resets = 0>, where bodies don't come "
                 "together).";
       result.step.warnings.add("energy lost or created by the scheme",

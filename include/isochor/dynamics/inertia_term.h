@@ -35,7 +35,8 @@ namespace isochor
    * with d = a_n - ((1 - α) a_n + α a_{n-1}) all that is carried by the points
    * then. Over a step the forces that do work are then those of one grid, and
    * what kinetic energy loses strain energy gains, whatever cells the points
-   * are in.
+   * are in. With nodal pressures σ_p is without what they can't represent on
+   * this grid, see leave_out_unfelt_pressure().
    */
   template <int dim>
   class InertiaTerm : public EquationTerm<dim>
@@ -211,6 +212,21 @@ namespace isochor
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       MaterialPoints<dim>                                        &points);
 
+    /**
+     * The pressures of the points come from the nodes of the last grid. Let
+     * their forces in @ref force be those of the nearest pressure that the
+     * nodes of this grid can have, p_h = Σ N_I p_I,
+     *   Σ_p V_p s N_I (p_h - p_p) = 0.
+     * The pressure equation says what work such a pressure does in the step;
+     * the rest of p_p does work on changes of volume that no pressure of this
+     * grid feels and nothing but the shear stiffness resists. They grow by it,
+     * and with them the rest of p_p. @p constraints are those of the start of
+     * the step. Collective.
+     */
+    void
+    leave_out_unfelt_pressure(const StepContext<dim> &step,
+                              const NodalConstraints &constraints);
+
     /** M x = load at the entries not held, from the lumped solution. */
     void
     project(const StepContext<dim>    &step,
@@ -224,6 +240,9 @@ namespace isochor
     static Followers
     displacement_followers(const NodalConstraints &constraints,
                            const unsigned int      n_components);
+    /** The same of pressures, in fields with one entry per node. */
+    static Followers
+    pressure_followers(const NodalConstraints &constraints);
     /** What the @p conditions and @p ties demand of the unknowns a @p part of
      * the step after its start, without what holds in contact only; that is in
      * @p contact. */

@@ -21,6 +21,9 @@ namespace isochor
    * a node, M is nearly singular and f_I of such a node means little; but
    * Σ_I N_I f_I at the points, all that is ever used, is bounded by the f_p in
    * the norm Σ m_p f_p².
+   *
+   * Fields are vectors of dim components, m_p masses; with other weights in
+   * their place, such as volumes, and one component it projects pressures.
    */
   template <int dim>
   class MassMatrix
@@ -31,6 +34,13 @@ namespace isochor
      * Collective. */
     void
     reinit(const StepContext<dim> &step, const bool with_domains = false);
+
+    /** The same with the @p weights (by point) in the place of masses, for
+     * fields of @p n_components, 1 or dim. Collective. */
+    void
+    reinit(const StepContext<dim>    &step,
+           const std::vector<double> &weights,
+           const unsigned int         n_components);
 
     /** Elements of this rank: cells that hold points or, if points have
      * stencils of their own, points. */
@@ -59,6 +69,11 @@ namespace isochor
     collect(const StepContext<dim>            &step,
             const std::vector<Tensor<1, dim>> &field,
             NodalField                        &result) const;
+    /** The same of scalars, one component per node. */
+    void
+    collect(const StepContext<dim>    &step,
+            const std::vector<double> &field,
+            NodalField                &result) const;
 
     /** @p result = M @p field, both of dim components per node; @p field has
      * its ghosts updated. Collective. */
@@ -68,13 +83,12 @@ namespace isochor
           NodalField             &result) const;
 
     /**
-     * Solve M x = @p load for the entries of @p solution (dim per node) that
-     * are not @p held (one char per local entry); those that are stay as they
-     * are. The @p followers (dim entries per node) are what they follow plus
-     * what is @p given (by follower; empty: 0), their own values don't count,
-     * and the load on them acts there. @p solution is where the iteration
-     * starts; its ghosts are updated at the end. Nodes without mass get zero.
-     * Collective.
+     * Solve M x = @p load for the entries of @p solution (n_components per
+     * node) that are not @p held (one char per local entry); those that are
+     * stay as they are. The @p followers are what they follow plus what is @p
+     * given (by follower; empty: 0), their own values don't count, and the load
+     * on them acts there. @p solution is where the iteration starts; its ghosts
+     * are updated at the end. Nodes without mass get zero. Collective.
      *
      * @p with_domains solves M + B instead, with the inertia against stretching
      * of the points' domains,
@@ -106,6 +120,17 @@ namespace isochor
     add_product(const StepContext<dim> &step,
                 const NodalField       &field,
                 NodalField             &result) const;
+    template <int n>
+    void
+    add_product_of_components(const StepContext<dim> &step,
+                              const NodalField       &field,
+                              NodalField             &result) const;
+    /** collect() with the component a of the field at a point q. */
+    template <typename Field>
+    void
+    collect_components(const StepContext<dim> &step,
+                       const Field            &field,
+                       NodalField             &result) const;
     /** The same with B. */
     void
     add_product_of_domains(const StepContext<dim> &step,
@@ -125,6 +150,10 @@ namespace isochor
 
     static constexpr unsigned int n_entries = (dim + 1) * (dim + 2) / 2;
 
+    /** By point, m_p. */
+    std::vector<double> weight;
+    /** Of the fields, at a node. */
+    unsigned int n_components = dim;
     /** M_IJ, J <= I, of the cells; empty if points have stencils. */
     std::vector<std::array<double, n_entries>> cell_mass;
     /** M_II, and G·C G that bounds B_II, by node. */

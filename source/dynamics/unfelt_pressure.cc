@@ -1,0 +1,82 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+// The member of InertiaTerm that takes out of the forces a step starts with
+// what no pressure of its grid could have made.
+#include <isochor/dynamics/inertia_term.h>
+#include <isochor/equations/mixed_kernel.templates.h>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  InertiaTerm<dim>::leave_out_unfelt_pressure(
+    const StepContext<dim> &step,
+    const NodalConstraints &constraints)
+  {
+    const PointArrays<dim> &points = step.points;
+    std::vector<double>     weight(points.n_points());
+    for (unsigned int q = 0; q < points.n_points(); ++q)
+      {
+        const double *const history =
+          points.history.data() + q * std::size_t(points.n_history);
+        const auto &material = *step.kernel.materials[points.material[q]];
+        const internal::PressureFactor factor(
+          material.volumetric_measure(),
+          determinant(points.F[q]) * step.kernel.hoop_stretch(history));
+        weight[q] = points.measure(q) * factor.s;
+      }
+    MassMatrix<dim> volume;
+    NodalField      load, pressure;
+    volume.reinit(step, weight, 1);
+    volume.collect(step, points.pressure, load);
+    step.nodes.initialize(pressure, 1);
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      if (const double V = volume.lumped.local_element(node); V > 0)
+        pressure.local_element(node) = load.local_element(node) / V;
+    // where the iteration ends too early, nodes can represent the result, too
+    volume.solve(step,
+                 load,
+                 std::vector<unsigned char>(step.nodes.n_local(), 0),
+                 pressure_followers(constraints),
+                 {},
+                 pressure);
+
+    NodalField unfelt;
+    step.nodes.initialize(unfelt, dim);
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          double     p       = points.pressure[q];
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            p -= stencil.shape[I] *
+                 pressure.local_element(step.nodes.node(stencil.vertex[I]));
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            {
+              const unsigned int first =
+                step.nodes.node(stencil.vertex[I]) * dim;
+              for (unsigned int a = 0; a < dim; ++a)
+                unfelt.local_element(first + a) +=
+                  weight[q] * p * stencil.gradient[I][a];
+              if (step.kernel.axisymmetric)
+                unfelt.local_element(first) +=
+                  weight[q] * p * stencil.shape[I] / points.radius[q];
+            }
+        }
+    unfelt.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < step.nodes.n_owned() * dim; ++i)
+      force.local_element(i) += unfelt.local_element(i);
+  }
+
+
+
+  template void
+  InertiaTerm<2>::leave_out_unfelt_pressure(const StepContext<2> &,
+                                            const NodalConstraints &);
+  template void
+  InertiaTerm<3>::leave_out_unfelt_pressure(const StepContext<3> &,
+                                            const NodalConstraints &);
+} // namespace isochor
