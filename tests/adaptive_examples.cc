@@ -149,6 +149,34 @@ test_column()
     3e-4);
 }
 
+/** Whether the estimate of the error is said to see jumps of the stress. */
+bool
+warns_of_jumps(const std::string &settings)
+{
+  const auto column = run<2>("column", "column", settings);
+  for (const auto &warning : column.problem->all_warnings().all())
+    if (warning.subject == "error indicator and points without domains")
+      return true;
+  return false;
+}
+
+void
+test_warning()
+{
+  const std::string coarse = "Adaptive grid/Target of relative error = 0.04\n"
+                             "Time/End time = 0.4\n";
+  test::check("column: no warning with CPDI", !warns_of_jumps(coarse), "warns");
+  test::check("column: a warning of cell-filled",
+              warns_of_jumps(coarse + "Quadrature/Type = cell-filled\n"),
+              "none");
+  // the first step alone, repeated: no point has changed its cell
+  test::check("column: no warning in the first step",
+              !warns_of_jumps("Time/End time = 0.025\n"
+                              "Adaptive grid/Repetitions of first step = 10\n"
+                              "Quadrature/Type = cell-filled\n"),
+              "warns");
+}
+
 /** Cells that are holes may have a vertex around which all points lie on the
  * opposite faces. */
 void
@@ -175,6 +203,7 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_points_on_faces();
   test_column();
+  test_warning();
   test_square_footing();
   test_vertical_cut();
   return 0;

@@ -268,7 +268,7 @@ namespace isochor
     warn_of_maximum_level(state, rule.maximum, sizes, step.warnings);
     // after a few steps points have changed cells
     constexpr unsigned int few_resets = 5;
-    if (resets_between > 0 && n_resets >= few_resets &&
+    if (resets_between > 0 && n_resets >= few_resets + n_repetitions &&
         !points.layout().with_domains &&
         std::any_of(criteria.begin(), criteria.end(), [](const auto &c) {
           return c->follows_stresses();
