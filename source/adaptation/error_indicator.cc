@@ -73,6 +73,12 @@ namespace isochor
       return target_error > 0 || target_number > 0 || estimates;
     }
 
+    bool
+    follows_stresses() const override
+    {
+      return target_error > 0 || target_number > 0;
+    }
+
     void
     limit_sizes(const BodyState<dim> &state,
                 const LevelRule<dim> &rule,

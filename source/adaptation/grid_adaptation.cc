@@ -266,6 +266,24 @@ namespace isochor
       if (criterion->needs_state())
         criterion->limit_sizes(state, rule, sizes, statistics);
     warn_of_maximum_level(state, rule.maximum, sizes, step.warnings);
+    // after a few steps points have changed cells
+    constexpr unsigned int few_resets = 5;
+    if (resets_between > 0 && n_resets >= few_resets + n_repetitions &&
+        !points.layout().with_domains &&
+        std::any_of(criteria.begin(), criteria.end(), [](const auto &c) {
+          return c->follows_stresses();
+        }))
+      step.warnings.add(
+        "error indicator and points without domains",
+        "The grid has been put back " + std::to_string(n_resets) +
+          " times and is to follow the error of the stresses (<Adaptive "
+          "grid/Target of relative error>, <Target number of leaves>). With "
+          "this <Quadrature/Type> stresses jump where points change cells or "
+          "are split; the estimate takes this for an error, which smaller "
+          "cells don't reduce, so that cells and points may become ever more. "
+          "Set <Quadrature/Type = CPDI> or 'cell-filled + boundary', or "
+          "<Adaptive grid/Resets between changes = 0> with <Repetitions of "
+          "first step>.");
     points.for_each([&](const unsigned int /*k*/,
                         const unsigned int q,
                         Point<dim> & /*location*/,

@@ -98,6 +98,14 @@ namespace isochor
       return any_size;
     }
 
+    /** Whether sizes follow from the points' stresses, which jump where points
+     * without domains change cells. */
+    virtual bool
+    follows_stresses() const
+    {
+      return false;
+    }
+
     /** Whether limit_sizes() is to be called. */
     virtual bool
     needs_state() const
