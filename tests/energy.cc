@@ -329,7 +329,8 @@ void
 test_pressures_that_no_node_feels()
 {
   const auto problem =
-    test::run_scene<2>("Grid/Lower corner = 0, -0.5\n"
+    test::run_scene<2>("Quadrature/Type = CPDI\n"
+                       "Grid/Lower corner = 0, -0.5\n"
                        "Grid/Upper corner = 1.1, 0.2\n"
                        "Grid/Subdivisions = 44, 28\n"
                        "Material points/Region = x < 1 && y > 0 && y < 0.1\n"
