@@ -323,7 +323,7 @@ test_losses(const std::string &what,
 /** The tutorial's bar of rubber with 16 points per cell swings for 1.05 s, 1.4
  * cycles. In the acceleration that a step starts with, the part of the points'
  * pressures that the nodes of its grid can't have must not act: with it, the
- * bar gains 10 % of its energy, with 9 points per cell of half the size 20
+ * bar gains 6 % of its energy, with 9 points per cell of half the size 20
  * times its energy within 1 s. */
 void
 test_pressures_that_no_node_feels()
