@@ -215,9 +215,12 @@ namespace isochor
                    const std::vector<unsigned int>   &vertices,
                    const std::vector<Tensor<1, dim>> &inwards)
   {
-    if (!step.points.has_stencils() || step.points.domain.empty())
+    const MPI_Comm comm = step.grid.communicator();
+    // a rank without points has no domains
+    const bool known =
+      step.points.has_stencils() && !step.points.domain.empty();
+    if (Utilities::MPI::max(known ? 1 : 0, comm) == 0)
       return {};
-    const MPI_Comm       comm = step.grid.communicator();
     const WallFaces<dim> wall(step.grid, vertices, inwards);
     std::vector<double>  distance(vertices.size(), nowhere),
       lowest(vertices.size(), nowhere), lower(vertices.size(), 0.);
