@@ -21,9 +21,7 @@ namespace isochor
    * component. A formula u(x, t) gives the displacement since t = 0, with x
    * where the node was generated: Δu = u(x, t_{n+1}) - u(x, t_n), and in the
    * first step u(x, t_1), as nothing has been displaced before. Material that
-   * reaches the boundary later takes part in what the boundary does from then
-   * on. With a grid that follows the motion (Grid/Stretch) this is an exact
-   * condition on a moving side of the body.
+   * reaches the boundary later takes part in what the boundary does then.
    *
    * A one-sided condition, u >= or <= a formula, is contact with a frictionless
    * wall that stands in the distance u(x, t) from where the node was generated,
@@ -86,11 +84,8 @@ namespace isochor
         }
       leave_nodes_to_later_entries();
       for (auto &condition : conditions)
-        {
-          condition.gap_of_body.clear();
-          if (condition.side != 0)
-            place_walls(condition);
-        }
+        if (condition.side != 0)
+          place_walls(condition);
     }
 
     void
@@ -326,6 +321,7 @@ namespace isochor
     void
     place_walls(Condition &condition) const
     {
+      condition.gap_of_body.clear();
       condition.wall.assign(condition.vertices.size(), WallNode());
       for (unsigned int i = 0; i < condition.vertices.size(); ++i)
         {
@@ -433,8 +429,7 @@ namespace isochor
     {
       const double penetration =
         tolerance.relative * largest_increment(step, unknowns);
-      const std::vector<unsigned char> is_tied =
-        tied_nodes(ties, step.nodes.n_local());
+      const auto is_tied = tied_nodes(ties, step.nodes.n_local());
       std::vector<unsigned int> objections;
       for (const auto &condition : conditions)
         for (unsigned int i = 0; i < condition.wall.size(); ++i)
@@ -477,9 +472,8 @@ namespace isochor
     const NodalConstraints                                  &constraints,
     const typename BoundaryCondition<dim>::ContactTolerance &tolerance)
   {
-    if (std::none_of(conditions.begin(),
-                     conditions.end(),
-                     [](const auto &condition) { return condition.side != 0; }))
+    const auto one_sided = [](const auto &c) { return c.side != 0; };
+    if (std::none_of(conditions.begin(), conditions.end(), one_sided))
       return {};
     const auto objections = find_objections(
       step, unknowns, system.residual, constraints.ties, tolerance);

@@ -76,22 +76,24 @@ namespace isochor
         return it == place.end() ? numbers::invalid_unsigned_int : it->second;
       }
 
-      /** By how much the wall's linear function @p distance is above the body
-       * at its corner @p x, which acts on vertex number @p i: raise it to that
-       * in @p excess, at the vertices of the face below x. */
+      /** Where the function @p distance, linear on faces of the wall, is above
+       * the body at its corner @p x, which acts on vertex number @p i: raise
+       * @p lower to what has to be taken off it at the vertices of the face
+       * below x. Only what is further away than x comes nearer, in proportion,
+       * and at most as near. */
       void
-      note_excess(const unsigned int         i,
+      note_corner(const unsigned int         i,
                   const Point<dim>          &x,
                   const std::vector<double> &distance,
-                  std::vector<double>       &excess) const
+                  std::vector<double>       &lower) const
       {
         constexpr double rounding = 1e-9;
         for (const unsigned int f : faces_at[i])
           {
             const Face             &face = faces[f];
             const Tensor<1, dim>    at   = face.to_foot * (x - face.origin);
-            std::array<double, dim> weight{{1.}};
-            double                  above = -at[dim - 1];
+            const double            of_x = at[dim - 1];
+            std::array<double, dim> weight{{1.}}, above{};
             for (unsigned int v = 1; v < dim; ++v)
               {
                 weight[v] = at[v - 1];
@@ -99,11 +101,18 @@ namespace isochor
               }
             if (*std::min_element(weight.begin(), weight.end()) < -rounding)
               continue;
+            double excess = 0, positive = 0;
             for (unsigned int v = 0; v < dim; ++v)
-              if (distance[face.number[v]] < nowhere)
-                above += std::max(0., weight[v]) * distance[face.number[v]];
-            for (unsigned int v = 0; v < dim; ++v)
-              excess[face.number[v]] = std::max(excess[face.number[v]], above);
+              if (distance[face.number[v]] < nowhere && weight[v] > rounding)
+                {
+                  above[v] = distance[face.number[v]] - of_x;
+                  excess += weight[v] * above[v];
+                  positive += weight[v] * std::max(0., above[v]);
+                }
+            if (excess > rounding * positive)
+              for (unsigned int v = 0; v < dim; ++v)
+                lower[face.number[v]] =
+                  std::max(lower[face.number[v]], excess / positive * above[v]);
           }
       }
 
@@ -206,12 +215,15 @@ namespace isochor
                    const std::vector<unsigned int>   &vertices,
                    const std::vector<Tensor<1, dim>> &inwards)
   {
-    if (!step.points.has_stencils() || step.points.domain.empty())
+    const MPI_Comm comm = step.grid.communicator();
+    // a rank without points has no domains
+    const bool known =
+      step.points.has_stencils() && !step.points.domain.empty();
+    if (Utilities::MPI::max(known ? 1 : 0, comm) == 0)
       return {};
-    const MPI_Comm       comm = step.grid.communicator();
     const WallFaces<dim> wall(step.grid, vertices, inwards);
     std::vector<double>  distance(vertices.size(), nowhere),
-      lowest(vertices.size(), nowhere), excess(vertices.size(), 0.);
+      lowest(vertices.size(), nowhere), lower(vertices.size(), 0.);
     for_domains_at(step, wall, [&](const unsigned int i, const auto &corners) {
       const Point<dim> &x = step.grid.geometry().vertices()[vertices[i]];
       for (const auto &corner : corners)
@@ -225,11 +237,11 @@ namespace isochor
         distance[i] = lowest[i];
     for_domains_at(step, wall, [&](const unsigned int i, const auto &corners) {
       for (const auto &corner : corners)
-        wall.note_excess(i, corner, distance, excess);
+        wall.note_corner(i, corner, distance, lower);
     });
-    Utilities::MPI::max(excess, comm, excess);
+    Utilities::MPI::max(lower, comm, lower);
     for (unsigned int i = 0; i < distance.size(); ++i)
-      distance[i] = std::max(0., distance[i] - excess[i]);
+      distance[i] -= lower[i];
     return distance;
   }
 

@@ -28,9 +28,9 @@ namespace isochor
    * reached, on the smooth surface through the vertices, so that what a step
    * errs is corrected by the next one.
    *
-   * One-sided walls find their set of nodes by ContactSearch. Nodes that have
-   * not touched the wall yet remember their distance from it, others begin each
-   * step at the wall, on a kept grid where the last one left them.
+   * One-sided walls find their set of nodes by ContactSearch. At a reset of the
+   * grid nodes are as far from the wall as the body next to them, see
+   * gaps_of_body(), on a kept grid where the last step left them.
    */
   template <int dim>
   class Walls : public BoundaryCondition<dim>
@@ -51,9 +51,9 @@ namespace isochor
         "formula' the wall only pushes: nodes that would have to be pulled "
         "leave it. At vertices normals are the mean of the faces that meet at "
         "less than 40 degrees; at a sharper corner those of both sides count. "
-        "<Boundary conditions/Displacement> overrides walls. A wall that pushes "
-        "the body by more than half of a cell needs a grid that is kept (<Grid "
-        "reset/Steps between resets>).");
+        "<Boundary conditions/Displacement> overrides walls. A wall that "
+        "pushes the body by more than half of a cell needs a grid that is kept "
+        "(<Grid reset/Steps between resets>).");
     }
 
     void
@@ -335,8 +335,8 @@ namespace isochor
                                     x,
                                     step.old_time,
                                     step.time);
-      return wall.displacement(x, step.time) -
-             wall.displacement(x, step.old_time);
+      const auto &u = wall.displacement;
+      return u(x, step.time) - u(x, step.old_time);
     }
 
     double
@@ -358,8 +358,7 @@ namespace isochor
     {
       const double penetration =
         tolerance.relative * largest_increment(step, unknowns);
-      const std::vector<unsigned char> is_tied =
-        tied_nodes(constraints.ties, step.nodes.n_local());
+      const auto is_tied = tied_nodes(constraints.ties, step.nodes.n_local());
       std::vector<double> force(held_vertices().size(), 0.); // by label
       for (unsigned int k = 0; k < constraints.equations.size(); ++k)
         if (constraints.equations[k].owner == this)
@@ -430,14 +429,8 @@ namespace isochor
             }
           locate_nodes(wall);
         }
-      if (!wall.one_sided)
-        return;
-      std::vector<WallNode> contact;
-      for (const Node &node : wall.nodes)
-        contact.push_back(node.contact);
-      update_gaps(gaps, comm, contact);
-      for (unsigned int i = 0; i < n; ++i)
-        wall.nodes[i].contact = contact[i];
+      if (wall.one_sided)
+        wall.remember_gaps(gaps, comm);
     }
 
     /** At a curved wall: normals and gaps where the nodes are now. */

@@ -19,11 +19,12 @@ namespace isochor
    * point that acts on the vertex. Where it meets none of these, the least
    * height of their corners: the body ends beside the vertex. Where a corner of
    * the body is nearer to the wall than this function, linear on the wall's
-   * faces, says, it is lowered at the face's vertices by the difference; at a
-   * smooth surface that is of second order in the size of cells. Not negative;
-   * infinity where no point acts on the vertex. Empty if points have no domains
-   * that say on which nodes they act (BodyQuadrature::makes_stencils()): what
-   * is between them and the wall is not known then. Collective.
+   * faces, says, vertices of the face that are further away come as much nearer
+   * as it takes; at a smooth surface that is of second order in the size of
+   * cells. Negative where the body has gone beyond the vertex; infinity where
+   * no point acts on the vertex. Empty if points have no domains that say on
+   * which nodes they act (BodyQuadrature::makes_stencils()): what is between
+   * them and the wall is not known then. Collective.
    */
   template <int dim>
   std::vector<double>

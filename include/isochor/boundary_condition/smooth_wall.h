@@ -87,6 +87,18 @@ namespace isochor
           nodes[i].contact.released = nodes[i].contact.was_released = true;
     }
 
+    /** By node, see update_gaps(). Collective. */
+    void
+    remember_gaps(std::vector<double> &gaps, const MPI_Comm comm)
+    {
+      std::vector<WallNode> contact;
+      for (const Node &node : nodes)
+        contact.push_back(node.contact);
+      update_gaps(gaps, comm, contact);
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        nodes[i].contact = contact[i];
+    }
+
     void
     add_vertices(std::vector<unsigned int> &vertices) const
     {
