@@ -67,9 +67,9 @@ namespace isochor
   /**
    * Interface of what decides how large the cells of an adaptive grid are. All
    * take part, and the smallest size counts. To add one, write
-   * `source/grid/<name>.cc` with the class and its registration. Parameters
-   * live in the subsection "Adaptive grid"; a criterion whose parameters are
-   * left at their defaults does nothing.
+   * `source/adaptation/<name>.cc` with the class and its registration.
+   * Parameters live in the subsection "Adaptive grid"; a criterion whose
+   * parameters are left at their defaults does nothing.
    */
   template <int dim>
   class CellSizeCriterion
