@@ -257,15 +257,18 @@ namespace isochor
   {
     constexpr double    rounding = 1e-10;
     std::vector<double> gaps     = distance_to_body(step, vertices, inwards);
+    const auto         &place    = step.grid.geometry().vertices();
+    double              size     = 0;
+    for (const unsigned int v : vertices)
+      size = std::max(size, place[v].norm());
     for (unsigned int i = 0; i < gaps.size(); ++i)
       {
-        const Point<dim> &now  = step.grid.geometry().vertices()[vertices[i]];
-        const double      wall = displacement(i);
+        const unsigned int v = vertices[i];
         gaps[i] =
           gaps[i] < nowhere ?
-            gaps[i] + (now - reference[vertices[i]]) * inwards[i] - wall :
+            gaps[i] + (place[v] - reference[v]) * inwards[i] - displacement(i) :
             0.;
-        if (std::abs(gaps[i]) < rounding * (now.norm() + std::abs(wall)))
+        if (std::abs(gaps[i]) < rounding * size)
           gaps[i] = 0.;
       }
     return gaps;
