@@ -22,15 +22,29 @@ function(run)
 endfunction()
 
 run(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${place}/usr)
+set(type "") # for speed without being asked
+if(NOT TYPE STREQUAL Release)
+  set(type -D CMAKE_BUILD_TYPE=${TYPE})
+endif()
 foreach(example step plugins)
   run(COMMAND ${CMAKE_COMMAND} -S ${DOC}/${example} -B ${place}/${example}
-    -D CMAKE_PREFIX_PATH=${place}/usr -D CMAKE_BUILD_TYPE=${TYPE})
+    -D CMAKE_PREFIX_PATH=${place}/usr ${type})
   run(COMMAND ${CMAKE_COMMAND} --build ${place}/${example})
 endforeach()
 
 run(COMMAND ./step_isochor IN ${place}/step OUTPUT ${place}/step/output)
 run(COMMAND ${NUMDIFF} -a 1e-6 -r 1e-8 ${place}/step/output
   ${DOC}/step/step_isochor.output)
+
+# a library for the other one of deal.II's is refused, not loaded
+file(WRITE ${place}/other.so "libdeal.ii.so.0 libdeal.ii.g.so.0")
+file(WRITE ${place}/other.prm "set Additional shared libraries = ./other.so\n")
+execute_process(COMMAND ${place}/usr/bin/isochor ${place}/other.prm
+  WORKING_DIRECTORY ${place} RESULT_VARIABLE result ERROR_VARIABLE message
+  OUTPUT_QUIET)
+if(result EQUAL 0 OR NOT message MATCHES "-D CMAKE_BUILD_TYPE=")
+  message(FATAL_ERROR "A library for the other deal.II: ${message}")
+endif()
 
 run(COMMAND ${place}/usr/bin/isochor ${DOC}/plugins/plugins.prm --quiet
   IN ${place}/plugins)

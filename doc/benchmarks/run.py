@@ -4,7 +4,7 @@
 """Run time against error: run the scenes over their choices, compare with what
 is known to be right, and write CSV files, pictures and tables.
 
-    run.py --quick              # ten minutes
+    run.py --quick              # four minutes of CPU
     run.py                      # all, about two hours
     run.py --scene cook --scene tube
     run.py --baseline /path/of/another/isochor    # ratios by pairs

@@ -66,7 +66,9 @@ namespace isochor
     prm.declare_entry("Maximum level",
                       "4",
                       Patterns::Integer(0, Leaf<dim>::max_level),
-                      "How often coarse cells may be halved.");
+                      "How often coarse cells may be halved. Sizes of "
+                      "<Cell size> and at boundaries that would need more "
+                      "are as small as this allows.");
     prm.declare_entry("Hysteresis",
                       "0.25",
                       Patterns::Double(0, 1),

@@ -8,11 +8,37 @@
 
 #include <dlfcn.h>
 
+#include <fstream>
+#include <iterator>
+
 namespace isochor
 {
   namespace
   {
     const char *const parameter = "Additional shared libraries";
+
+
+
+    // deal.II has a library for debugging and one for speed. Both in one
+    // program destroy the same objects twice at its end, and the dynamic linker
+    // doesn't mind.
+#ifdef DEBUG
+    const std::string build_type = "Debug", other_deal_ii = "libdeal.ii.so";
+#else
+    const std::string build_type = "Release", other_deal_ii = "libdeal.ii.g.so";
+#endif
+
+
+
+    /** Whether the file @p path asks for the one that this program does not
+     * use. */
+    bool
+    needs_other_deal_ii(const std::string &path)
+    {
+      std::ifstream     file(path, std::ios::binary);
+      const std::string content(std::istreambuf_iterator<char>(file), {});
+      return content.find(other_deal_ii) != std::string::npos;
+    }
 
 
 
@@ -22,6 +48,13 @@ namespace isochor
       // dlopen() looks for a name without a slash in the system's directories
       const std::string path =
         name.find('/') == std::string::npos ? "./" + name : name;
+      if (needs_other_deal_ii(path))
+        throw ParameterError(
+          origin + ": the library <" + name + "> of the parameter <" +
+          parameter +
+          "> was built for the other one of deal.II's libraries, <" +
+          other_deal_ii + ">. Build it with -D CMAKE_BUILD_TYPE=" + build_type +
+          ", as this program is.");
       if (dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL) == nullptr)
         throw ParameterError(origin + ": the library <" + name +
                              "> of the parameter <" + parameter +

@@ -163,10 +163,14 @@ namespace isochor
           if (path.size() > 1 || section.rfind("Boundary conditions", 0) != 0)
             continue;
           if (inspect.value({section, "Surfaces of body"}).empty())
-            for (const char *name :
-                 {"Boundary points per face", "Mesh of body surfaces"})
-              inspect.idle({section, name},
-                           "without <" + section + "/Surfaces of body>");
+            {
+              const std::string without =
+                "without <" + section + "/Surfaces of body>";
+              inspect.idle({section, "Mesh of body surfaces"}, without);
+              if (inspect.value({section, "Traction"}).empty())
+                inspect.idle({section, "Boundary points per face"},
+                             without + " or <" + section + "/Traction>");
+            }
           if (inspect.value({section, "Displacement of body"}).empty())
             inspect.idle({section, "Penalty of body displacement"},
                          "without <" + section + "/Displacement of body>");
