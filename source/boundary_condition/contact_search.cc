@@ -106,25 +106,6 @@ namespace isochor
 
 
 
-  template <int dim>
-  unsigned int
-  nearest_vertex(const Point<dim>                &x,
-                 const std::vector<unsigned int> &vertices,
-                 const std::vector<Point<dim>>   &places)
-  {
-    if (vertices.empty())
-      return numbers::invalid_unsigned_int;
-    return std::min_element(vertices.begin(),
-                            vertices.end(),
-                            [&](const unsigned int v, const unsigned int w) {
-                              return x.distance_square(places[v]) <
-                                     x.distance_square(places[w]);
-                            }) -
-           vertices.begin();
-  }
-
-
-
   std::vector<unsigned char>
   tied_nodes(const NodalTies &ties, const unsigned int n_nodes)
   {
@@ -165,14 +146,6 @@ namespace isochor
 
 
 
-  template unsigned int
-  nearest_vertex(const Point<2> &,
-                 const std::vector<unsigned int> &,
-                 const std::vector<Point<2>> &);
-  template unsigned int
-  nearest_vertex(const Point<3> &,
-                 const std::vector<unsigned int> &,
-                 const std::vector<Point<3>> &);
   template double
   largest_increment(const StepContext<2> &, const NodalField &);
   template double

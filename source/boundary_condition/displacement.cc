@@ -5,7 +5,6 @@
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/contact_search.h>
-#include <isochor/boundary_condition/distance_to_body.h>
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
@@ -21,16 +20,18 @@ namespace isochor
    * component. A formula u(x, t) gives the displacement since t = 0, with x
    * where the node was generated: Δu = u(x, t_{n+1}) - u(x, t_n), and in the
    * first step u(x, t_1), as nothing has been displaced before. Material that
-   * reaches the boundary later takes part in what the boundary does then.
+   * reaches the boundary later takes part in what the boundary does from then
+   * on. With a grid that follows the motion (Grid/Stretch) this is an exact
+   * condition on a moving side of the body.
    *
    * A one-sided condition, u >= or <= a formula, is contact with a frictionless
    * wall that stands in the distance u(x, t) from where the node was generated,
    * see ContactSearch. The set of nodes in contact is kept from step to step.
    *
-   * At a reset of the grid a node is as far from the wall as the body next to
-   * it, see gaps_of_body(); on a grid that is kept (see GridReset) where the
-   * last step left it. With quadratures that don't know where the body ends a
-   * node that has touched the wall starts at it.
+   * A node that has not yet touched the wall remembers its distance. One that
+   * has starts each step on a reset grid at the wall; on a grid that is kept
+   * (see GridReset), where the last one left it. So does material that comes to
+   * the boundary later.
    */
   template <int dim>
   class PrescribedDisplacement : public BoundaryCondition<dim>
@@ -123,17 +124,6 @@ namespace isochor
                               condition.boundary,
                               condition.component,
                               condition.side);
-    }
-
-    /** At a reset of the grid: how far the body is from one-sided walls. */
-    void
-    collect_elements(const StepContext<dim> &step,
-                     ElementNodes & /*elements*/) override
-    {
-      if (!step.grid_is_kept)
-        for (auto &condition : conditions)
-          if (condition.side != 0)
-            measure_gaps(condition, step);
     }
 
     std::vector<unsigned int>
@@ -236,9 +226,6 @@ namespace isochor
       Expression<dim>           displacement;
       std::vector<unsigned int> vertices;
       std::vector<WallNode>     wall; ///< by vertex, if one-sided
-      /** Distances of the body from the wall at the last reset of the grid, by
-       * vertex; empty if they are not known. */
-      std::vector<double> gap_of_body;
     };
 
     /** Tell if the body has been pushed out of the row of cells at the
@@ -294,7 +281,6 @@ namespace isochor
                             side,
                             Expression<dim>(item.substr(equals + 1), name),
                             {},
-                            {},
                             {}});
     }
 
@@ -321,7 +307,6 @@ namespace isochor
     void
     place_walls(Condition &condition) const
     {
-      condition.gap_of_body.clear();
       condition.wall.assign(condition.vertices.size(), WallNode());
       for (unsigned int i = 0; i < condition.vertices.size(); ++i)
         {
@@ -343,10 +328,20 @@ namespace isochor
     {
       for (unsigned int i = 0; i < condition.wall.size(); ++i)
         {
-          const Point<dim>  &x = reference[condition.vertices[i]];
-          const unsigned int from =
-            nearest_vertex(x, old.vertices, old_reference);
-          if (from == numbers::invalid_unsigned_int)
+          const Point<dim> &x    = reference[condition.vertices[i]];
+          double            best = std::numeric_limits<double>::max();
+          unsigned int      from = 0;
+          for (unsigned int j = 0; j < old.wall.size() && best > 0; ++j)
+            {
+              const double distance =
+                x.distance_square(old_reference[old.vertices[j]]);
+              if (distance < best)
+                {
+                  best = distance;
+                  from = j;
+                }
+            }
+          if (best == std::numeric_limits<double>::max())
             continue;
           WallNode &node = condition.wall[i];
           node           = old.wall[from];
@@ -373,31 +368,7 @@ namespace isochor
       const double motion = condition.displacement(x, step.time) -
                             condition.displacement(x, step.old_time);
       const WallNode &node = condition.wall[i];
-      if (!step.grid_is_kept && !condition.gap_of_body.empty())
-        return motion - condition.side * condition.gap_of_body[i];
       return step.grid_is_kept || !node.touched ? motion - node.gap : motion;
-    }
-
-    /** A node at the wall may go through it by as much as the body is away from
-     * the wall there. */
-    void
-    measure_gaps(Condition &condition, const StepContext<dim> &step) const
-    {
-      Tensor<1, dim> inwards;
-      inwards[condition.component] = condition.side;
-      condition.gap_of_body        = gaps_of_body<dim>(
-        step,
-        reference,
-        condition.vertices,
-        std::vector<Tensor<1, dim>>(condition.vertices.size(), inwards),
-        [&](const unsigned int i) {
-          return condition.side *
-                 condition.displacement(reference[condition.vertices[i]],
-                                        step.old_time);
-        });
-      for (unsigned int i = 0; i < condition.gap_of_body.size(); ++i)
-        if (step.old_time == 0 && condition.gap_of_body[i] > 0)
-          condition.wall[i].released = condition.wall[i].was_released = true;
     }
 
     void
@@ -425,41 +396,52 @@ namespace isochor
       const NodalField                                        &unknowns,
       const NodalField                                        &reaction,
       const NodalTies                                         &ties,
-      const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const
-    {
-      const double penetration =
-        tolerance.relative * largest_increment(step, unknowns);
-      const auto is_tied = tied_nodes(ties, step.nodes.n_local());
-      std::vector<unsigned int> objections;
-      for (const auto &condition : conditions)
-        for (unsigned int i = 0; i < condition.wall.size(); ++i)
-          {
-            objections.push_back(Objection::none);
-            const unsigned int node = step.nodes.node(condition.vertices[i]);
-            if (node >= step.nodes.n_owned())
-              continue;
-            const unsigned int entry =
-              node * step.n_components + condition.component;
-            if (!condition.wall[i].released)
-              objections.back() =
-                condition.side * reaction.local_element(entry) <
-                    -tolerance.force ?
-                  Objection::pulls :
-                  Objection::none;
-            else if (!is_tied[node] &&
-                     condition.side * (unknowns.local_element(entry) -
-                                       increment(condition, i, step)) <
-                       -penetration)
-              objections.back() = Objection::penetrates;
-          }
-      Utilities::MPI::max(objections, step.grid.communicator(), objections);
-      return objections;
-    }
+      const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const;
 
     std::vector<Condition>  conditions;
     std::vector<Point<dim>> reference;
     ContactSearch           search;
   };
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  PrescribedDisplacement<dim>::find_objections(
+    const StepContext<dim>                                  &step,
+    const NodalField                                        &unknowns,
+    const NodalField                                        &reaction,
+    const NodalTies                                         &ties,
+    const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const
+  {
+    const double penetration =
+      tolerance.relative * largest_increment(step, unknowns);
+    const std::vector<unsigned char> is_tied =
+      tied_nodes(ties, step.nodes.n_local());
+    std::vector<unsigned int> objections;
+    for (const auto &condition : conditions)
+      for (unsigned int i = 0; i < condition.wall.size(); ++i)
+        {
+          objections.push_back(Objection::none);
+          const unsigned int node = step.nodes.node(condition.vertices[i]);
+          if (node >= step.nodes.n_owned())
+            continue;
+          const unsigned int entry =
+            node * step.n_components + condition.component;
+          if (!condition.wall[i].released)
+            objections.back() = condition.side * reaction.local_element(entry) <
+                                    -tolerance.force ?
+                                  Objection::pulls :
+                                  Objection::none;
+          else if (!is_tied[node] &&
+                   condition.side * (unknowns.local_element(entry) -
+                                     increment(condition, i, step)) <
+                     -penetration)
+            objections.back() = Objection::penetrates;
+        }
+    Utilities::MPI::max(objections, step.grid.communicator(), objections);
+    return objections;
+  }
 
 
 
@@ -472,8 +454,9 @@ namespace isochor
     const NodalConstraints                                  &constraints,
     const typename BoundaryCondition<dim>::ContactTolerance &tolerance)
   {
-    const auto one_sided = [](const auto &c) { return c.side != 0; };
-    if (std::none_of(conditions.begin(), conditions.end(), one_sided))
+    if (std::none_of(conditions.begin(),
+                     conditions.end(),
+                     [](const auto &condition) { return condition.side != 0; }))
       return {};
     const auto objections = find_objections(
       step, unknowns, system.residual, constraints.ties, tolerance);

@@ -28,9 +28,9 @@ namespace isochor
    * reached, on the smooth surface through the vertices, so that what a step
    * errs is corrected by the next one.
    *
-   * One-sided walls find their set of nodes by ContactSearch. At a reset of the
-   * grid nodes are as far from the wall as the body next to them, see
-   * gaps_of_body(), on a kept grid where the last step left them.
+   * One-sided walls find their set of nodes by ContactSearch. Nodes that have
+   * not touched the wall yet remember their distance from it, others begin each
+   * step at the wall, on a kept grid where the last one left them.
    */
   template <int dim>
   class Walls : public BoundaryCondition<dim>
@@ -51,9 +51,9 @@ namespace isochor
         "formula' the wall only pushes: nodes that would have to be pulled "
         "leave it. At vertices normals are the mean of the faces that meet at "
         "less than 40 degrees; at a sharper corner those of both sides count. "
-        "<Boundary conditions/Displacement> overrides walls. A wall that "
-        "pushes the body by more than half of a cell needs a grid that is kept "
-        "(<Grid reset/Steps between resets>).");
+        "<Boundary conditions/Displacement> overrides walls. A wall that pushes "
+        "the body by more than half of a cell needs a grid that is kept (<Grid "
+        "reset/Steps between resets>).");
     }
 
     void
@@ -96,7 +96,6 @@ namespace isochor
           wall.surface.initialize(grid,
                                   grid.boundary_id(wall.boundary, parameter()));
           wall.nodes.clear();
-          wall.gap_of_body.clear();
           for (const auto &at : wall.surface.nodes())
             {
               Node node;
@@ -134,15 +133,6 @@ namespace isochor
                           parameter(),
                           wall.boundary,
                           step.grid.boundary_id(wall.boundary, parameter()));
-    }
-
-    void
-    collect_elements(const StepContext<dim> &step,
-                     ElementNodes & /*elements*/) override
-    {
-      for (Wall &wall : walls)
-        if (wall.one_sided && !step.grid_is_kept)
-          wall.measure_gaps(step, reference, normals_of(wall, step));
     }
 
     std::vector<unsigned int>
@@ -318,8 +308,6 @@ namespace isochor
       const Node &node = wall.nodes[i];
       if (follows_curve(wall, step))
         return node.gap_now;
-      if (!step.grid_is_kept && !wall.gap_of_body.empty())
-        return wall.gap_of_body[i];
       return step.grid_is_kept || !node.contact.touched ? node.contact.gap : 0.;
     }
 
@@ -335,8 +323,8 @@ namespace isochor
                                     x,
                                     step.old_time,
                                     step.time);
-      const auto &u = wall.displacement;
-      return u(x, step.time) - u(x, step.old_time);
+      return wall.displacement(x, step.time) -
+             wall.displacement(x, step.old_time);
     }
 
     double
@@ -358,8 +346,12 @@ namespace isochor
     {
       const double penetration =
         tolerance.relative * largest_increment(step, unknowns);
-      const auto is_tied = tied_nodes(constraints.ties, step.nodes.n_local());
-      std::vector<double> force(held_vertices().size(), 0.); // by label
+      const std::vector<unsigned char> is_tied =
+        tied_nodes(constraints.ties, step.nodes.n_local());
+      unsigned int n_nodes = 0;
+      for (const Wall &wall : walls)
+        n_nodes += wall.nodes.size();
+      std::vector<double> force(n_nodes, 0.);
       for (unsigned int k = 0; k < constraints.equations.size(); ++k)
         if (constraints.equations[k].owner == this)
           force[constraints.equations[k].label] = system.multiplier(k);
@@ -429,8 +421,14 @@ namespace isochor
             }
           locate_nodes(wall);
         }
-      if (wall.one_sided)
-        wall.remember_gaps(gaps, comm);
+      if (!wall.one_sided)
+        return;
+      std::vector<WallNode> contact;
+      for (const Node &node : wall.nodes)
+        contact.push_back(node.contact);
+      update_gaps(gaps, comm, contact);
+      for (unsigned int i = 0; i < n; ++i)
+        wall.nodes[i].contact = contact[i];
     }
 
     /** At a curved wall: normals and gaps where the nodes are now. */
@@ -455,19 +453,22 @@ namespace isochor
               const std::vector<Point<dim>> &old_reference,
               Wall                          &wall) const
     {
-      std::vector<unsigned int> vertices;
-      old.add_vertices(vertices);
       for (Node &node : wall.nodes)
         {
-          const Point<dim>  &x = reference[node.vertex];
-          const unsigned int nearest =
-            nearest_vertex(x, vertices, old_reference);
-          if (!wall.one_sided || nearest == numbers::invalid_unsigned_int)
+          const Point<dim> &x       = reference[node.vertex];
+          const auto        nearest = std::min_element(
+            old.nodes.begin(),
+            old.nodes.end(),
+            [&](const Node &a, const Node &b) {
+              return x.distance_square(old_reference[a.vertex]) <
+                     x.distance_square(old_reference[b.vertex]);
+            });
+          if (!wall.one_sided || nearest == old.nodes.end())
             continue;
-          node.contact = old.nodes[nearest].contact;
+          node.contact = nearest->contact;
           if (!node.contact.touched)
             node.contact.gap +=
-              wall.displacement(old_reference[vertices[nearest]], 0.) -
+              wall.displacement(old_reference[nearest->vertex], 0.) -
               wall.displacement(x, 0.);
         }
     }

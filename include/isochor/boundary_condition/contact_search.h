@@ -86,14 +86,6 @@ namespace isochor
   double
   largest_increment(const StepContext<dim> &step, const NodalField &unknowns);
 
-  /** The number of that of @p vertices whose place in @p places (by vertex of
-   * the grid) is nearest to @p x; invalid_unsigned_int if there are none. */
-  template <int dim>
-  unsigned int
-  nearest_vertex(const Point<dim>                &x,
-                 const std::vector<unsigned int> &vertices,
-                 const std::vector<Point<dim>>   &places);
-
   /** By local node, whether it is tied to others for want of material. */
   std::vector<unsigned char>
   tied_nodes(const NodalTies &ties, const unsigned int n_nodes);

@@ -7,12 +7,9 @@
 
 #include <isochor/base/expression.h>
 #include <isochor/boundary_condition/contact_search.h>
-#include <isochor/boundary_condition/distance_to_body.h>
 #include <isochor/boundary_condition/wall_surface.h>
 #include <isochor/equations/equation_term.h>
 
-#include <numeric>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -41,63 +38,6 @@ namespace isochor
     Expression<dim>   displacement;
     WallSurface<dim>  surface;
     std::vector<Node> nodes;
-    /** Distances of the body from the wall at the last reset of the grid, by
-     * node; empty if they are not known. */
-    std::vector<double> gap_of_body = {};
-
-    /** Set gap_of_body, at a reset of the grid, whose vertices were at the
-     * places @p reference when they were generated, by @p normals of nodes now.
-     * Collective. */
-    void
-    measure_gaps(const StepContext<dim>            &step,
-                 const std::vector<Point<dim>>     &reference,
-                 const std::vector<Tensor<1, dim>> &normals)
-    {
-      gap_of_body.clear();
-      // a vertex with several normals takes part in as many rounds
-      std::vector<unsigned int> left(nodes.size());
-      std::iota(left.begin(), left.end(), 0);
-      while (!left.empty())
-        {
-          std::vector<unsigned int>   round, later, vertices;
-          std::vector<Tensor<1, dim>> inwards;
-          std::set<unsigned int>      taken;
-          for (const unsigned int i : left)
-            if (taken.insert(nodes[i].vertex).second)
-              {
-                round.push_back(i);
-                vertices.push_back(nodes[i].vertex);
-                inwards.push_back(normals[i]);
-              }
-            else
-              later.push_back(i);
-          const std::vector<double> gaps = gaps_of_body<dim>(
-            step, reference, vertices, inwards, [&](const unsigned int k) {
-              return displacement(reference[vertices[k]], step.old_time);
-            });
-          if (gaps.empty())
-            return;
-          gap_of_body.resize(nodes.size());
-          for (unsigned int k = 0; k < round.size(); ++k)
-            gap_of_body[round[k]] = gaps[k];
-          left = later;
-        }
-      for (unsigned int i = 0; i < nodes.size(); ++i)
-        if (step.old_time == 0 && gap_of_body[i] > 0)
-          nodes[i].contact.released = nodes[i].contact.was_released = true;
-    }
-
-    /** By node, see update_gaps(). Collective. */
-    void
-    remember_gaps(std::vector<double> &gaps, const MPI_Comm comm)
-    {
-      std::vector<WallNode> contact;
-      for (const Node &node : nodes)
-        contact.push_back(node.contact);
-      update_gaps(gaps, comm, contact);
-      for (unsigned int i = 0; i < nodes.size(); ++i)
-        nodes[i].contact = contact[i];
-    }
 
     void
     add_vertices(std::vector<unsigned int> &vertices) const
