@@ -49,6 +49,7 @@ def measure(arguments, dimension, solver, n):
     boxes = ", ".join([str(n)] * int(dimension[0]))
     overrides = {
         **harness.QUIET,
+        "Postprocess/Write material points": "false",
         "Grid/Subdivisions": boxes,
         "Linear solver/Solver": solver,
         "Newton/Reuse factorisation": 0,
@@ -115,10 +116,10 @@ def crossover(rows, dimension):
     shorter = [n for n in both if iterative[n]["linear"] < direct[n]["linear"]]
     if not shorter:
         most = max(direct[n]["equations"] for n in both)
-        return f"in {dimension} not up to {most} equations"
+        return f"in {dimension} nowhere up to {most} equations"
     first = min(shorter)
     before = [direct[n]["equations"] for n in both if n < first]
-    least = f"between {max(before)} and " if before else "below "
+    least = f"somewhere between {max(before)} and " if before else "below "
     return f"in {dimension} from {least}{direct[first]['equations']} equations on"
 
 
