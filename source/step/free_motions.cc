@@ -169,6 +169,8 @@ namespace isochor
             continue;
           Body      &body = bodies.at(label[A.global_equation[i]]);
           const Mode row  = modes_at(A, i, body);
+          Mode       image{}; // this row's part of A times the modes
+          double     diagonal = 0;
           for (std::size_t k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
             {
               const unsigned int j = A.column[k];
@@ -178,14 +180,16 @@ namespace isochor
               // half of each of the two places of an off-diagonal pair
               const double a = A.values[k] * (A.symmetric && j != i ? 1 : 0.5);
               for (unsigned int m = 0; m < 6; ++m)
-                for (unsigned int n = 0; n < 6; ++n)
-                  {
-                    body.energy[6 * m + n] +=
-                      a * (row[m] * column[n] + column[m] * row[n]);
-                    if (i == j)
-                      body.diagonal[6 * m + n] += A.values[k] * row[m] * row[n];
-                  }
+                image[m] += a * column[m];
+              if (i == j)
+                diagonal += A.values[k];
             }
+          for (unsigned int m = 0; m < 6; ++m)
+            for (unsigned int n = 0; n < 6; ++n)
+              {
+                body.energy[6 * m + n] += row[m] * image[n] + image[m] * row[n];
+                body.diagonal[6 * m + n] += diagonal * row[m] * row[n];
+              }
         }
       for (auto &body : bodies)
         {
