@@ -198,14 +198,13 @@ namespace isochor
   Equilibrium<dim>::solve()
   {
     const bool predicted = predict();
-    if (!predicted)
-      forget_plastic_matrix();
-    NewtonReport report = solve_with_contact();
+    from_rest            = !predicted;
+    NewtonReport report  = solve_with_contact();
     if (!report.converged && predicted)
       {
         start_from_rest();
-        forget_plastic_matrix();
-        report = solve_with_contact();
+        from_rest = true;
+        report    = solve_with_contact();
       }
     return report;
   }

@@ -137,9 +137,9 @@ namespace isochor
     void
     settle_weight(NewtonReport &report);
 
-    /** Before a start from rest, where nothing flows: a matrix kept from points
-     * that did would make too much of the first correction, which takes in what
-     * is prescribed and can't be judged by its residual. */
+    /** Where a step with prescribed increments starts from rest nothing flows:
+     * a matrix kept from points that did would make too much of the first
+     * correction, which can't be judged by its residual. */
     void
     forget_plastic_matrix();
     /** Begin the search for the nodes in contact, with those of the last step,
@@ -209,7 +209,9 @@ namespace isochor
     /** Forces of the boundary conditions that are terms of the equations. */
     NodalField boundary_force;
     /** Whether the iterate is where the step starts. */
-    bool   at_start    = true;
+    bool at_start = true;
+    /** Whether a step starts with zero increments. */
+    bool   from_rest   = false;
     double force_floor = 0, volume_floor = 0;
     bool   scene_checked = false;
     /** How many bodies apart from each other the active nodes form (0: not
