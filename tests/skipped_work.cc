@@ -134,31 +134,6 @@ test_factorisations()
                     1e-8);
 }
 
-/** From rest, matrices of points that flowed lead astray: they have to save
- * more than they cost. */
-void
-test_factorisations_of_plastic_bodies()
-{
-  const std::string scene =
-    "Grid/Subdivisions = 6, 6\nGrid reset/Steps between resets = 0\n"
-    "Material/Model = J2\nMaterial/Young modulus = 1e7\n"
-    "Material/Poisson ratio = 0.3\nMaterial/J2/Yield stress = 1e5\n"
-    "Boundary conditions/Displacement = bottom: x=0, y=0; top: x=0, y=0.1*t\n"
-    "Time/Step size = 0.05\nNewton/Predictor = none\n"
-    "Newton/Tolerance = 1e-11\nPostprocess/Reactions = bottom\n"
-    "Postprocess/Point probes = P: 0.4, 0.9\n";
-  const auto each =
-    test::run_scene<2>(scene + "Newton/Reuse factorisation = 0\n");
-  const auto kept = test::run_scene<2>(scene);
-  test::check("kept factorisations save some with plasticity, too",
-              kept->work().row("factorisations").done <
-                each->work().row("factorisations").done,
-              written(kept->work()) + written(each->work()));
-  test::check_error("with the same result",
-                    difference(numbers_of(*each), numbers_of(*kept)),
-                    1e-8);
-}
-
 void
 test_output()
 {
@@ -258,7 +233,6 @@ main(int argc, char *argv[])
   test_kept_grid();
   test_analysis();
   test_factorisations();
-  test_factorisations_of_plastic_bodies();
   test_output();
   test_empty_cells();
   test_features();

@@ -197,29 +197,14 @@ namespace isochor
   NewtonReport
   Equilibrium<dim>::solve()
   {
-    const bool predicted = predict();
-    from_rest            = !predicted;
-    NewtonReport report  = solve_with_contact();
+    const bool   predicted = predict();
+    NewtonReport report    = solve_with_contact();
     if (!report.converged && predicted)
       {
         start_from_rest();
-        from_rest = true;
-        report    = solve_with_contact();
+        report = solve_with_contact();
       }
     return report;
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::forget_plastic_matrix()
-  {
-    const auto &materials = scene.kernel.materials;
-    if (std::any_of(materials.begin(), materials.end(), [](const auto &law) {
-          return law->dissipates();
-        }))
-      linear_step.forget_factorisation();
   }
 
 

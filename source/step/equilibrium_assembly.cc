@@ -25,8 +25,6 @@ namespace isochor
     const EvaluationStatus status     = assemble_terms(step, with_matrix);
     const ResidualNorms    norms =
       measure_residual(status, is_pending || is_dragged);
-    if (at_start && from_rest && norms.pending)
-      forget_plastic_matrix();
     terminal.work().count("assemblies of the matrix", with_matrix);
     if (with_matrix && !scene_checked)
       {

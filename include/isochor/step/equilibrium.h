@@ -137,11 +137,6 @@ namespace isochor
     void
     settle_weight(NewtonReport &report);
 
-    /** Where a step with prescribed increments starts from rest nothing flows:
-     * a matrix kept from points that did would make too much of the first
-     * correction, which can't be judged by its residual. */
-    void
-    forget_plastic_matrix();
     /** Begin the search for the nodes in contact, with those of the last step,
      * and lay out the system for it. */
     void
@@ -209,9 +204,7 @@ namespace isochor
     /** Forces of the boundary conditions that are terms of the equations. */
     NodalField boundary_force;
     /** Whether the iterate is where the step starts. */
-    bool at_start = true;
-    /** Whether a step starts with zero increments. */
-    bool   from_rest   = false;
+    bool   at_start    = true;
     double force_floor = 0, volume_floor = 0;
     bool   scene_checked = false;
     /** How many bodies apart from each other the active nodes form (0: not

@@ -41,13 +41,6 @@ namespace isochor
       return factorised_pattern == system.matrix().pattern_id;
     }
 
-    /** Let the next solution have a new one. */
-    void
-    forget_factorisation()
-    {
-      factorised_pattern = 0;
-    }
-
     /**
      * Find the correction of @p unknowns: with the matrix last assembled or, if
      * not @p factorise, with the one factorised before, as accurately as asked
