@@ -5,14 +5,15 @@ A system is a folder of include/isochor/ and the folder of the same name in
 source/. One uses another if a file of it includes a header of the other one.
 The checks: headers and sources lie in folders of the same name; no system
 uses, directly or through others, one that uses it; no file has more than 500
-lines; the picture and the table of large classes in doc/architecture.md show
-what the files say.
+lines; the top level holds what it should, and no output of a run; the picture
+and the table of large classes in doc/architecture.md show what the files say.
 
     check_systems.py            exit code 1 and a list of what is wrong
     check_systems.py --picture  write both into doc/architecture.md
 """
 import pathlib
 import re
+import subprocess
 import sys
 
 import class_sizes
@@ -22,6 +23,8 @@ PAGE = ROOT / "doc" / "architecture.md"
 BEGIN = "<!-- systems: tests/check_systems.py --picture -->\n"
 END = "<!-- end of systems -->\n"
 LONGEST = 500
+TOP = {"CMakeLists.txt", "LICENSE", "README.md", "doc", "include", "prm", "source",
+       "tests"}
 INCLUDE = re.compile(r"#include <isochor/(\w+)/([\w.]+)>")
 
 
@@ -62,7 +65,21 @@ def picture(uses):
     return "\n".join(lines + ["```\n"])
 
 
+def strangers():
+    """What git knows at the top level and should not be there; nothing if this
+    is no clone."""
+    try:
+        listed = subprocess.run(["git", "ls-tree", "--name-only", "HEAD"], cwd=ROOT,
+                                capture_output=True, text=True, check=True).stdout
+    except (OSError, subprocess.CalledProcessError):
+        return []
+    return [name for name in listed.splitlines()
+            if name not in TOP and not name.startswith(".")]
+
+
 def problems():
+    for name in strangers():
+        yield f"{name} does not belong to the top level"
     uses = read_uses()
     for system in sorted(uses):
         if system in reach(uses, system):
