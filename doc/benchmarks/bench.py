@@ -6,6 +6,7 @@ import re
 
 import harness
 import numpy as np
+import programs
 from harness import HERE, PRM, QUIET, output
 
 plt = output.plt
@@ -46,13 +47,7 @@ class Bench:
         )
 
     def save(self, figure, name):
-        for suffix in ("png", "svg"):
-            figure.savefig(
-                self.directory / f"stability_{name}.{suffix}",
-                bbox_inches="tight",
-                dpi=110,
-            )
-        plt.close(figure)
+        programs.save(figure, self.directory / f"stability_{name}")
 
 
 def shortened(problem):

@@ -5,6 +5,7 @@
 import re
 
 import numpy as np
+import programs
 from harness import (
     TOLERANCES,
     cheapest,
@@ -12,7 +13,6 @@ from harness import (
     observed_order,
     output,
     quantities,
-    reliable_error,
 )
 
 plt = output.plt
@@ -305,11 +305,7 @@ def draw_error_over(rows, scene, abscissa, label, quantity, path):
         ncol=3,
         fontsize=8,
     )
-    for suffix in ("png", "svg"):
-        figure.savefig(
-            path.with_suffix(f".{suffix}"), bbox_inches="tight", dpi=110
-        )
-    plt.close(figure)
+    programs.save(figure, path)
 
 
 def draw_anchors(axis, scene, problem, quantity, abscissa, handles):
@@ -394,9 +390,7 @@ def draw_sections(all_rows, path):
     axis.legend(
         ncol=5, fontsize=7, loc="lower center", bbox_to_anchor=(0.2, 1.0)
     )
-    for suffix in ("png", "svg"):
-        figure.savefig(path.with_suffix(f".{suffix}"), bbox_inches="tight", dpi=110)
-    plt.close(figure)
+    programs.save(figure, path)
 
 
 __all__ = [
@@ -405,7 +399,6 @@ __all__ = [
     "draw_error_over",
     "draw_sections",
     "insert",
-    "reliable_error",
     "series_table",
     "tolerance_table",
 ]

@@ -15,7 +15,6 @@ CSV files and pictures also to doc/benchmarks/results and the tables to
 doc/benchmarks.md. Needs gmsh, numpy, matplotlib and vtk9.
 """
 
-import argparse
 import datetime
 import os
 import platform
@@ -28,9 +27,9 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
 import harness  # noqa: E402
+import programs  # noqa: E402
 import report  # noqa: E402
 import scenes  # noqa: E402
-from harness import output  # noqa: E402
 
 RESULTS = HERE / "results"
 PAGE = HERE.parent / "benchmarks.md"
@@ -128,9 +127,7 @@ def publish(scene, rows, arguments, where):
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = programs.parser(__doc__, "output-benchmarks")
     parser.add_argument("--quick", action="store_true", help="small sizes only")
     parser.add_argument(
         "--scene",
@@ -138,7 +135,6 @@ def parse_arguments():
         choices=list(scenes.SCENES),
         help="only this one; may be repeated",
     )
-    parser.add_argument("--executable", help="path of isochor")
     parser.add_argument(
         "--baseline", help="another isochor, run in turn with the first"
     )
@@ -149,22 +145,9 @@ def parse_arguments():
         "--limit", type=int, default=3600, help="seconds after which a run fails"
     )
     parser.add_argument(
-        "--directory", type=Path, default=Path("output-benchmarks")
-    )
-    parser.add_argument(
         "--draw", action="store_true", help="run nothing, use the CSV files there"
     )
-    parser.add_argument(
-        "--publish", action="store_true", help="also change the documentation"
-    )
-    arguments = parser.parse_args()
-    arguments.directory = arguments.directory.resolve()
-    arguments.directory.mkdir(parents=True, exist_ok=True)
-    if not arguments.draw:
-        arguments.executable = os.path.abspath(
-            arguments.executable or output.find_executable()
-        )
-    return arguments
+    return programs.parse(parser, lambda arguments: not arguments.draw)
 
 
 def main():
@@ -211,7 +194,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except output.OutputError as problem:
-        sys.exit(f"Error: {problem}")
+    programs.end_with(main)

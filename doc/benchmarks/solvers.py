@@ -15,8 +15,6 @@ elapsed time that the process had a processor, over the number of Newton iterati
 of which has a factorisation of its own.
 """
 
-import argparse
-import os
 import shutil
 import sys
 import time
@@ -27,6 +25,7 @@ sys.path.insert(0, str(HERE))
 
 import harness  # noqa: E402
 import numpy as np  # noqa: E402
+import programs  # noqa: E402
 import report  # noqa: E402
 from harness import PRM, output  # noqa: E402
 
@@ -187,26 +186,14 @@ def draw(rows, path):
         axis.set(xlabel="equations", ylabel=label)
         axis.grid(True, which="major", color="0.9")
     axes[0].legend(fontsize=8)
-    for suffix in ("png", "svg"):
-        figure.savefig(path.with_suffix(f".{suffix}"), bbox_inches="tight", dpi=110)
-    plt.close(figure)
+    programs.save(figure, path)
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = programs.parser(__doc__, "output-solvers")
     parser.add_argument("--quick", action="store_true")
-    parser.add_argument("--executable")
     parser.add_argument("--repeat", type=int, default=3)
-    parser.add_argument("--directory", type=Path, default=Path("output-solvers"))
-    parser.add_argument("--publish", action="store_true")
-    arguments = parser.parse_args()
-    arguments.directory = arguments.directory.resolve()
-    arguments.directory.mkdir(parents=True, exist_ok=True)
-    arguments.executable = os.path.abspath(
-        arguments.executable or output.find_executable()
-    )
+    arguments = programs.parse(parser)
     start = time.time()
     rows = []
     for dimension, (sizes, largest_direct) in SIZES.items():
@@ -229,7 +216,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except output.OutputError as problem:
-        sys.exit(f"Error: {problem}")
+    programs.end_with(main)

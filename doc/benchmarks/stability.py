@@ -12,8 +12,6 @@ A test that misses its bound is reported and makes the program end with code 1.
 Needs numpy, matplotlib, vtk9 and gmsh. The inf-sup test is tests/inf_sup.cc.
 """
 
-import argparse
-import os
 import shutil
 import sys
 import time
@@ -22,6 +20,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
+import programs  # noqa: E402
 import report  # noqa: E402
 from bench import Bench, shortened  # noqa: E402
 from fuzzer import fuzz  # noqa: E402
@@ -69,22 +68,12 @@ def page(bench):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = programs.parser(__doc__, "output-stability")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--only", action="append", choices=list(TESTS))
-    parser.add_argument("--executable")
     parser.add_argument("--scenes", type=int, default=1000, help="of the fuzzer")
     parser.add_argument("--first-seed", type=int, default=0)
-    parser.add_argument("--directory", type=Path, default=Path("output-stability"))
-    parser.add_argument("--publish", action="store_true")
-    arguments = parser.parse_args()
-    arguments.directory = arguments.directory.resolve()
-    arguments.directory.mkdir(parents=True, exist_ok=True)
-    arguments.executable = os.path.abspath(
-        arguments.executable or output.find_executable()
-    )
+    arguments = programs.parse(parser)
     bench = Bench(arguments)
     start = time.time()
     for name in arguments.only or TESTS:
@@ -107,4 +96,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    programs.end_with(main)

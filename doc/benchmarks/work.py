@@ -15,8 +15,6 @@ that number: start and set-up cancel. tests/skipped_work.cc shows that the resul
 stay what they are.
 """
 
-import argparse
-import os
 import shutil
 import statistics as stat
 import sys
@@ -27,9 +25,10 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
 import harness  # noqa: E402
+import programs  # noqa: E402
 import report  # noqa: E402
 from resets import resets  # noqa: E402
-from harness import ROOT, output  # noqa: E402
+from harness import ROOT  # noqa: E402
 
 PRM = ROOT / "prm"
 PAGE = HERE.parent / "benchmarks.md"
@@ -433,25 +432,15 @@ TABLES = {
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = programs.parser(__doc__, "output-work")
     parser.add_argument("--only", action="append", choices=list(TABLES))
-    parser.add_argument("--executable")
     parser.add_argument("--baseline", help="another isochor, for the table 'pairs'")
     parser.add_argument(
         "--baseline-prm", type=Path, default=PRM, help="the scenes it understands"
     )
     parser.add_argument("--repeat", type=int, default=5)
     parser.add_argument("--limit", type=int, default=3600)
-    parser.add_argument("--directory", type=Path, default=Path("output-work"))
-    parser.add_argument("--publish", action="store_true")
-    arguments = parser.parse_args()
-    arguments.directory = arguments.directory.resolve()
-    arguments.directory.mkdir(parents=True, exist_ok=True)
-    arguments.executable = os.path.abspath(
-        arguments.executable or output.find_executable()
-    )
+    arguments = programs.parse(parser)
     start = time.time()
     work = Work(arguments)
     for name in arguments.only or TABLES:
@@ -473,7 +462,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except output.OutputError as problem:
-        sys.exit(f"Error: {problem}")
+    programs.end_with(main)
