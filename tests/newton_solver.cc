@@ -142,6 +142,28 @@ test_other_conditions()
               std::to_string(n_asked));
 }
 
+/** What can only be come closer to: each correction is shorter than the last
+ * one. It is given up at the third of them if there is another start. */
+void
+test_other_start()
+{
+  for (const bool has_other_start : {true, false})
+    {
+      MadeUpProblem limit(-1, [](const double x) {
+        return x >= 1 ? 2. : 0.5 / (2 + x);
+      });
+      limit.problem.has_other_start = has_other_start;
+      const NewtonReport report =
+        solve(limit, "Newton/Maximum iterations = 9\n");
+      test::check(has_other_start ? "given up for another start" :
+                                    "the only start is not given up",
+                  !report.converged && limit.consistent &&
+                    report.n_iterations() == (has_other_start ? 4 : 9),
+                  std::to_string(report.n_iterations()) + ": " +
+                    report.failure);
+    }
+}
+
 /** A block between clamps is drawn into flow. From where the residual is small
  * enough for the zones to be known, r_{k+1} <= 100 r_k^2 down to rounding. */
 void
@@ -191,6 +213,7 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_consistency();
   test_other_conditions();
+  test_other_start();
   test_plastic("u");
   test_plastic("u-p");
 }

@@ -6,7 +6,6 @@
 
 #include <isochor/adaptation/grid_adaptation.h>
 #include <isochor/adaptation/leaf_weights.h>
-#include <isochor/equations/nodal_unknowns.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,6 +132,20 @@ namespace isochor
 
 
   template <int dim>
+  bool
+  GridAdaptation<dim>::needs_sizes() const
+  {
+    const bool next_reset_is_due =
+      resets_between > 0 && n_resets % resets_between == 0;
+    return next_reset_is_due ||
+           std::any_of(criteria.begin(), criteria.end(), [](const auto &c) {
+             return c->needs_state() && c->writes_statistics();
+           });
+  }
+
+
+
+  template <int dim>
   double
   GridAdaptation<dim>::size_at(const Point<dim> &x, const double time) const
   {
@@ -186,74 +199,6 @@ namespace isochor
 
 
   template <int dim>
-  BodyState<dim>
-  GridAdaptation<dim>::body_state(const StepContext<dim> &step,
-                                  const NodalField       &unknowns) const
-  {
-    const PointArrays<dim> &points = step.points;
-    BodyState<dim>          state{step.grid,
-                         static_cast<unsigned int>(
-                           step.kernel.materials.size()),
-                         step.time,
-                         {},
-                         {},
-                         {},
-                         {},
-                         {},
-                         {},
-                         {},
-                         {}};
-    // the variable whose increment is asked for, by material
-    std::vector<unsigned int> plastic_strain;
-    for (const auto &material : step.kernel.materials)
-      {
-        const auto names = material->history_names();
-        const auto found =
-          std::find(names.begin(), names.end(), "equivalent_plastic_strain");
-        plastic_strain.push_back(found == names.end() ?
-                                   numbers::invalid_unsigned_int :
-                                   found - names.begin());
-      }
-    std::array<double, max_history> history;
-    const NodalUnknowns<dim>        nodal(step, unknowns);
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
-      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
-           ++q)
-        {
-          const auto stencil = points.stencil(step.grid.geometry(), k, q);
-          const auto end =
-            step.kernel.final_state(points,
-                                    q,
-                                    nodal.deformation_at(stencil),
-                                    nodal.hoop_at(stencil, points, q),
-                                    step.mixed(),
-                                    nodal.pressure_at(stencil),
-                                    history.data());
-          const unsigned int m = points.material[q];
-          state.cell.push_back(points.cell[k]);
-          state.shape.push_back(points.shape[q]);
-          state.volume.push_back(end.J * points.volume[q] *
-                                 points.thickness(q));
-          state.stress.push_back(end.cauchy_stress);
-          state.material.push_back(m);
-          state.shear_modulus.push_back(
-            step.kernel.materials[m]->shear_modulus());
-          state.inverse_bulk_modulus.push_back(
-            step.kernel.materials[m]->inverse_bulk_modulus());
-          const unsigned int i = plastic_strain[m];
-          state.plastic_increment.push_back(
-            i == numbers::invalid_unsigned_int ?
-              0. :
-              history[i] -
-                points
-                  .history[q * static_cast<std::size_t>(points.n_history) + i]);
-        }
-    return state;
-  }
-
-
-
-  template <int dim>
   void
   GridAdaptation<dim>::set_sizes(const StepContext<dim> &step,
                                  const NodalField       &unknowns,
@@ -262,7 +207,7 @@ namespace isochor
   {
     if (!step.grid.is_adaptive() || !needs_state())
       return;
-    const BodyState<dim> state = body_state(step, unknowns);
+    const BodyState<dim> state = state_of_body(step, unknowns);
     std::vector<double>  sizes(state.size(), CellSizeCriterion<dim>::any_size);
     for (const auto &criterion : criteria)
       if (criterion->needs_state())
@@ -385,7 +330,8 @@ namespace isochor
                              MaterialPoints<dim>     &points,
                              const PointLocator<dim> &locator,
                              const double             time,
-                             LastMotion              &last_motion)
+                             LastMotion              &last_motion,
+                             const bool               keep_points)
   {
     if (!grid.is_adaptive())
       return false;
@@ -417,8 +363,10 @@ namespace isochor
       return false;
     const Motion motion = motion_in_old_grid(grid, last_motion);
 
-    points.change_grid(locator,
-                       [&]() { return grid.change(leaves, owners, time); });
+    points.change_grid(
+      locator,
+      [&]() { return grid.change(leaves, owners, time); },
+      keep_points);
     set_motion_in_new_grid(motion, grid, last_motion);
     if (is_refined)
       ++n_changes;

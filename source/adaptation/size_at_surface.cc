@@ -37,6 +37,12 @@ namespace isochor
       return size > 0;
     }
 
+    bool
+    writes_statistics() const override
+    {
+      return false;
+    }
+
     void
     limit_sizes(const BodyState<dim> &state,
                 const LevelRule<dim> & /*rule*/,

@@ -164,11 +164,8 @@ namespace isochor
     std::vector<BodySurface<dim>> places;
     for (const SurfaceCondition<dim> &surface : conditions.surfaces)
       places.push_back(surface.place);
-    std::vector<unsigned int> occupied;
-    for (const auto &cells :
-         Utilities::MPI::all_gather(grid.communicator(), body->cell))
-      occupied.insert(occupied.end(), cells.begin(), cells.end());
-    std::sort(occupied.begin(), occupied.end());
+    const std::vector<unsigned int> occupied =
+      union_over_ranks(body->cell, grid.communicator());
     const auto found = seed_surfaces(grid,
                                      *shape,
                                      occupied,

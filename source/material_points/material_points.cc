@@ -392,20 +392,24 @@ namespace isochor
   void
   MaterialPoints<dim>::change_grid(
     const PointLocator<dim>                                    &locator,
-    const std::function<std::unique_ptr<Triangulation<dim>>()> &change)
+    const std::function<std::unique_ptr<Triangulation<dim>>()> &change,
+    const bool                                                  keep_points)
   {
     groups.clear();
     const unsigned int n_properties = particles.n_properties_per_particle();
     PointRecords<dim>  records(n_properties);
-    for (const auto &particle : particles)
-      records.push_back(particle.get_surrounding_cell()->active_cell_index(),
-                        particle.get_id(),
-                        particle.get_location(),
-                        particle.get_properties());
+    if (keep_points)
+      for (const auto &particle : particles)
+        records.push_back(particle.get_surrounding_cell()->active_cell_index(),
+                          particle.get_id(),
+                          particle.get_location(),
+                          particle.get_properties());
     particles.clear_particles();
     const std::unique_ptr<Triangulation<dim>> old = change();
     // lets go of the old one
     particles.initialize(grid.triangulation(), grid.mapping(), n_properties);
+    if (!keep_points)
+      return;
     for (std::size_t i = 0; i < records.size(); ++i)
       {
         const auto place =

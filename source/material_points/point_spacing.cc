@@ -43,21 +43,6 @@ namespace isochor
       return sum;
     }
 
-    /** The entries of all ranks, each once and in order. */
-    std::vector<unsigned int>
-    gather_from_all(const std::vector<unsigned int> &cells, const MPI_Comm comm)
-    {
-      std::vector<unsigned int> all;
-      if (Utilities::MPI::n_mpi_processes(comm) == 1) // packing takes its time
-        all = cells;
-      else
-        for (const auto &of_rank : Utilities::MPI::all_gather(comm, cells))
-          all.insert(all.end(), of_rank.begin(), of_rank.end());
-      std::sort(all.begin(), all.end());
-      all.erase(std::unique(all.begin(), all.end()), all.end());
-      return all;
-    }
-
     /** @p cells, each brought to the rank that owns it. */
     template <int dim>
     std::set<unsigned int>
@@ -362,7 +347,7 @@ namespace isochor
   {
     const SimplexGeometry<dim>     &geometry = grid.geometry();
     const std::vector<unsigned int> cells =
-      gather_from_all(own_cells, grid.communicator());
+      union_over_ranks(own_cells, grid.communicator());
     DisjointSets pieces(cells.size());
     if (by_faces)
       for (unsigned int k = 0; k < cells.size(); ++k)

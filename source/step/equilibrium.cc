@@ -198,11 +198,13 @@ namespace isochor
   Equilibrium<dim>::solve()
   {
     const bool   predicted = predict();
-    NewtonReport report    = solve_with_contact();
+    NewtonReport report    = solve_with_contact(predicted);
     if (!report.converged && predicted)
       {
+        if (terminal.log())
+          terminal.out() << "    from rest: " << report.failure << std::endl;
         start_from_rest();
-        report = solve_with_contact();
+        report = solve_with_contact(false);
       }
     return report;
   }
@@ -211,7 +213,7 @@ namespace isochor
 
   template <int dim>
   NewtonReport
-  Equilibrium<dim>::solve_with_contact()
+  Equilibrium<dim>::solve_with_contact(const bool has_other_start)
   {
     const LoadStepping &time = scene.time;
     if (terminal.log())
@@ -220,13 +222,13 @@ namespace isochor
                      << " (dt = " << time.next_time() - time.time << ")"
                      << std::endl;
     at_start            = true;
-    NewtonReport report = find_root(true);
+    NewtonReport report = find_root(true, has_other_start);
     while (report.converged && change_contact(report))
       {
         lay_out_system(false);
         if (terminal.log())
           terminal.out() << "    other conditions hold" << std::endl;
-        report.continue_with(find_root(true));
+        report.continue_with(find_root(true, has_other_start));
       }
     // of nodes in contact only the last set counts
     if (report.converged &&
@@ -377,10 +379,12 @@ namespace isochor
 
   template <int dim>
   NewtonReport
-  Equilibrium<dim>::find_root(const bool with_contact)
+  Equilibrium<dim>::find_root(const bool with_contact,
+                              const bool has_other_start)
   {
     NewtonSolver::Problem problem;
-    problem.assemble = [this](const bool with_matrix) {
+    problem.has_other_start = has_other_start;
+    problem.assemble        = [this](const bool with_matrix) {
       return assemble(with_matrix);
     };
     problem.solve = [this](const bool              factorise,

@@ -151,7 +151,8 @@ namespace isochor
                               statistics);
         }
       statistics.set_owner("");
-      scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
+      if (scene.adaptation.needs_sizes())
+        scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
       setup.evaluate(statistics);
     }
     {

@@ -302,7 +302,7 @@ namespace isochor
                                scene.points,
                                not_of_a_step);
     if (!scene.adaptation.adapt(
-          scene.grid, scene.points, *locator, scene.time.time, none))
+          scene.grid, scene.points, *locator, scene.time.time, none, false))
       return false;
     scene.points.seed(scene.kernel.materials,
                       scene.has_inertia(),

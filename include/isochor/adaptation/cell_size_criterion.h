@@ -6,13 +6,12 @@
 #define isochor_cell_size_criterion_h
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/symmetric_tensor.h>
 
+#include <isochor/adaptation/body_state.h>
 #include <isochor/base/plugin_registry.h>
 #include <isochor/base/statistics.h>
 #include <isochor/grid/background_grid.h>
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <string>
@@ -21,31 +20,6 @@
 namespace isochor
 {
   using namespace dealii;
-
-  /** The material points of this rank at the end of a step, in the cells that
-   * the step was made with. */
-  template <int dim>
-  struct BodyState
-  {
-    const BackgroundGrid<dim> &grid;
-    unsigned int               n_materials;
-    double                     time;
-
-    std::vector<unsigned int>                cell;
-    std::vector<std::array<double, dim + 1>> shape;  ///< N_I in the cell
-    std::vector<double>                      volume; ///< J V_0
-    std::vector<SymmetricTensor<2, 3>>       stress; ///< Cauchy (Pa)
-    std::vector<unsigned char>               material;
-    std::vector<double> shear_modulus, inverse_bulk_modulus; ///< Pa, 1/Pa
-    /** Of the equivalent plastic strain in the step; 0 for elastic laws. */
-    std::vector<double> plastic_increment;
-
-    unsigned int
-    size() const
-    {
-      return cell.size();
-    }
-  };
 
   /** How the levels of leaves follow from sizes that are asked for. */
   template <int dim>
@@ -111,6 +85,15 @@ namespace isochor
     needs_state() const
     {
       return false;
+    }
+
+    /** Whether limit_sizes() writes into the statistics: then it is called
+     * after each step, else only before a reset at which the grid may change.
+     */
+    virtual bool
+    writes_statistics() const
+    {
+      return true;
     }
 
     /**

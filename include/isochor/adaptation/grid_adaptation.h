@@ -52,6 +52,11 @@ namespace isochor
               MaterialPoints<dim>    &points,
               Statistics             &statistics);
 
+    /** Whether set_sizes() is to be called after this step: the grid may change
+     * at the next reset, or the statistics have columns of it. */
+    bool
+    needs_sizes() const;
+
     /** The grid is reset: whether it may change this time. */
     bool
     is_due();
@@ -59,15 +64,17 @@ namespace isochor
     /**
      * The grid is reset at @p time, and the points have been located in the old
      * one: replace it and put them into the new one, if a leaf changes. Nodes
-     * of the new one get what @p last_motion has at their places. Returns
-     * whether the grid changed. Collective.
+     * of the new one get what @p last_motion has at their places. Not
+     * @p keep_points: the new one has none, to be seeded anew. Returns whether
+     * the grid changed. Collective.
      */
     bool
     adapt(BackgroundGrid<dim>     &grid,
           MaterialPoints<dim>     &points,
           const PointLocator<dim> &locator,
           const double             time,
-          LastMotion              &last_motion);
+          LastMotion              &last_motion,
+          const bool               keep_points = true);
 
     /** Whether the first step, just solved for the time number @p n, is to be
      * solved again on the grid that follows from it. */
@@ -118,8 +125,6 @@ namespace isochor
     needs_state() const;
     double
     size_at(const Point<dim> &x, const double time) const;
-    BodyState<dim>
-    body_state(const StepContext<dim> &step, const NodalField &unknowns) const;
     /** The level of each leaf of the present grid, and how many points it has.
      * Collective. */
     std::vector<unsigned int>

@@ -124,12 +124,14 @@ namespace isochor
     /**
      * Let @p change replace the mesh of the grid (it returns what
      * BackgroundGrid::change() does), and put the points into the new cells.
-     * They must lie in the cells that they are in. Collective.
+     * They must lie in the cells that they are in. Not @p keep_points: there
+     * are none afterwards, to be seeded anew. Collective.
      */
     void
     change_grid(
       const PointLocator<dim>                                    &locator,
-      const std::function<std::unique_ptr<Triangulation<dim>>()> &change);
+      const std::function<std::unique_ptr<Triangulation<dim>>()> &change,
+      const bool keep_points = true);
 
     /** Copy the points into @p arrays, ordered by cell. */
     void

@@ -141,8 +141,9 @@ namespace isochor
      * and lay out the system for it. */
     void
     start_contact(const bool with_other_nodes);
+    /** @p has_other_start: see NewtonSolver::Problem. */
     NewtonReport
-    solve_with_contact();
+    solve_with_contact(const bool has_other_start = false);
     /** One-sided boundaries: hold and release nodes where Newton's result,
      * that of @p report, violates a condition. Whether there is something to
      * solve again; a search that does not settle makes the report a failure. */
@@ -163,7 +164,7 @@ namespace isochor
 
     /** Newton's method; @p with_contact: which nodes are held may change. */
     NewtonReport
-    find_root(const bool with_contact);
+    find_root(const bool with_contact, const bool has_other_start = false);
     ResidualNorms
     assemble(const bool with_matrix);
     /** Whether one-sided walls hold nodes, on any rank. */

@@ -1,0 +1,83 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/adaptation/body_state.h>
+#include <isochor/equations/nodal_unknowns.h>
+
+#include <algorithm>
+
+namespace isochor
+{
+  template <int dim>
+  BodyState<dim>
+  state_of_body(const StepContext<dim> &step, const NodalField &unknowns)
+  {
+    const PointArrays<dim> &points = step.points;
+    BodyState<dim>          state{step.grid,
+                         static_cast<unsigned int>(
+                           step.kernel.materials.size()),
+                         step.time,
+                         {},
+                         {},
+                         {},
+                         {},
+                         {},
+                         {},
+                         {},
+                         {}};
+    // the variable whose increment is asked for, by material
+    std::vector<unsigned int> plastic_strain;
+    for (const auto &material : step.kernel.materials)
+      {
+        const auto names = material->history_names();
+        const auto found =
+          std::find(names.begin(), names.end(), "equivalent_plastic_strain");
+        plastic_strain.push_back(found == names.end() ?
+                                   numbers::invalid_unsigned_int :
+                                   found - names.begin());
+      }
+    std::array<double, max_history> history;
+    const NodalUnknowns<dim>        nodal(step, unknowns);
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          const auto end =
+            step.kernel.final_state(points,
+                                    q,
+                                    nodal.deformation_at(stencil),
+                                    nodal.hoop_at(stencil, points, q),
+                                    step.mixed(),
+                                    nodal.pressure_at(stencil),
+                                    history.data());
+          const unsigned int m = points.material[q];
+          state.cell.push_back(points.cell[k]);
+          state.shape.push_back(points.shape[q]);
+          state.volume.push_back(end.J * points.volume[q] *
+                                 points.thickness(q));
+          state.stress.push_back(end.cauchy_stress);
+          state.material.push_back(m);
+          state.shear_modulus.push_back(
+            step.kernel.materials[m]->shear_modulus());
+          state.inverse_bulk_modulus.push_back(
+            step.kernel.materials[m]->inverse_bulk_modulus());
+          const unsigned int i = plastic_strain[m];
+          state.plastic_increment.push_back(
+            i == numbers::invalid_unsigned_int ?
+              0. :
+              history[i] -
+                points
+                  .history[q * static_cast<std::size_t>(points.n_history) + i]);
+        }
+    return state;
+  }
+
+
+
+  template BodyState<2>
+  state_of_body(const StepContext<2> &, const NodalField &);
+  template BodyState<3>
+  state_of_body(const StepContext<3> &, const NodalField &);
+} // namespace isochor
