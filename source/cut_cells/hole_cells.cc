@@ -52,7 +52,7 @@ namespace isochor
   std::set<unsigned int>
   CellOccupancy<dim>::empty_cells_around(const unsigned int cell) const
   {
-    const unsigned int most = grid.is_adaptive() ? most_cells : largest_hole;
+    const unsigned int most = compares_with_seeding ? most_cells : largest_hole;
     std::set<unsigned int>    gap       = {cell};
     std::vector<unsigned int> to_follow = {cell};
     while (!to_follow.empty() && gap.size() <= most)
@@ -75,7 +75,7 @@ namespace isochor
   {
     const SimplexGeometry<dim> &geometry = grid.geometry();
     Content                     hole;
-    if (gap.size() > (grid.is_adaptive() ? most_cells : largest_hole))
+    if (gap.size() > (compares_with_seeding ? most_cells : largest_hole))
       return hole; // the gap may be larger than what was looked at
     unsigned int n_neighbours = 0;
     double       J = 0, G = 0, volume = 0, volume_times_seeded = 0;
@@ -121,6 +121,8 @@ namespace isochor
   {
     if (gap.size() <= largest_hole)
       return true;
+    if (!compares_with_seeding)
+      return false;
     double volume = 0;
     for (const unsigned int cell : gap)
       volume += grid.geometry().measure(cell);

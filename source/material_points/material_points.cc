@@ -20,12 +20,13 @@ namespace isochor
                            const unsigned int n_history,
                            const bool         dynamic,
                            const bool         with_domains,
-                           const bool         with_cell_size)
+                           const bool         with_cell_size,
+                           const bool         with_ancestry)
     : n_history(n_history)
     , dynamic(dynamic)
     , with_domains(with_domains)
     , with_cell_size(with_cell_size)
-    , with_ancestry(with_cell_size)
+    , with_ancestry(with_ancestry)
   {
     const auto place = [this](unsigned int &field, const unsigned int size) {
       field = n_properties;
@@ -123,8 +124,12 @@ namespace isochor
     for (const auto &material : materials)
       n_history =
         std::max<unsigned int>(n_history, material->history_names().size());
-    point_layout =
-      PointLayout(dim, n_history, dynamic, with_domains, grid.is_adaptive());
+    point_layout              = PointLayout(dim,
+                               n_history,
+                               dynamic,
+                               with_domains,
+                               grid.is_adaptive(),
+                               grid.is_adaptive() || keeps_ancestry);
     point_layout.axisymmetric = axisymmetric;
     groups.clear();
     particles.initialize(grid.triangulation(),

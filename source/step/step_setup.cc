@@ -46,6 +46,8 @@ namespace isochor
   {
     extension.parse_parameters(prm);
     refinement.parse_parameters(prm);
+    if (refinement.splits_points())
+      scene.points.keep_ancestry();
     grid_reset.parse_parameters(prm);
     extends         = extension.is_active(scene.ties_cut_cells());
     needs_occupancy = scene.quadrature->needs_occupancy() || extends;
@@ -158,7 +160,9 @@ namespace isochor
     occupancy.initialize(
       [&](const unsigned int vertex, const Tensor<1, dim> &n) {
         return directions.free_part(all_nodes.node(vertex), n);
-      });
+      },
+      scene.grid.is_adaptive() || scene.grid.is_moving() ||
+        refinement.splits_points());
   }
 
 

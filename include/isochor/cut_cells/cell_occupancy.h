@@ -32,16 +32,18 @@ namespace isochor
     CellOccupancy(const BackgroundGrid<dim> &grid);
 
     /** With a new grid. @p free_part(vertex, n) is the square of the part of
-     * the unit vector n that displacements are free along at the vertex. */
+     * the unit vector n that displacements are free along at the vertex.
+     * @p compares_with_seeding: points may come into cells that are smaller
+     * than those that they were seeded in. */
     template <typename FreePart>
     void
-    initialize(const FreePart &free_part);
+    initialize(const FreePart &free_part, const bool compares_with_seeding);
 
     /**
      * Take stock of @p points. If @p find_holes, a few empty cells in a row
      * that occupied ones enclose face by face become holes; these then count
-     * as occupied. Where the grid has been refined since the points were
-     * seeded, a gap between few of them is many cells: on adaptive grids it
+     * as occupied. Where cells are smaller than those that the points were
+     * seeded in, a gap between few of them is many cells: if that may be, it
      * also is a hole if it isn't larger than a few points as they were seeded.
      * Collective.
      */
@@ -176,8 +178,7 @@ namespace isochor
     Content
     fill_of_gap(const std::set<unsigned int> &gap) const;
     /** Whether an enclosed gap between points, one of which has the volume
-     * @p point as it was seeded (0 if the grid doesn't adapt), is as small as
-     * a hole. */
+     * @p point as it was seeded, is as small as a hole. */
     bool
     is_small(const std::set<unsigned int> &gap, const double point) const;
     /** Whether each cell of @p gap can be reached from each other one in at
@@ -189,19 +190,20 @@ namespace isochor
     unsigned int
     n_near_layers() const
     {
-      return (grid.is_adaptive() ? largest_extent : largest_hole) + 2;
+      return (compares_with_seeding ? largest_extent : largest_hole) + 2;
     }
 
     /** Cells of a hole, at most, as long as the points are in the cells that
      * they were seeded for. */
     static constexpr unsigned int largest_hole = (dim == 2 ? 6 : 2);
-    /** On adaptive grids, otherwise: its volume, in those of points as they
-     * were seeded, its cells, and the steps from one to another. The volume is
-     * that of two cells of the original grid with the usual number of points,
-     * less than largest_hole allows there. */
-    static constexpr unsigned int most_points    = (dim == 2 ? 8 : 16);
-    static constexpr unsigned int most_cells     = 128;
-    static constexpr unsigned int largest_extent = (dim == 2 ? 12 : 6);
+    /** If it is compared with the seeding, otherwise: its volume, in those of
+     * points as they were seeded, its cells, and the steps from one to another.
+     * The volume is that of two cells of the original grid with the usual
+     * number of points, less than largest_hole allows there. */
+    static constexpr unsigned int most_points           = (dim == 2 ? 8 : 16);
+    static constexpr unsigned int most_cells            = 128;
+    static constexpr unsigned int largest_extent        = (dim == 2 ? 12 : 6);
+    bool                          compares_with_seeding = false;
 
     std::vector<unsigned int>  cells_at_start, cells_at_vertices;
     std::vector<unsigned int>  n_cells_at;
@@ -222,8 +224,10 @@ namespace isochor
   template <int dim>
   template <typename FreePart>
   void
-  CellOccupancy<dim>::initialize(const FreePart &free_part)
+  CellOccupancy<dim>::initialize(const FreePart &free_part,
+                                 const bool      compare_with_seeding)
   {
+    compares_with_seeding         = compare_with_seeding;
     const unsigned int n_vertices = grid.triangulation().n_vertices();
     contents.clear();
     active_list.clear();

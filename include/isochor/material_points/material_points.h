@@ -68,7 +68,8 @@ namespace isochor
                 const unsigned int n_history,
                 const bool         dynamic,
                 const bool         with_domains   = false,
-                const bool         with_cell_size = false);
+                const bool         with_cell_size = false,
+                const bool         with_ancestry  = false);
   };
 
   /** F of a point from its @p properties. */
@@ -112,6 +113,14 @@ namespace isochor
          const std::string &initial_velocity,
          const bool         with_domains = false,
          const bool         axisymmetric = false);
+
+    /** Points that are seeded from now on remember what they were part of
+     * before they were split. On adaptive grids they do anyway. */
+    void
+    keep_ancestry()
+    {
+      keeps_ancestry = true;
+    }
 
     /** See BodySeeding::check_domains(); before the grid changes. */
     void
@@ -204,6 +213,7 @@ namespace isochor
 
     const BackgroundGrid<dim>      &grid;
     BodySeeding<dim>                seeding;
+    bool                            keeps_ancestry = false;
     PointLayout                     point_layout;
     Particles::ParticleHandler<dim> particles;
     std::vector<Group>              groups;

@@ -46,6 +46,13 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm);
 
+    /** Whether points may be split on a grid that does not adapt. */
+    bool
+    splits_points() const
+    {
+      return largest_share > 0;
+    }
+
     /** Split what is too large, if asked for; on adaptive grids, merge what was
      * split and is small, see PointMerging. Invalidates what was gathered from
      * the points. Collective. */
