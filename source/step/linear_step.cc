@@ -2,7 +2,6 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/base/large_arrays.h>
 #include <isochor/base/threads.h>
 #include <isochor/step/linear_step.h>
 
@@ -38,7 +37,6 @@ namespace isochor
     linear_solver.parse_parameters(prm);
     prm.leave_subsection();
     use_one_thread_per_rank();
-    return_large_arrays();
   }
 
 
