@@ -39,6 +39,7 @@ PARTS = {
     "compression_block": ("compression_block/pressure.png", (0, 0, 0.76, 1)),
     "cooks_membrane_3d": ("cooks_membrane_3d/pressure.png", (0, 0, 0.74, 1)),
     "square_footing": ("square_footing/displacement_y.png", (0, 0, 0.76, 1)),
+    "billet": ("billet/billet.png", (0.675, 0, 0.935, 1)),
     "vertical_cut": ("vertical_cut/shear_band.png", (0, 0, 0.46, 1)),
     "twisted_column": ("twisted_column/displacement_x.png", (0, 0, 0.5, 1)),
 }

@@ -5,6 +5,7 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/vector_memory.h>
 
 #include <isochor/linear_solver/linear_solver.h>
 #include <isochor/linear_solver/saddle_point_matrix.h>
@@ -187,7 +188,12 @@ namespace isochor
       double no_values = 0.;
       parameters.set("null space: vectors",
                      modes.MyLength() > 0 ? modes.Values() : &no_values);
+      parameters.set("low memory usage", true);
       multigrid.clear();
+      // The largest products of matrices are made now: the basis of the last
+      // solve, which is kept for the next one, would only be in the way.
+      GrowingVectorMemory<DistributedVector>::release_unused_memory();
+      GrowingVectorMemory<DistributedBlockVector>::release_unused_memory();
       multigrid.initialize(K, parameters);
       hierarchy_serves = hierarchy_is_new = true;
     }

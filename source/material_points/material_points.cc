@@ -153,6 +153,11 @@ namespace isochor
       Utilities::MPI::this_mpi_process(grid.communicator());
     const SimplexGeometry<dim> &geometry = grid.geometry();
     std::vector<double>         properties(point_layout.n_properties);
+    // arrays that grow by themselves take up to twice the memory
+    particles.reserve(
+      std::count_if(seeds.begin(), seeds.end(), [&](const Seed<dim> &seed) {
+        return geometry.owner(seed.cell) == rank;
+      }));
     for (unsigned int i = 0; i < seeds.size(); ++i)
       {
         const Seed<dim> &seed = seeds[i];

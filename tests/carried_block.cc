@@ -1,0 +1,81 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// A block is carried through a box: on an adaptive grid that is never refined
+// each rank has its share of the points at all times.
+
+#include <fstream>
+
+#include "scene.h"
+
+using namespace isochor;
+
+/** The largest value of @p column in statistics.txt. */
+double
+largest(const std::string &column)
+{
+  std::ifstream file("statistics.txt");
+  unsigned int  index = 0;
+  double        value = 0, result = 0;
+  for (std::string line; std::getline(file, line);)
+    if (line[0] == '#')
+      {
+        if (line.find(": " + column) != std::string::npos)
+          index = std::stoi(line.substr(1));
+      }
+    else
+      {
+        std::istringstream entries(line);
+        std::string        entry;
+        for (unsigned int i = 0; i < index; ++i)
+          entries >> entry;
+        value  = std::stod(entry);
+        result = std::max(result, value);
+      }
+  return index == 0 ? 1e300 : result;
+}
+
+template <int dim>
+void
+test_balance(const std::string &box)
+{
+  // along the last axis: the coarse cells are numbered layer by layer, and with
+  // the initial division a rank or two would have all of the points
+  const std::string axis = (dim == 2 ? "y" : "z");
+  // a quarter of the box is filled, and the block goes from end to end
+  const auto problem =
+    test::run_scene<dim>(box +
+                         "Grid/Type = adaptive\nAdaptive grid/Maximum level = "
+                         "0\nMaterial points/Region = " +
+                         axis +
+                         " < 2\n"
+                         "Material/Young modulus = 1000\n"
+                         "Dynamics/Inertia = true\n"
+                         "Time/End time = 5.5\nTime/Step size = 0.25\n");
+  const std::string name = std::to_string(dim) + "D: ";
+  test::check_error(name + "the block is carried",
+                    std::abs(problem->last_statistics().get("Momentum " + axis +
+                                                            " (kg m/s)") /
+                               problem->last_statistics().get("Mass (kg)") -
+                             1),
+                    1e-9);
+  double most = 0;
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    most = largest("Imbalance of points");
+  most = Utilities::MPI::max(most, MPI_COMM_WORLD);
+  test::check_error(name + "no rank has 10 % more points than the mean",
+                    most,
+                    0.1);
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_balance<2>("Grid/Upper corner = 1, 8\nGrid/Subdivisions = 8, 64\n"
+                  "Dynamics/Initial velocity = 0, 1\n");
+  test_balance<3>("Grid/Upper corner = 1, 1, 8\nGrid/Subdivisions = 4, 4, 32\n"
+                  "Dynamics/Initial velocity = 0, 0, 1\n");
+}
