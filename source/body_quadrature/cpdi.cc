@@ -276,15 +276,15 @@ namespace isochor
     std::vector<double>       corner_shares;
     std::vector<unsigned int> cells;
     points.clear_stencils();
+    points.linear_on_domains = true;
     DomainStencil<dim>                                        stencil;
     std::array<typename ShapeFunctions<dim>::Values, dim + 1> at;
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const Point<dim> x =
-            location_of_point(locator.geometry(), points, k, q);
-          CornerVectors<dim>          corners;
+          const Point<dim>   x = points.location(locator.geometry(), k, q);
+          CornerVectors<dim> corners;
           std::array<double, dim + 1> sums;
           for (unsigned int c = 0; c <= dim; ++c)
             {

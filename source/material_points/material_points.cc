@@ -261,6 +261,7 @@ namespace isochor
     arrays.n_occupied_cells = arrays.cell.size();
     arrays.deformed_cell.clear();
     arrays.stencil_start.clear();
+    arrays.linear_on_domains = false;
     arrays.corner_cells.clear();
     arrays.shape.resize(n);
     arrays.volume.resize(n);
@@ -274,6 +275,7 @@ namespace isochor
     arrays.velocity.resize(point_layout.dynamic ? n : 0);
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
+    arrays.reference.resize(point_layout.with_domains ? n : 0);
     arrays.seeded_volume.resize(point_layout.with_ancestry ? n : 0);
 
     const PointLayout &l = point_layout;
@@ -290,6 +292,9 @@ namespace isochor
         arrays.seeded_volume[q] = seeded_volume<dim>(properties, l);
       if (!l.with_domains)
         return;
+      arrays.reference[q] = location;
+      for (unsigned int d = 0; d < dim; ++d)
+        arrays.reference[q][d] -= properties[l.displacement + d];
       arrays.domain[q][0] = Tensor<1, dim>();
       for (unsigned int c = 0; c < dim; ++c)
         {

@@ -142,15 +142,6 @@ namespace isochor
     for (const unsigned int part : element)
       add(part, grid.geometry().measure(part) / measure);
   }
-
-  /** Where point @p q of the occupied cell k of the list is, on the undeformed
-   * @p geometry. */
-  template <int dim>
-  Point<dim>
-  location_of_point(const SimplexGeometry<dim> &geometry,
-                    const PointArrays<dim>     &points,
-                    const unsigned int          k,
-                    const unsigned int          q);
 } // namespace isochor
 
 #endif

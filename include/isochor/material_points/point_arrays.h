@@ -83,8 +83,10 @@ namespace isochor
     /** V_0 of what the point was part of as it was seeded, before it was split;
      * empty on grids that don't adapt. */
     std::vector<double> seeded_volume;
-    /** Domains at t = 0, if the layout has them. */
+    /** Domains at t = 0, relative to the points, and where the points were
+     * then, if the layout has them. */
     std::vector<CornerVectors<dim>> domain;
+    std::vector<Point<dim>>         reference;
 
     /**
      * If points reach beyond their cell, or the shape functions are not linear
@@ -95,6 +97,10 @@ namespace isochor
     std::vector<unsigned int>   stencil_vertex;
     std::vector<double>         stencil_shape;
     std::vector<Tensor<1, dim>> stencil_gradient;
+    /** Whether points see functions that are linear on their domains: N_I at x
+     * in the domain of point p is N_pI + ∇N_pI·(x - x_p). For a step after a
+     * reset of the grid. */
+    bool linear_on_domains = false;
     /** Pairs (point, cell) for the corners of domains, at least dim + 1 a
      * point: the cells whose nodes corners touch. */
     std::vector<std::pair<unsigned int, unsigned int>> corner_cells;
@@ -142,6 +148,18 @@ namespace isochor
       for (unsigned int v = 0; v <= dim; ++v)
         result[v] = corner(geometry, k, v);
       return result;
+    }
+
+    /** Where point @p q of cell k of the list is at the start of the step. */
+    Point<dim>
+    location(const SimplexGeometry<dim> &geometry,
+             const unsigned int          k,
+             const unsigned int          q) const
+    {
+      Point<dim> x;
+      for (unsigned int v = 0; v <= dim; ++v)
+        x += shape[q][v] * corner(geometry, k, v);
+      return x;
     }
 
     /** ∇_n N_I in cell k of the list: with respect to the grid at the start of
@@ -203,6 +221,7 @@ namespace isochor
     void
     clear_stencils()
     {
+      linear_on_domains = false;
       stencil_start.assign(1, 0);
       stencil_vertex.clear();
       stencil_shape.clear();
