@@ -20,7 +20,7 @@ namespace isochor
     clear_stencils();
     PointRecords<dim> others(n_entries);
     for (std::size_t b = 0; b < records.size(); ++b)
-      if (records.payload(b)[on_domain_entry] == 0)
+      if (!is_on_domain(b))
         others.push_back(records.cells[b],
                          records.ids[b],
                          records.locations[b],
@@ -63,7 +63,7 @@ namespace isochor
       face.area * (measure<dim>(part.corners) / face.area.norm());
     std::array<double, n_entries> payload{};
     payload[surface_entry]   = face.surface;
-    payload[on_domain_entry] = 1;
+    payload[on_domain_entry] = 1 + body.material[part.q];
     for (unsigned int d = 0; d < dim; ++d)
       for (unsigned int e = 0; e < dim; ++e)
         payload[F_entry + d * dim + e] = F[d][e];

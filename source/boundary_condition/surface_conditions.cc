@@ -75,7 +75,7 @@ namespace isochor
       "follows up to a small gap. This is their stiffness per area, in "
       "units of shear modulus over cell size. "
       "Where materials meet, the shear modulus is the mean, by volume, of "
-      "those around the point's nodes.");
+      "those around the point's nodes; with CPDI it is that of the domain.");
   }
 
 

@@ -146,7 +146,20 @@ namespace isochor
       return cell_sizes[b];
     }
 
-    /** Of the body around the point (Pa), as it was last set. */
+    /** Whether point @p b lies on the domain of a material point. */
+    bool
+    is_on_domain(const unsigned int b) const
+    {
+      return records.payload(b)[on_domain_entry] > 0;
+    }
+    /** The index of its material, if so. */
+    unsigned int
+    material(const unsigned int b) const
+    {
+      return static_cast<unsigned int>(records.payload(b)[on_domain_entry]) - 1;
+    }
+
+    /** Of other points: that of the body around (Pa), as it was last set. */
     double
     shear_modulus(const unsigned int b) const
     {
@@ -206,8 +219,9 @@ namespace isochor
     static constexpr unsigned int area_entry         = 1 + dim;
     static constexpr unsigned int F_entry            = 1 + 2 * dim;
     static constexpr unsigned int modulus_entry      = 1 + 2 * dim + dim * dim;
-    static constexpr unsigned int on_domain_entry    = 1 + modulus_entry;
-    static constexpr unsigned int n_entries          = 1 + on_domain_entry;
+    /** 0: not on a domain; else 1 + index of the material. */
+    static constexpr unsigned int on_domain_entry = 1 + modulus_entry;
+    static constexpr unsigned int n_entries       = 1 + on_domain_entry;
 
     class Candidates;
 
