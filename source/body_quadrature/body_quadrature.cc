@@ -120,6 +120,8 @@ namespace isochor
         add_stencils(grid.shape_functions(), points);
       }
     start_step(points, locator, kernel, with_occupancy, occupancy);
+    if (!is_linear_on_domains())
+      points.reference.clear();
     if (by_functions)
       {
         add_stencils(grid.shape_functions(), points); // of massless points

@@ -37,6 +37,12 @@ namespace isochor
     }
 
     bool
+    is_linear_on_domains() const override
+    {
+      return true;
+    }
+
+    bool
     forces_jump() const override
     {
       return false;
@@ -276,7 +282,6 @@ namespace isochor
     std::vector<double>       corner_shares;
     std::vector<unsigned int> cells;
     points.clear_stencils();
-    points.linear_on_domains = true;
     DomainStencil<dim>                                        stencil;
     std::array<typename ShapeFunctions<dim>::Values, dim + 1> at;
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)

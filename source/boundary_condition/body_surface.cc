@@ -179,11 +179,11 @@ namespace isochor
     std::sort(occupied.begin(), occupied.end());
     const auto found =
       seed_surfaces(grid, *shape, occupied, places, conditions.body_mesh);
-    points->seed(found.faces, *body);
+    const bool linear_on_domains = points->seed(found.faces, *body);
     for (unsigned int s = 0; s < places.size(); ++s)
       covered_share.push_back(found.covered[s] / found.candidate[s]);
     share_on_domains.clear();
-    if (body->linear_on_domains)
+    if (linear_on_domains)
       {
         share_on_domains.assign(places.size(), 0.);
         for (const SurfaceFace<dim> &face : points->faces_on_domains())

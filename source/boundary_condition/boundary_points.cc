@@ -111,12 +111,16 @@ namespace isochor
 
 
   template <int dim>
-  void
+  bool
   BoundaryPoints<dim>::seed(const std::vector<SurfaceFace<dim>> &faces,
                             const PointArrays<dim>              &body)
   {
+    // a rank may have no points
+    const bool linear_on_domains =
+      Utilities::MPI::max(body.reference.empty() ? 0 : 1,
+                          grid.communicator()) != 0;
     std::vector<SurfaceFace<dim>> of_domains, others = faces;
-    if (body.linear_on_domains)
+    if (linear_on_domains)
       {
         constexpr double            whole = 1e-6;
         const SurfaceOnDomains<dim> all(faces);
@@ -132,7 +136,7 @@ namespace isochor
     records           = PointRecords<dim>(n_entries);
     // one rank hands them to the others when they are located
     if (Utilities::MPI::this_mpi_process(grid.communicator()) != 0)
-      return;
+      return linear_on_domains;
     for (const SurfaceFace<dim> &face : others)
       for (unsigned int i = 0; i < rule.size(); ++i)
         {
@@ -148,6 +152,7 @@ namespace isochor
                             place_on_face<dim>(face.corners, rule.point(i)),
                             ArrayView<const double>(payload.data(), n_entries));
         }
+    return linear_on_domains;
   }
 
 

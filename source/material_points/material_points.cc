@@ -261,7 +261,6 @@ namespace isochor
     arrays.n_occupied_cells = arrays.cell.size();
     arrays.deformed_cell.clear();
     arrays.stencil_start.clear();
-    arrays.linear_on_domains = false;
     arrays.corner_cells.clear();
     arrays.shape.resize(n);
     arrays.volume.resize(n);

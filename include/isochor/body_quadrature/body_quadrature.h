@@ -60,6 +60,15 @@ namespace isochor
       return false;
     }
 
+    /** Whether points see functions that are linear on their domains, by the
+     * stencils that start_step() gives them. Then loads on the body's surface
+     * are integrated like stresses (BoundaryPoints). */
+    virtual bool
+    is_linear_on_domains() const
+    {
+      return false;
+    }
+
     /** Whether start_step() needs to know the cells' occupancy. */
     virtual bool
     needs_occupancy() const

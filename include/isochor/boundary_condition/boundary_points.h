@@ -57,8 +57,9 @@ namespace isochor
     }
 
     /** Begin with these faces, the same on all ranks, at t = 0, when @p body
-     * has been set up. Collective. */
-    void
+     * has been set up. Returns whether its points see functions linear on their
+     * domains. Collective. */
+    bool
     seed(const std::vector<SurfaceFace<dim>> &faces,
          const PointArrays<dim>              &body);
 

@@ -83,10 +83,12 @@ namespace isochor
     /** V_0 of what the point was part of as it was seeded, before it was split;
      * empty on grids that don't adapt. */
     std::vector<double> seeded_volume;
-    /** Domains at t = 0, relative to the points, and where the points were
-     * then, if the layout has them. */
+    /** Domains at t = 0, relative to the points, if the layout has them. */
     std::vector<CornerVectors<dim>> domain;
-    std::vector<Point<dim>>         reference;
+    /** Where the points were at t = 0. Only if they see functions that are
+     * linear on their domains (BodyQuadrature::is_linear_on_domains()): N_I at
+     * x in the domain of point p is N_pI + ∇N_pI·(x - x_p). */
+    std::vector<Point<dim>> reference;
 
     /**
      * If points reach beyond their cell, or the shape functions are not linear
@@ -97,10 +99,6 @@ namespace isochor
     std::vector<unsigned int>   stencil_vertex;
     std::vector<double>         stencil_shape;
     std::vector<Tensor<1, dim>> stencil_gradient;
-    /** Whether points see functions that are linear on their domains: N_I at x
-     * in the domain of point p is N_pI + ∇N_pI·(x - x_p). For a step after a
-     * reset of the grid. */
-    bool linear_on_domains = false;
     /** Pairs (point, cell) for the corners of domains, at least dim + 1 a
      * point: the cells whose nodes corners touch. */
     std::vector<std::pair<unsigned int, unsigned int>> corner_cells;
@@ -221,7 +219,6 @@ namespace isochor
     void
     clear_stencils()
     {
-      linear_on_domains = false;
       stencil_start.assign(1, 0);
       stencil_vertex.clear();
       stencil_shape.clear();
