@@ -121,7 +121,7 @@ namespace isochor
       }
     start_step(points, locator, kernel, with_occupancy, occupancy);
     if (!is_linear_on_domains())
-      points.reference.clear();
+      points.displacement.clear();
     if (by_functions)
       {
         add_stencils(grid.shape_functions(), points); // of massless points

@@ -117,7 +117,7 @@ namespace isochor
   {
     // a rank may have no points
     const bool linear_on_domains =
-      Utilities::MPI::max(body.reference.empty() ? 0 : 1,
+      Utilities::MPI::max(body.displacement.empty() ? 0 : 1,
                           grid.communicator()) != 0;
     std::vector<SurfaceFace<dim>> of_domains, others = faces;
     if (linear_on_domains)
@@ -125,7 +125,8 @@ namespace isochor
         constexpr double            whole = 1e-6;
         const SurfaceOnDomains<dim> all(faces);
         const std::vector<double>   shares =
-          all.covered_shares(all.parts(body), grid.communicator());
+          all.covered_shares(all.parts(grid.geometry(), body),
+                             grid.communicator());
         others.clear();
         for (unsigned int f = 0; f < faces.size(); ++f)
           (std::abs(shares[f] - 1) < whole ? of_domains : others)

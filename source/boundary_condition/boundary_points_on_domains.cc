@@ -34,7 +34,7 @@ namespace isochor
   void
   BoundaryPoints<dim>::add_points_on_domains(const PointArrays<dim> &body)
   {
-    const auto parts = on_domains.parts(body);
+    const auto parts = on_domains.parts(grid.geometry(), body);
     check_parts(parts);
     types::particle_index id = new_ids(rule.size() * parts.size());
     for (const auto &part : parts)
@@ -58,6 +58,7 @@ namespace isochor
     const unsigned int          cell     = body.cell[part.k];
     const Tensor<2, dim>       &F        = body.F[part.q];
     const Point<dim>     centre = body.location(geometry, part.k, part.q);
+    const Tensor<1, dim> u      = body.displacement[part.q];
     const auto           nodes  = body.stencil(geometry, part.k, part.q);
     const Tensor<1, dim> area =
       face.area * (measure<dim>(part.corners) / face.area.norm());
@@ -70,10 +71,11 @@ namespace isochor
     for (unsigned int i = 0; i < rule.size(); ++i)
       {
         const Point<dim> X = place_on_face<dim>(part.corners, rule.point(i));
-        const Tensor<1, dim> r = F * (X - body.reference[part.q]);
+        const Tensor<1, dim> R = X - (centre - u), r = F * R;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            payload[displacement_entry + d] = centre[d] + r[d] - X[d];
+            // not the difference of two places: penalties feel its rounding
+            payload[displacement_entry + d] = u[d] + r[d] - R[d];
             payload[area_entry + d]         = rule.weight(i) * area[d];
           }
         records.push_back(cell,

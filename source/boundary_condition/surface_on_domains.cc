@@ -101,7 +101,8 @@ namespace isochor
 
   template <int dim>
   std::vector<typename SurfaceOnDomains<dim>::Part>
-  SurfaceOnDomains<dim>::parts(const PointArrays<dim> &body) const
+  SurfaceOnDomains<dim>::parts(const SimplexGeometry<dim> &geometry,
+                               const PointArrays<dim>     &body) const
   {
     namespace bgi = boost::geometry::index;
     std::vector<Part>               result;
@@ -110,8 +111,10 @@ namespace isochor
     for (unsigned int k = 0; k < body.n_occupied_cells && !tree.empty(); ++k)
       for (unsigned int q = body.cell_start[k]; q < body.cell_start[k + 1]; ++q)
         {
+          const Point<dim> X =
+            body.location(geometry, k, q) - body.displacement[q];
           for (unsigned int c = 0; c <= dim; ++c)
-            domain[c] = body.reference[q] + body.domain[q][c];
+            domain[c] = X + body.domain[q][c];
           BoundingBox<dim> box = box_around<dim>(domain);
           box.extend(tolerance * size_of<dim>(domain));
           near.clear();

@@ -274,7 +274,7 @@ namespace isochor
     arrays.velocity.resize(point_layout.dynamic ? n : 0);
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
-    arrays.reference.resize(point_layout.with_domains ? n : 0);
+    arrays.displacement.resize(point_layout.with_domains ? n : 0);
     arrays.seeded_volume.resize(point_layout.with_ancestry ? n : 0);
 
     const PointLayout &l = point_layout;
@@ -291,9 +291,8 @@ namespace isochor
         arrays.seeded_volume[q] = seeded_volume<dim>(properties, l);
       if (!l.with_domains)
         return;
-      arrays.reference[q] = location;
       for (unsigned int d = 0; d < dim; ++d)
-        arrays.reference[q][d] -= properties[l.displacement + d];
+        arrays.displacement[q][d] = properties[l.displacement + d];
       arrays.domain[q][0] = Tensor<1, dim>();
       for (unsigned int c = 0; c < dim; ++c)
         {

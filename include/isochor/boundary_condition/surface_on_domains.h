@@ -46,7 +46,8 @@ namespace isochor
     /** Parts on the domains of this rank's points, in the order of these. The
      * domain is on the inner side. */
     std::vector<Part>
-    parts(const PointArrays<dim> &body) const;
+    parts(const SimplexGeometry<dim> &geometry,
+          const PointArrays<dim>     &body) const;
 
     /** By face: the part of its area that lies on domains, of all ranks.
      * Collective. */

@@ -85,10 +85,10 @@ namespace isochor
     std::vector<double> seeded_volume;
     /** Domains at t = 0, relative to the points, if the layout has them. */
     std::vector<CornerVectors<dim>> domain;
-    /** Where the points were at t = 0. Only if they see functions that are
-     * linear on their domains (BodyQuadrature::is_linear_on_domains()): N_I at
-     * x in the domain of point p is N_pI + ∇N_pI·(x - x_p). */
-    std::vector<Point<dim>> reference;
+    /** Of the points since t = 0. Only if they see functions that are linear on
+     * their domains (BodyQuadrature::is_linear_on_domains()): N_I at x in the
+     * domain of point p is N_pI + ∇N_pI·(x - x_p). */
+    std::vector<Tensor<1, dim>> displacement;
 
     /**
      * If points reach beyond their cell, or the shape functions are not linear
