@@ -53,7 +53,7 @@ namespace
   {
     const std::string what =
       "dim " + std::to_string(dim) + ", split at " + split;
-    const Result whole = stretched_block<dim>("true", "0"),
+    const Result whole = stretched_block<dim>("1", "0"),
                  gap   = stretched_block<dim>(outside_of, split);
     test::check_error(what + ": volume", std::abs(gap.volume - 1.2), 1e-12);
     test::check_error(what + ": force",

@@ -120,6 +120,8 @@ namespace isochor
         add_stencils(grid.shape_functions(), points);
       }
     start_step(points, locator, kernel, with_occupancy, occupancy);
+    if (!is_linear_on_domains())
+      points.displacement.clear();
     if (by_functions)
       {
         add_stencils(grid.shape_functions(), points); // of massless points
@@ -130,32 +132,6 @@ namespace isochor
 
 
 
-  template <int dim>
-  Point<dim>
-  location_of_point(const SimplexGeometry<dim> &geometry,
-                    const PointArrays<dim>     &points,
-                    const unsigned int          k,
-                    const unsigned int          q)
-  {
-    const auto &vertices = geometry.vertex_indices(points.cell[k]);
-    Point<dim>  x;
-    for (unsigned int I = 0; I <= dim; ++I)
-      x += points.shape[q][I] * geometry.vertices()[vertices[I]];
-    return x;
-  }
-
-
-
   template class BodyQuadrature<2>;
   template class BodyQuadrature<3>;
-  template Point<2>
-  location_of_point(const SimplexGeometry<2> &,
-                    const PointArrays<2> &,
-                    const unsigned int,
-                    const unsigned int);
-  template Point<3>
-  location_of_point(const SimplexGeometry<3> &,
-                    const PointArrays<3> &,
-                    const unsigned int,
-                    const unsigned int);
 } // namespace isochor

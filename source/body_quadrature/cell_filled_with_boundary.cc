@@ -290,7 +290,7 @@ namespace isochor
              q < points.cell_start[k + 1];
              ++q)
           {
-            const Point<dim> centre = location_of_point(geometry, points, k, q);
+            const Point<dim> centre = points.location(geometry, k, q);
             for (unsigned int c = 0; c <= dim; ++c)
               corners[c] = centre + points.F[q] * points.domain[q][c];
             find_overlaps(geometry, corners, cell, overlaps);

@@ -37,6 +37,12 @@ namespace isochor
     }
 
     bool
+    is_linear_on_domains() const override
+    {
+      return true;
+    }
+
+    bool
     forces_jump() const override
     {
       return false;
@@ -282,9 +288,8 @@ namespace isochor
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const Point<dim> x =
-            location_of_point(locator.geometry(), points, k, q);
-          CornerVectors<dim>          corners;
+          const Point<dim>   x = points.location(locator.geometry(), k, q);
+          CornerVectors<dim> corners;
           std::array<double, dim + 1> sums;
           for (unsigned int c = 0; c <= dim; ++c)
             {

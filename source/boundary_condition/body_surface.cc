@@ -112,6 +112,8 @@ namespace isochor
     seed(const BackgroundGrid<dim> &grid);
     void
     warn_of_uncovered_faces(const StepContext<dim> &step) const;
+    void
+    warn_of_loads_beside_domains(const StepContext<dim> &step) const;
 
     SurfaceConditions<dim>               conditions;
     const BodyShape<dim>                *shape = nullptr;
@@ -119,7 +121,10 @@ namespace isochor
     std::unique_ptr<BoundaryPoints<dim>> points;
     bool                                 seeded = false;
     /** By surface; empty but in the step in which they are seeded. */
-    std::vector<double>                 covered_share;
+    std::vector<double> covered_share;
+    /** The same, where points see functions linear on their domains: how much
+     * of the area consists of faces of these. */
+    std::vector<double>                 share_on_domains;
     std::unique_ptr<SurfaceForces<dim>> forces;
   };
 
@@ -132,7 +137,9 @@ namespace isochor
     conditions.find_boundaries(grid);
     if (!conditions.surfaces.empty())
       {
-        points = std::make_unique<BoundaryPoints<dim>>(grid);
+        points =
+          std::make_unique<BoundaryPoints<dim>>(grid,
+                                                conditions.points_per_face);
         forces = std::make_unique<SurfaceForces<dim>>(conditions, *points);
       }
   }
@@ -150,6 +157,7 @@ namespace isochor
       {
         seeded = false; // as many as the new faces need
         covered_share.clear();
+        share_on_domains.clear();
       }
     else
       points->change_grid();
@@ -166,15 +174,19 @@ namespace isochor
       places.push_back(surface.place);
     const std::vector<unsigned int> occupied =
       union_over_ranks(body->cell, grid.communicator());
-    const auto found = seed_surfaces(grid,
-                                     *shape,
-                                     occupied,
-                                     places,
-                                     conditions.points_per_face,
-                                     conditions.body_mesh);
-    points->seed(found.points);
+    const auto found =
+      seed_surfaces(grid, *shape, occupied, places, conditions.body_mesh);
+    const bool linear_on_domains = points->seed(found.faces, *body);
     for (unsigned int s = 0; s < places.size(); ++s)
       covered_share.push_back(found.covered[s] / found.candidate[s]);
+    share_on_domains.clear();
+    if (linear_on_domains)
+      {
+        share_on_domains.assign(places.size(), 0.);
+        for (const SurfaceFace<dim> &face : points->faces_on_domains())
+          share_on_domains[face.surface] +=
+            face.area.norm() / found.covered[face.surface];
+      }
     seeded = true;
   }
 
@@ -220,7 +232,9 @@ namespace isochor
     if (!points)
       return;
     warn_of_uncovered_faces(step);
+    warn_of_loads_beside_domains(step);
     covered_share.clear();
+    share_on_domains.clear();
     forces->find_shear_moduli(step);
     std::vector<unsigned int> nodes;
     for (unsigned int b = 0; b < points->size(); ++b)
@@ -256,6 +270,36 @@ namespace isochor
             "surface does not lie on faces of the grid there, give the body's "
             "mesh in <" +
             this->parameter("Mesh of body surfaces") + ">.");
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  BodySurfaceConditions<dim>::warn_of_loads_beside_domains(
+    const StepContext<dim> &step) const
+  {
+    constexpr double enough = 0.95;
+    for (unsigned int s = 0; s < share_on_domains.size(); ++s)
+      {
+        const SurfaceCondition<dim> &surface = conditions.surfaces[s];
+        if ((surface.traction.empty() && surface.pressure.empty()) ||
+            share_on_domains[s] > enough)
+          continue;
+        step.warnings.add(
+          "a load beside the domains of the points",
+          "Only " + Utilities::to_string(100 * share_on_domains[s], 3) +
+            " % of the area of the surface <" + surface.place.name + "> of <" +
+            surface.place.parameter +
+            "> consist of faces of the points' domains, which <Quadrature/Type> "
+            "makes of the body at t = 0. Elsewhere its load is not in balance "
+            "with the stress of the points below, by some per cent, once the "
+            "surface lies inside of cells. Let the surface be that of the "
+            "points' domains (the mesh of <Material points/Body mesh> in <" +
+            this->parameter("Mesh of body surfaces") +
+            ">, or a <Material points/Region> that ends where cells do), or "
+            "choose <Quadrature/Type = cell-filled + boundary>.");
       }
   }
 

@@ -98,10 +98,12 @@ namespace isochor
 
 
   template <int dim>
-  BoundaryPoints<dim>::BoundaryPoints(const BackgroundGrid<dim> &grid)
+  BoundaryPoints<dim>::BoundaryPoints(const BackgroundGrid<dim> &grid,
+                                      const unsigned int points_per_face)
     : grid(grid)
     , locator(std::make_unique<PointLocator<dim>>(grid.geometry()))
     , records(n_entries)
+    , rule(surface_rule<dim>(points_per_face))
   {
     clear_stencils();
   }
@@ -109,134 +111,49 @@ namespace isochor
 
 
   template <int dim>
-  void
-  BoundaryPoints<dim>::seed(const std::vector<SurfacePoint<dim>> &seeds)
+  bool
+  BoundaryPoints<dim>::seed(const std::vector<SurfaceFace<dim>> &faces,
+                            const PointArrays<dim>              &body)
   {
-    records = PointRecords<dim>(n_entries);
+    // a rank may have no points
+    const bool linear_on_domains =
+      Utilities::MPI::max(body.displacement.empty() ? 0 : 1,
+                          grid.communicator()) != 0;
+    std::vector<SurfaceFace<dim>> of_domains, others = faces;
+    if (linear_on_domains)
+      {
+        constexpr double            whole = 1e-6;
+        const SurfaceOnDomains<dim> all(faces);
+        const std::vector<double>   shares =
+          all.covered_shares(all.parts(grid.geometry(), body),
+                             grid.communicator());
+        others.clear();
+        for (unsigned int f = 0; f < faces.size(); ++f)
+          (std::abs(shares[f] - 1) < whole ? of_domains : others)
+            .push_back(faces[f]);
+      }
+    on_domains        = SurfaceOnDomains<dim>(of_domains);
+    some_are_in_cells = !others.empty();
+    records           = PointRecords<dim>(n_entries);
     // one rank hands them to the others when they are located
     if (Utilities::MPI::this_mpi_process(grid.communicator()) != 0)
-      return;
-    for (const SurfacePoint<dim> &point : seeds)
-      {
-        std::array<double, n_entries> payload{};
-        payload[surface_entry] = point.surface;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            payload[area_entry + d]        = point.area[d];
-            payload[F_entry + d * dim + d] = 1.;
-          }
-        records.push_back(point.cell,
-                          records.size(),
-                          point.location,
-                          ArrayView<const double>(payload.data(), n_entries));
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  BoundaryPoints<dim>::change_grid()
-  {
-    for (unsigned int &cell : records.cells)
-      cell = grid.cells_after_change()[cell];
-    // parts may still be too large
-    constexpr unsigned int most_rounds = 12;
-    for (unsigned int round = 0; round < most_rounds; ++round)
-      if (Utilities::MPI::sum(split(), grid.communicator()) == 0)
-        return;
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  BoundaryPoints<dim>::split()
-  {
-    // as many as three points on the side of a cell
-    constexpr double          share = 0.5;
-    constexpr unsigned int    n_new = (1u << (dim - 1)) - 1;
-    std::vector<unsigned int> too_large;
-    std::vector<std::array<Tensor<1, dim>, dim - 1>> sides; // now
-    for (unsigned int b = 0; b < size(); ++b)
-      {
-        // two or one tangents of the undeformed surface, as long as its part
-        std::array<Tensor<1, dim>, dim - 1> tangents;
-        const Tensor<1, dim>                A = reference_area(b);
-        if constexpr (dim == 2)
-          tangents[0] = cross_product_2d(A);
-        else
-          {
-            Tensor<1, 3> axis; // the one that is least along the normal
-            unsigned int d = 0;
-            for (unsigned int e = 1; e < 3; ++e)
-              if (std::abs(A[e]) < std::abs(A[d]))
-                d = e;
-            axis[d]     = 1;
-            tangents[0] = cross_product_3d(A, axis);
-            tangents[0] *= std::sqrt(A.norm()) / tangents[0].norm();
-            tangents[1] = cross_product_3d(A, tangents[0]) / A.norm();
-          }
-        double longest = 0;
-        for (Tensor<1, dim> &side : tangents)
-          {
-            side    = F(b) * side;
-            longest = std::max(longest, side.norm());
-          }
-        const auto place =
-          locator->locate(records.locations[b], records.cells[b]);
-        const double h = cell_size(grid.geometry(),
-                                   place.found ? place.cell : records.cells[b]);
-        if (longest > share * h)
-          {
-            too_large.push_back(b);
-            sides.push_back(tangents);
-          }
-      }
-
-    const auto first_and_sum =
-      exclusive_and_total_sum(too_large.size(), grid.communicator());
-    types::particle_index next =
-      records.ids.empty() ?
-        0 :
-        *std::max_element(records.ids.begin(), records.ids.end()) + 1;
-    next = Utilities::MPI::max(next, grid.communicator()) +
-           n_new * first_and_sum.first;
-    for (unsigned int i = 0; i < too_large.size(); ++i)
-      {
-        const unsigned int            b       = too_large[i];
-        const Tensor<2, dim>          inverse = invert(F(b));
-        const Point<dim>              x       = records.locations[b];
-        std::array<double, n_entries> old;
-        std::copy_n(records.payload(b).begin(), n_entries, old.begin());
-        for (unsigned int part = 0; part <= n_new; ++part)
-          {
-            Tensor<1, dim> shift;
-            for (unsigned int s = 0; s + 1 < dim; ++s)
-              shift += (((part >> s) & 1u) ? 0.25 : -0.25) * sides[i][s];
-            const Tensor<1, dim> stretch = shift - inverse * shift;
-            auto                 payload = old;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                payload[area_entry + d] /= n_new + 1;
-                payload[displacement_entry + d] += stretch[d];
-              }
-            if (part == 0)
-              {
-                records.locations[b] = x + shift;
-                std::copy(payload.begin(),
-                          payload.end(),
-                          records.payloads.begin() + b * n_entries);
-              }
-            else
-              records.push_back(records.cells[b],
-                                next++,
-                                x + shift,
-                                ArrayView<const double>(payload.data(),
-                                                        n_entries));
-          }
-      }
-    return too_large.size();
+      return linear_on_domains;
+    for (const SurfaceFace<dim> &face : others)
+      for (unsigned int i = 0; i < rule.size(); ++i)
+        {
+          std::array<double, n_entries> payload{};
+          payload[surface_entry] = face.surface;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              payload[area_entry + d]        = rule.weight(i) * face.area[d];
+              payload[F_entry + d * dim + d] = 1.;
+            }
+          records.push_back(face.cell,
+                            records.size(),
+                            place_on_face<dim>(face.corners, rule.point(i)),
+                            ArrayView<const double>(payload.data(), n_entries));
+        }
+    return linear_on_domains;
   }
 
 
@@ -244,6 +161,19 @@ namespace isochor
   template <int dim>
   void
   BoundaryPoints<dim>::locate(const PointArrays<dim> &body)
+  {
+    drop_points_on_domains();
+    if (some_are_in_cells)
+      locate_in_cells(body);
+    if (!on_domains.faces().empty())
+      add_points_on_domains(body);
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryPoints<dim>::locate_in_cells(const PointArrays<dim> &body)
   {
     const Candidates candidates(grid, body);
     if (Utilities::MPI::n_mpi_processes(grid.communicator()) > 1)
@@ -255,7 +185,6 @@ namespace isochor
         records =
           sorted_by_id(exchange_points(records, grid.geometry(), n_shipped));
       }
-    clear_stencils();
     for (unsigned int b = 0; b < size(); ++b)
       {
         const auto cells = find_cells(b, candidates);

@@ -42,7 +42,10 @@ namespace isochor
     std::string state = std::to_string(all_lines.size()) + '\n';
     for (const auto &line : all_lines)
       state += line.second + '\n';
-    return state;
+    std::ostringstream faces;
+    faces.precision(std::numeric_limits<double>::max_digits10);
+    save_faces(faces);
+    return state + faces.str();
   }
 
 
@@ -51,7 +54,8 @@ namespace isochor
   void
   BoundaryPoints<dim>::load_state(const std::string &state)
   {
-    records = PointRecords<dim>(n_entries);
+    records           = PointRecords<dim>(n_entries);
+    some_are_in_cells = false;
     clear_stencils();
     const unsigned int rank =
       Utilities::MPI::this_mpi_process(grid.communicator());
@@ -70,6 +74,7 @@ namespace isochor
           text >> location[d];
         for (double &value : payload)
           text >> value;
+        some_are_in_cells = some_are_in_cells || payload[on_domain_entry] == 0;
         text >> size >> n_nodes;
         for (unsigned int I = 0; I < n_nodes && text; ++I)
           {
@@ -100,6 +105,7 @@ namespace isochor
                           location,
                           ArrayView<const double>(payload.data(), n_entries));
       }
+    load_faces(text);
   }
 
 

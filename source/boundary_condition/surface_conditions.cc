@@ -39,6 +39,7 @@ namespace isochor
       Patterns::Integer(1),
       "Number of boundary points on each face at t = 0, which are Gauss "
       "points: any number in 2D; 1, 3, 4, 6, 7, 9, 12, 15, 16, ... in 3D. "
+      "With CPDI the faces are those of the points' domains. "
       "From 2 (2D) or 3 (3D) on, a traction linear on a face is integrated "
       "exactly.");
     prm.declare_entry("Mesh of body surfaces",
@@ -74,7 +75,7 @@ namespace isochor
       "follows up to a small gap. This is their stiffness per area, in "
       "units of shear modulus over cell size. "
       "Where materials meet, the shear modulus is the mean, by volume, of "
-      "those around the point's nodes.");
+      "those around the point's nodes; with CPDI it is that of the domain.");
   }
 
 

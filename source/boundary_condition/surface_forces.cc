@@ -48,6 +48,8 @@ namespace isochor
     sums.update_ghost_values();
     for (unsigned int b = 0; b < points.size(); ++b)
       {
+        if (points.is_on_domain(b))
+          continue;
         const auto stencil = points.stencil(b);
         double     V = 0, VG = 0;
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
@@ -97,8 +99,11 @@ namespace isochor
   SurfaceForces<dim>::stiffness(const StepContext<dim> &step,
                                 const unsigned int      b) const
   {
-    return conditions.penalty * points.shear_modulus(b) /
-           points.size_of_cells(b) * area(step, b);
+    const double G =
+      points.is_on_domain(b) ?
+        step.kernel.materials[points.material(b)]->shear_modulus() :
+        points.shear_modulus(b);
+    return conditions.penalty * G / points.size_of_cells(b) * area(step, b);
   }
 
 

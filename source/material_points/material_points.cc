@@ -284,6 +284,7 @@ namespace isochor
     arrays.velocity.resize(point_layout.dynamic ? n : 0);
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
+    arrays.displacement.resize(point_layout.with_domains ? n : 0);
     arrays.seeded_volume.resize(point_layout.with_ancestry ? n : 0);
 
     const PointLayout &l = point_layout;
@@ -300,6 +301,8 @@ namespace isochor
         arrays.seeded_volume[q] = seeded_volume<dim>(properties, l);
       if (!l.with_domains)
         return;
+      for (unsigned int d = 0; d < dim; ++d)
+        arrays.displacement[q][d] = properties[l.displacement + d];
       arrays.domain[q][0] = Tensor<1, dim>();
       for (unsigned int c = 0; c < dim; ++c)
         {

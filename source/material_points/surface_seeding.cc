@@ -25,6 +25,18 @@ namespace isochor
 
 
 
+  template <int dim>
+  Quadrature<dim - 1>
+  surface_rule(const unsigned int n_points)
+  {
+    if constexpr (dim == 2)
+      return QGauss<1>(n_points);
+    else
+      return material_point_rule<dim - 1>(n_points);
+  }
+
+
+
   namespace
   {
     template <int dim>
@@ -122,19 +134,6 @@ namespace isochor
 
 
 
-    /** Places in a face and fractions of its area. */
-    template <int dim>
-    Quadrature<dim - 1>
-    face_rule(const unsigned int n_points)
-    {
-      if constexpr (dim == 2)
-        return QGauss<1>(n_points);
-      else
-        return material_point_rule<dim - 1>(n_points);
-    }
-
-
-
     template <int dim>
     Point<dim>
     centre_of(const FaceCorners<dim> &face)
@@ -154,12 +153,10 @@ namespace isochor
     public:
       Seeding(const BackgroundGrid<dim>           &grid,
               const BodyShape<dim>                &shape,
-              const std::vector<BodySurface<dim>> &surfaces,
-              const unsigned int                   points_per_face)
+              const std::vector<BodySurface<dim>> &surfaces)
         : grid(grid)
         , shape(shape)
         , surfaces(surfaces)
-        , rule(face_rule<dim>(points_per_face))
       {
         result.covered.assign(surfaces.size(), 0.);
         result.candidate.assign(surfaces.size(), 0.);
@@ -257,20 +254,12 @@ namespace isochor
                 const unsigned int      cell)
       {
         result.covered[surface] += area.norm();
-        for (unsigned int q = 0; q < rule.size(); ++q)
-          {
-            Point<dim> location = piece[0];
-            for (unsigned int d = 0; d + 1 < dim; ++d)
-              location += rule.point(q)[d] * (piece[d + 1] - piece[0]);
-            result.points.push_back(
-              {location, rule.weight(q) * area, surface, cell});
-          }
+        result.faces.push_back({piece, area, surface, cell});
       }
 
       const BackgroundGrid<dim>           &grid;
       const BodyShape<dim>                &shape;
       const std::vector<BodySurface<dim>> &surfaces;
-      const Quadrature<dim - 1>            rule;
     };
 
 
@@ -310,10 +299,9 @@ namespace isochor
                 const BodyShape<dim>                &shape,
                 const std::vector<unsigned int>     &occupied,
                 const std::vector<BodySurface<dim>> &surfaces,
-                const unsigned int                   points_per_face,
                 const std::string                   &body_mesh)
   {
-    Seeding<dim> seeding(grid, shape, surfaces, points_per_face);
+    Seeding<dim> seeding(grid, shape, surfaces);
     seeding.add_grid_boundaries();
     const bool has_conditions =
       std::any_of(surfaces.begin(), surfaces.end(), [](const auto &surface) {
@@ -358,6 +346,10 @@ namespace isochor
   measure<2>(const FaceCorners<2> &);
   template double
   measure<3>(const FaceCorners<3> &);
+  template Quadrature<1>
+  surface_rule<2>(const unsigned int);
+  template Quadrature<2>
+  surface_rule<3>(const unsigned int);
   template std::vector<FaceCorners<2>>
   covered_part<2>(const FaceCorners<2> &,
                   const std::function<bool(const Point<2> &)> &);
@@ -369,13 +361,11 @@ namespace isochor
                    const BodyShape<2> &,
                    const std::vector<unsigned int> &,
                    const std::vector<BodySurface<2>> &,
-                   const unsigned int,
                    const std::string &);
   template SeededSurfaces<3>
   seed_surfaces<3>(const BackgroundGrid<3> &,
                    const BodyShape<3> &,
                    const std::vector<unsigned int> &,
                    const std::vector<BodySurface<3>> &,
-                   const unsigned int,
                    const std::string &);
 } // namespace isochor

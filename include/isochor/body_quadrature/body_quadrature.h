@@ -60,6 +60,15 @@ namespace isochor
       return false;
     }
 
+    /** Whether points see functions that are linear on their domains, by the
+     * stencils that start_step() gives them. Then loads on the body's surface
+     * are integrated like stresses (BoundaryPoints). */
+    virtual bool
+    is_linear_on_domains() const
+    {
+      return false;
+    }
+
     /** Whether start_step() needs to know the cells' occupancy. */
     virtual bool
     needs_occupancy() const
@@ -142,15 +151,6 @@ namespace isochor
     for (const unsigned int part : element)
       add(part, grid.geometry().measure(part) / measure);
   }
-
-  /** Where point @p q of the occupied cell k of the list is, on the undeformed
-   * @p geometry. */
-  template <int dim>
-  Point<dim>
-  location_of_point(const SimplexGeometry<dim> &geometry,
-                    const PointArrays<dim>     &points,
-                    const unsigned int          k,
-                    const unsigned int          q);
 } // namespace isochor
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef isochor_boundary_points_h
 #define isochor_boundary_points_h
 
+#include <isochor/boundary_condition/surface_on_domains.h>
 #include <isochor/equations/equation_term.h>
 #include <isochor/material_points/relocation.h>
 #include <isochor/material_points/surface_seeding.h>
@@ -22,22 +23,32 @@ namespace isochor
    * configuration; the present one is Nanson's a = det F F^{-T} A_0 with the
    * deformation gradient F of the body at the point.
    *
-   * A point acts on the nodes of the cell it lies in, if that is occupied. On
-   * the surface it may as well lie in an empty cell: it then acts on the
+   * Where the material points see functions that are linear on their domains
+   * (CPDI), and the surface consists of faces of domains, boundary points are
+   * made anew at each reset of the grid, on the faces of the domains as these
+   * are then, and see the functions of their domain: loads are integrated like
+   * stresses, and a homogeneous stress is in equilibrium with its traction
+   * wherever the surface lies. Place, displacement and F are those of the
+   * domain there. Each rank holds those of its domains.
+   *
+   * Other points act on the nodes of the cell they lie in, if that is occupied.
+   * On the surface they may as well lie in an empty cell: they then act on the
    * nearest occupied one, with the shape functions extrapolated. Where several
-   * cells are equally near (a point on a face, or next to a vertex) it acts on
-   * all of them, N_I and ∇N_I being the means; so that the choice depends
-   * neither on numbering nor on rounding. With points whose domains reach
-   * beyond their cells (CPDI), what counts is not whether a cell is occupied
-   * but whether all of its nodes are active. Each rank holds the points of its
-   * cells.
+   * cells are equally near (a point on a face, or next to a vertex) a point
+   * acts on all of them, N_I and ∇N_I being the means; so that the choice
+   * depends neither on numbering nor on rounding. With points whose domains
+   * reach beyond their cells (CPDI), what counts is not whether a cell is
+   * occupied but whether all of its nodes are active. Each rank holds the
+   * points of its cells.
    */
   template <int dim>
   class BoundaryPoints
   {
   public:
-    /** @p grid must outlive this object. */
-    explicit BoundaryPoints(const BackgroundGrid<dim> &grid);
+    /** @p grid must outlive this object.
+     * @param points_per_face See surface_rule(). */
+    BoundaryPoints(const BackgroundGrid<dim> &grid,
+                   const unsigned int         points_per_face);
 
     const BackgroundGrid<dim> &
     background_grid() const
@@ -45,14 +56,24 @@ namespace isochor
       return grid;
     }
 
-    /** Begin with these points, the same on all ranks, at t = 0. */
-    void
-    seed(const std::vector<SurfacePoint<dim>> &seeds);
+    /** Begin with these faces, the same on all ranks, at t = 0, when @p body
+     * has been set up. Returns whether its points see functions linear on their
+     * domains. Collective. */
+    bool
+    seed(const std::vector<SurfaceFace<dim>> &faces,
+         const PointArrays<dim>              &body);
 
-    /** The grid has been replaced: go to the new cells. Points that are too
-     * large for these are split in two (2D) or four (3D) side by side, each
-     * with its part of the area; force and moment of a uniform load stay.
-     * Collective. */
+    /** The faces that consist of faces of domains; see above. */
+    const std::vector<SurfaceFace<dim>> &
+    faces_on_domains() const
+    {
+      return on_domains.faces();
+    }
+
+    /** The grid has been replaced: go to the new cells. Points that are not on
+     * domains and too large for these are split in two (2D) or four (3D) side
+     * by side, each with its part of the area; force and moment of a uniform
+     * load stay. Collective. */
     void
     change_grid();
 
@@ -126,7 +147,20 @@ namespace isochor
       return cell_sizes[b];
     }
 
-    /** Of the body around the point (Pa), as it was last set. */
+    /** Whether point @p b lies on the domain of a material point. */
+    bool
+    is_on_domain(const unsigned int b) const
+    {
+      return records.payload(b)[on_domain_entry] > 0;
+    }
+    /** The index of its material, if so. */
+    unsigned int
+    material(const unsigned int b) const
+    {
+      return static_cast<unsigned int>(records.payload(b)[on_domain_entry]) - 1;
+    }
+
+    /** Of other points: that of the body around (Pa), as it was last set. */
     double
     shear_modulus(const unsigned int b) const
     {
@@ -150,16 +184,45 @@ namespace isochor
     load_state(const std::string &state);
 
   private:
-    /** Split the points that are too large; how many there were. */
+    /** Of points that are not on domains: split those that are too large; how
+     * many there were. */
     unsigned int
     split();
+    /** Bring them to the ranks that own their cells, and find their nodes. */
+    void
+    locate_in_cells(const PointArrays<dim> &body);
+    /** Forget the points on domains, and all stencils. */
+    void
+    drop_points_on_domains();
+    /** Make them anew. */
+    void
+    add_points_on_domains(const PointArrays<dim> &body);
+    void
+    add_points_on_domain(const typename SurfaceOnDomains<dim>::Part &part,
+                         const PointArrays<dim>                     &body,
+                         const types::particle_index                 first_id);
+    /** Throws if a part of the surface is no longer there. Collective. */
+    void
+    check_parts(
+      const std::vector<typename SurfaceOnDomains<dim>::Part> &parts) const;
+    /** A new id for each of @p n points of this rank, the first of them.
+     * Collective. */
+    types::particle_index
+    new_ids(const std::size_t n) const;
+
+    void
+    save_faces(std::ostream &text) const;
+    void
+    load_faces(std::istream &text);
     /** Entries of a point's payload. */
     static constexpr unsigned int surface_entry      = 0;
     static constexpr unsigned int displacement_entry = 1;
     static constexpr unsigned int area_entry         = 1 + dim;
     static constexpr unsigned int F_entry            = 1 + 2 * dim;
     static constexpr unsigned int modulus_entry      = 1 + 2 * dim + dim * dim;
-    static constexpr unsigned int n_entries          = 1 + modulus_entry;
+    /** 0: not on a domain; else 1 + index of the material. */
+    static constexpr unsigned int on_domain_entry = 1 + modulus_entry;
+    static constexpr unsigned int n_entries       = 1 + on_domain_entry;
 
     class Candidates;
 
@@ -173,6 +236,10 @@ namespace isochor
     const BackgroundGrid<dim>         &grid;
     std::unique_ptr<PointLocator<dim>> locator;
     PointRecords<dim>                  records;
+    const Quadrature<dim - 1>          rule;
+    SurfaceOnDomains<dim>              on_domains;
+    /** Whether a rank has points that are not on domains. */
+    bool some_are_in_cells = false;
 
     std::vector<std::size_t>    stencil_start;
     std::vector<unsigned int>   stencil_vertex;

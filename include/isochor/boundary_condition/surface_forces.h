@@ -46,9 +46,9 @@ namespace isochor
       }
     };
 
-    /** Give the points that need it the G of their penalty: that of the body
-     * or, if it consists of several materials, the mean by volume around the
-     * point's nodes. After the points are located. Collective. */
+    /** Give the points that are not on domains the G of their penalty: that of
+     * the body or, if it consists of several materials, the mean by volume
+     * around the point's nodes. After the points are located. Collective. */
     void
     find_shear_moduli(const StepContext<dim> &step) const;
 

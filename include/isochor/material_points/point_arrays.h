@@ -83,8 +83,12 @@ namespace isochor
     /** V_0 of what the point was part of as it was seeded, before it was split;
      * empty on grids that don't adapt. */
     std::vector<double> seeded_volume;
-    /** Domains at t = 0, if the layout has them. */
+    /** Domains at t = 0, relative to the points, if the layout has them. */
     std::vector<CornerVectors<dim>> domain;
+    /** Of the points since t = 0. Only if they see functions that are linear on
+     * their domains (BodyQuadrature::is_linear_on_domains()): N_I at x in the
+     * domain of point p is N_pI + ∇N_pI·(x - x_p). */
+    std::vector<Tensor<1, dim>> displacement;
 
     /**
      * If points reach beyond their cell, or the shape functions are not linear
@@ -142,6 +146,18 @@ namespace isochor
       for (unsigned int v = 0; v <= dim; ++v)
         result[v] = corner(geometry, k, v);
       return result;
+    }
+
+    /** Where point @p q of cell k of the list is at the start of the step. */
+    Point<dim>
+    location(const SimplexGeometry<dim> &geometry,
+             const unsigned int          k,
+             const unsigned int          q) const
+    {
+      Point<dim> x;
+      for (unsigned int v = 0; v <= dim; ++v)
+        x += shape[q][v] * corner(geometry, k, v);
+      return x;
     }
 
     /** ∇_n N_I in cell k of the list: with respect to the grid at the start of

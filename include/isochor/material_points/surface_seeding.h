@@ -5,6 +5,8 @@
 #ifndef isochor_surface_seeding_h
 #define isochor_surface_seeding_h
 
+#include <deal.II/base/quadrature.h>
+
 #include <isochor/material_points/body_shape.h>
 
 #include <functional>
@@ -49,34 +51,53 @@ namespace isochor
   covered_part(const FaceCorners<dim>                        &face,
                const std::function<bool(const Point<dim> &)> &inside);
 
-  /** A boundary point to be. */
+  /** A face of the body's surface at t = 0, or a part of one. */
   template <int dim>
-  struct SurfacePoint
+  struct SurfaceFace
   {
-    Point<dim>     location;
-    Tensor<1, dim> area; ///< outward
-    unsigned int   surface;
-    unsigned int   cell; ///< where to begin the search for it
+    FaceCorners<dim> corners;
+    Tensor<1, dim>   area; ///< outward
+    unsigned int     surface;
+    unsigned int     cell; ///< where to begin the search for its points
   };
+
+  /**
+   * Where boundary points are put on a face, with fractions of its area.
+   * @param n_points A Gauss rule in 2D; in 3D as material_point_rule<2>.
+   */
+  template <int dim>
+  Quadrature<dim - 1>
+  surface_rule(const unsigned int n_points);
+
+  /** The place on @p face that has the coordinates @p x on the unit segment
+   * (triangle). */
+  template <int dim>
+  Point<dim>
+  place_on_face(const FaceCorners<dim> &face, const Point<dim - 1> &x)
+  {
+    Point<dim> place = face[0];
+    for (unsigned int d = 0; d + 1 < dim; ++d)
+      place += x[d] * (face[d + 1] - face[0]);
+    return place;
+  }
 
   /** What seed_surfaces() has found. */
   template <int dim>
   struct SeededSurfaces
   {
-    std::vector<SurfacePoint<dim>> points;
+    std::vector<SurfaceFace<dim>> faces;
     /** By surface: the area that the body covers, and that of all faces that
      * were in question (m^(dim-1)). */
     std::vector<double> covered, candidate;
   };
 
   /**
-   * Places with areas on the surfaces of the body at t = 0. A surface on a
+   * The surfaces of the body at t = 0, as parts of faces. A surface on a
    * boundary of the grid consists of the faces there; one with a condition, of
    * the faces between the @p occupied cells (ascending, of all ranks) and the
    * rest, or, if @p body_mesh is not empty, of the boundary faces of this gmsh
    * mesh. Of faces of the grid only what belongs to the body counts. The same
    * on all ranks.
-   * @param points_per_face A Gauss rule in 2D; in 3D as material_point_rule<2>.
    * @throws ExcMessage if the body has nothing on a surface.
    */
   template <int dim>
@@ -85,7 +106,6 @@ namespace isochor
                 const BodyShape<dim>                &shape,
                 const std::vector<unsigned int>     &occupied,
                 const std::vector<BodySurface<dim>> &surfaces,
-                const unsigned int                   points_per_face,
                 const std::string                   &body_mesh);
 } // namespace isochor
 
