@@ -21,7 +21,7 @@ namespace
     double force, volume;
   };
 
-  /** A block under tension. The rows of cells in its lower half become five
+  /** A block under tension. The rows of cells in its lower half become ten
    * times flatter. Points of @p region are left out. */
   template <int dim>
   Result
@@ -31,7 +31,7 @@ namespace
     const std::string n       = solid ? "3" : "4";
     const auto        problem = test::run_scene<dim>(
       "Grid/Subdivisions = " + n + ", " + n + (solid ? ", " + n : "") +
-      "\nGrid/Stretch = y: 0 -> 0, 0.5 -> -0.4*t, 1 -> 0.2*t\n"
+      "\nGrid/Stretch = y: 0 -> 0, 0.5 -> -0.45*min(1, t/0.75), 1 -> 0.2*t\n"
              "Material/Young modulus = 100\nMaterial/Density = 0\n"
              "Material/Poisson ratio = 0.3\n"
              "Material points/Region = " +
@@ -55,7 +55,8 @@ namespace
       "dim " + std::to_string(dim) + ", split at " + split;
     const Result whole = stretched_block<dim>("1", "0"),
                  gap   = stretched_block<dim>(outside_of, split);
-    test::check_error(what + ": volume", std::abs(gap.volume - 1.2), 1e-12);
+    // of the grid in which the last step was made, at t = 0.75
+    test::check_error(what + ": volume", std::abs(gap.volume - 1.15), 1e-12);
     test::check_error(what + ": force",
                       std::abs(gap.force / whole.force - 1),
                       1e-9);

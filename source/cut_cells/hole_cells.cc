@@ -17,6 +17,7 @@ namespace isochor
         if (cell != none && this->content(cell) == nullptr)
           candidates.insert(cell);
 
+    cavity = Cavity();
     std::vector<Content> holes;
     while (!candidates.empty())
       {
@@ -71,7 +72,7 @@ namespace isochor
 
   template <int dim>
   typename CellOccupancy<dim>::Content
-  CellOccupancy<dim>::fill_of_gap(const std::set<unsigned int> &gap) const
+  CellOccupancy<dim>::fill_of_gap(const std::set<unsigned int> &gap)
   {
     const SimplexGeometry<dim> &geometry = grid.geometry();
     Content                     hole;
@@ -102,14 +103,44 @@ namespace isochor
           volume += neighbour.volume;
           volume_times_seeded += neighbour.volume_times_seeded;
         }
-    hole.is_hole =
-      n_neighbours >= dim && is_small(gap, volume_times_seeded / volume);
+    if (n_neighbours < dim)
+      return hole;
+    hole.is_hole = is_small(gap, volume_times_seeded / volume);
     if (hole.is_hole)
       {
         hole.reference_volume = n_neighbours / J;
         hole.volume_times_G   = G / J;
       }
+    else
+      remember_cavity(gap);
     return hole;
+  }
+
+
+
+  template <int dim>
+  double
+  CellOccupancy<dim>::volume_of(const std::set<unsigned int> &gap) const
+  {
+    double volume = 0;
+    for (const unsigned int cell : gap)
+      volume += grid.geometry().measure(cell);
+    return volume;
+  }
+
+
+
+  template <int dim>
+  void
+  CellOccupancy<dim>::remember_cavity(const std::set<unsigned int> &gap)
+  {
+    const double volume = volume_of(gap);
+    if (volume <= cavity.volume)
+      return;
+    const auto &vertices = grid.geometry().vertices();
+    cavity               = {static_cast<unsigned int>(gap.size()),
+                            volume,
+                            vertices[grid.geometry().vertex_indices(*gap.begin())[0]]};
   }
 
 
@@ -123,10 +154,7 @@ namespace isochor
       return true;
     if (!compares_with_seeding)
       return false;
-    double volume = 0;
-    for (const unsigned int cell : gap)
-      volume += grid.geometry().measure(cell);
-    return volume <= most_points * point && is_compact(gap);
+    return volume_of(gap) <= most_points * point && is_compact(gap);
   }
 
 

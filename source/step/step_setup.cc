@@ -259,6 +259,8 @@ namespace isochor
       arrays, *locator, scene.kernel, needs_occupancy, occupancy);
     spacing.check(arrays, time, scene.time.step == 0, scene.warnings);
     spacing.compare_volumes(arrays, time, scene.warnings);
+    if (needs_occupancy)
+      watch_cavities();
     touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched_vertices);
@@ -272,6 +274,37 @@ namespace isochor
         extension.update(arrays, touched_vertices);
       }
     touch_masters();
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::watch_cavities()
+  {
+    const auto    &cavity = occupancy.largest_cavity();
+    const MPI_Comm comm   = scene.grid.communicator();
+    const auto     volume = Utilities::MPI::min_max_avg(cavity.volume, comm);
+    const bool     is_new = has_cavity == 0 && volume.max > 0;
+    has_cavity            = volume.max > 0;
+    if (!is_new)
+      return;
+    const bool mine = Utilities::MPI::this_mpi_process(comm) ==
+                      static_cast<unsigned int>(volume.max_index);
+    const unsigned int n_cells =
+      Utilities::MPI::sum(mine ? cavity.n_cells : 0u, comm);
+    std::ostringstream text;
+    text << "At t = " << scene.time.time << " a cavity of " << n_cells
+         << " cells without points (" << volume.max << " m^" << dim
+         << ") has opened inside of the body, at ("
+         << Utilities::MPI::sum(mine ? cavity.place : Point<dim>(), comm)
+         << "). It is larger than a few points as they were seeded, and counts "
+            "as outside: nothing resists there, and volume and load are lost "
+            "as it closes. If it is not meant: seed more points where cells "
+            "become smaller than those that they were seeded in (<Material "
+            "points/Points per cell>, <Points per cell in zones>), or larger "
+            "cells.";
+    scene.warnings.add("a cavity has opened", text.str());
   }
 
 

@@ -67,6 +67,22 @@ namespace isochor
       bool is_hole = false;
     };
 
+    /** An enclosed gap that is too large for a hole and counts as outside. */
+    struct Cavity
+    {
+      unsigned int n_cells = 0;
+      double       volume  = 0;
+      Point<dim>   place;
+    };
+
+    /** The largest one of this rank's that is known: of at most most_cells,
+     * where gaps are compared with the seeding. */
+    const Cavity &
+    largest_cavity() const
+    {
+      return cavity;
+    }
+
     /** What @p cell holds; null if it is empty (or far from this rank). */
     const Content *
     content(const unsigned int cell) const
@@ -176,7 +192,11 @@ namespace isochor
      * G in the mean of the cells around. Not a hole if the gap is too large or
      * not enclosed. */
     Content
-    fill_of_gap(const std::set<unsigned int> &gap) const;
+    fill_of_gap(const std::set<unsigned int> &gap);
+    double
+    volume_of(const std::set<unsigned int> &gap) const;
+    void
+    remember_cavity(const std::set<unsigned int> &gap);
     /** Whether an enclosed gap between points, one of which has the volume
      * @p point as it was seeded, is as small as a hole. */
     bool
@@ -213,6 +233,7 @@ namespace isochor
     std::map<unsigned int, std::vector<unsigned int>> near_ranks;
 
     std::vector<Content>       contents;
+    Cavity                     cavity;
     std::vector<unsigned int>  entry_of_cell;
     std::vector<unsigned char> vertex_active;
     std::vector<unsigned int>  active_list;

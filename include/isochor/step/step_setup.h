@@ -179,6 +179,9 @@ namespace isochor
     /** The grid has been replaced: tell what knows it. */
     void
     grid_changed();
+    /** Warn once a cavity opens inside of the body. Collective. */
+    void
+    watch_cavities();
     /** Of all boundary conditions. */
     std::vector<ControlNode<dim>>
     control_nodes() const;
@@ -200,10 +203,12 @@ namespace isochor
     GridReset<dim>                     grid_reset;
     PointRefinement<dim>               refinement;
     PointSpacing<dim>                  spacing;
-    CellOccupancy<dim>                 occupancy;
-    bool                               needs_occupancy = false;
-    DiscreteExtension<dim>             extension;
-    bool                               extends = false;
+    /** At the last reset; -1: not looked at yet. */
+    int                    has_cavity = -1;
+    CellOccupancy<dim>     occupancy;
+    bool                   needs_occupancy = false;
+    DiscreteExtension<dim> extension;
+    bool                   extends = false;
 
     PointArrays<dim> arrays;
     ActiveNodes<dim> nodes;
