@@ -293,11 +293,12 @@ namespace isochor
                       static_cast<unsigned int>(volume.max_index);
     const unsigned int n_cells =
       Utilities::MPI::sum(mine ? cavity.n_cells : 0u, comm);
+    const Tensor<1, dim> place = Utilities::MPI::sum(
+      mine ? Tensor<1, dim>(cavity.place) : Tensor<1, dim>(), comm);
     std::ostringstream text;
     text << "At t = " << scene.time.time << " a cavity of " << n_cells
          << " cells without points (" << volume.max << " m^" << dim
-         << ") has opened inside of the body, at ("
-         << Utilities::MPI::sum(mine ? cavity.place : Point<dim>(), comm)
+         << ") has opened inside of the body, at (" << place
          << "). It is larger than a few points as they were seeded, and counts "
             "as outside: nothing resists there, and volume and load are lost "
             "as it closes. If it is not meant: seed more points where cells "
