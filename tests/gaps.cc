@@ -19,6 +19,7 @@ namespace
   struct Result
   {
     double force, volume;
+    bool   cavity; ///< whether one is warned of
   };
 
   /** A block under tension. The rows of cells in its lower half become ten
@@ -42,9 +43,13 @@ namespace
       (solid ? "; front: z=0; back: z=0" : "") +
       "\nPostprocess/Reactions = top\nTime/Step size = 0.25\n");
     const Statistics &statistics = problem->last_statistics();
+    bool              cavity     = false;
+    for (const auto &warning : problem->all_warnings().all())
+      cavity = cavity || warning.subject == "a cavity has opened";
     return {statistics.get("Reaction y on top (N)"),
             statistics.get("Volume in the grid " +
-                           std::string(solid ? "(m^3)" : "(m^2)"))};
+                           std::string(solid ? "(m^3)" : "(m^2)")),
+            cavity};
   }
 
   template <int dim>
@@ -60,6 +65,17 @@ namespace
     test::check_error(what + ": force",
                       std::abs(gap.force / whole.force - 1),
                       1e-9);
+    test::check(what + ": no cavity", !gap.cavity && !whole.cavity, "");
+  }
+
+  /** What is too large for a hole is told when it is many cells. */
+  template <int dim>
+  void
+  test_cavity(const std::string &outside_of)
+  {
+    test::check("dim " + std::to_string(dim) + ": a cavity is warned of",
+                stretched_block<dim>(outside_of, "0").cavity,
+                "");
   }
 } // namespace
 
@@ -70,6 +86,8 @@ main(int argc, char **argv)
   for (const std::string split : {"0", "0.5"})
     {
       test_gap<2>("(x - 0.5)^2 + (y - 0.15)^2 > 0.12^2", split);
-      test_gap<3>("(x - 0.5)^2 + (y - 0.2)^2 + (z - 0.5)^2 > 0.18^2", split);
+      test_gap<3>("(x - 0.5)^2 + (y - 0.2)^2 + (z - 0.5)^2 > 0.13^2", split);
     }
+  test_cavity<2>("(x - 0.5)^2 + (y - 0.2)^2 > 0.17^2");
+  test_cavity<3>("(x - 0.5)^2 + (y - 0.2)^2 + (z - 0.5)^2 > 0.18^2");
 }
