@@ -80,7 +80,8 @@ namespace
     const auto        problem = test::run_scene<dim>(
       "Grid/Type = adaptive\nGrid/Coarse cells = box\nGrid/Subdivisions = " +
       n + ", " + n + (solid ? ", " + n : "") +
-      "\nAdaptive grid/Cell size = if(t > 0.1, 0.07, 1)\n"
+      "\nAdaptive grid/Cell size = if(t > 0.1, " + (solid ? "0.17" : "0.07") +
+      ", 1)\n"
              "Material/Young modulus = 100\nMaterial/Density = 0\n"
              "Material points/Region = " +
       outside_of +
@@ -106,6 +107,6 @@ main(int argc, char **argv)
       test_gap<2>("(x - 0.5)^2 + (y - 0.15)^2 > 0.12^2", split);
       test_gap<3>("(x - 0.5)^2 + (y - 0.2)^2 + (z - 0.5)^2 > 0.13^2", split);
     }
-  test_cavity<2>("(x - 0.54)^2 + (y - 0.6)^2 > 0.16^2");
+  test_cavity<2>("(x - 0.54)^2 + (y - 0.6)^2 > 0.2^2");
   test_cavity<3>("(x - 0.5)^2 + (y - 0.5)^2 + (z - 0.5)^2 > 0.2^2");
 }
