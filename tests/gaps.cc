@@ -71,30 +71,22 @@ namespace
 
   /** A gap of few cells that becomes many as the grid is refined, and is too
    * large for a hole then. */
-  template <int dim>
   void
-  test_cavity(const std::string &outside_of)
+  test_cavity()
   {
-    const bool        solid   = (dim == 3);
-    const std::string n       = solid ? "3" : "4";
-    const auto        problem = test::run_scene<dim>(
-      "Grid/Type = adaptive\nGrid/Coarse cells = box\nGrid/Subdivisions = " +
-      n + ", " + n + (solid ? ", " + n : "") +
-      "\nAdaptive grid/Cell size = if(t > 0.1, " + (solid ? "0.17" : "0.07") +
-      ", 1)\n"
-             "Material/Young modulus = 100\nMaterial/Density = 0\n"
-             "Material points/Region = " +
-      outside_of +
-      "\nQuadrature/Type = cell-filled\nFormulation/Type = u-p\n"
-             "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0; "
-             "top: y=0" +
-      (solid ? "; front: z=0; back: z=0" : "") + "\nTime/Step size = 0.25\n");
+    const auto problem = test::run_scene<2>(
+      "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
+      "Grid/Subdivisions = 4, 4\n"
+      "Adaptive grid/Cell size = if(t > 0.1, 0.07, 1)\n"
+      "Material/Young modulus = 100\nMaterial/Density = 0\n"
+      "Material points/Region = (x - 0.54)^2 + (y - 0.6)^2 > 0.2^2\n"
+      "Quadrature/Type = cell-filled\nFormulation/Type = u-p\n"
+      "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0; "
+      "top: y=0\nTime/Step size = 0.25\n");
     bool told = false;
     for (const auto &warning : problem->all_warnings().all())
       told = told || warning.subject == "a cavity has opened";
-    test::check("dim " + std::to_string(dim) + ": a cavity is warned of",
-                told,
-                "");
+    test::check("a cavity is warned of", told, "");
   }
 } // namespace
 
@@ -107,6 +99,5 @@ main(int argc, char **argv)
       test_gap<2>("(x - 0.5)^2 + (y - 0.15)^2 > 0.12^2", split);
       test_gap<3>("(x - 0.5)^2 + (y - 0.2)^2 + (z - 0.5)^2 > 0.13^2", split);
     }
-  test_cavity<2>("(x - 0.54)^2 + (y - 0.6)^2 > 0.2^2");
-  test_cavity<3>("(x - 0.5)^2 + (y - 0.5)^2 + (z - 0.5)^2 > 0.24^2");
+  test_cavity();
 }
