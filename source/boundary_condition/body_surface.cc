@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/surface_forces.h>
 #include <isochor/grid/prescribed_motion.h>
@@ -262,8 +263,7 @@ namespace isochor
           continue;
         step.warnings.add(
           "surface in part off the body",
-          "The body covers only " +
-            Utilities::to_string(100 * covered_share[s], 3) +
+          "The body covers only " + rounded(100 * covered_share[s]) +
             " % of the faces of cells that the surface <" + place.name +
             "> of <" + place.parameter +
             "> consists of; what it does acts on this part. If the body's "
@@ -289,12 +289,12 @@ namespace isochor
           continue;
         step.warnings.add(
           "a load beside the domains of the points",
-          "Only " + Utilities::to_string(100 * share_on_domains[s], 3) +
+          "Only " + rounded(100 * share_on_domains[s]) +
             " % of the area of the surface <" + surface.place.name + "> of <" +
             surface.place.parameter +
             "> consist of faces of the points' domains, which <Quadrature/Type> "
             "makes of the body at t = 0. Elsewhere its load is not in balance "
-            "with the stress of the points below, by some per cent, once the "
+            "with the stress of the points below, by 5 to 20 per cent, once the "
             "surface lies inside of cells. Let the surface be that of the "
             "points' domains (the mesh of <Material points/Body mesh> in <" +
             this->parameter("Mesh of body surfaces") +

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <unordered_map>
@@ -24,6 +25,9 @@ namespace isochor
     constexpr double harmless_share = 0.5;
     /** The part of the body in cells without points that is worth a warning. */
     constexpr double tolerated_part = 0.02;
+    /** Domains of CPDI may be so much longer than their cells: a bar with
+     * domains of half of a cell at first was right up to a stretch of 2.4. */
+    constexpr double tolerated_length = 1.2;
     /** The relative difference of volumes that is worth a warning, if it is
      * there at so many resets one after the other. */
     constexpr double       tolerated_difference = 0.03;
@@ -84,6 +88,7 @@ namespace isochor
     const double   share = Utilities::MPI::max(largest_share(points), comm);
     if (at_start)
       warn_of_large_domains(points, share, warnings);
+    warn_of_long_domains(points, time, warnings);
     if (share <= harmless_share)
       return;
     const std::set<unsigned int> bare = find_bare_cells(points);
@@ -190,6 +195,67 @@ namespace isochor
                    std::to_string(dim == 2 ? 9 : 27) +
                    " points per cell (<Material points/Points per cell>), or "
                    "use another <Quadrature/Type>.");
+  }
+
+
+
+  template <int dim>
+  void
+  PointSpacing<dim>::warn_of_long_domains(const PointArrays<dim> &points,
+                                          const double            time,
+                                          Warnings &warnings) const
+  {
+    const MPI_Comm comm = grid.communicator();
+    if (Utilities::MPI::max(points.corner_cells.size(), comm) == 0)
+      return;
+    const auto           &geometry = grid.geometry();
+    double                longest  = 0;
+    std::array<double, 2> volumes{}; // of long domains, of all
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          double length = 0; // in that of the cell in the same direction
+          for (unsigned int c = 0; c <= dim; ++c)
+            for (unsigned int d = 0; d < c; ++d)
+              {
+                const Tensor<1, dim> edge =
+                  points.F[q] * (points.domain[q][c] - points.domain[q][d]);
+                double first = std::numeric_limits<double>::max(),
+                       last  = std::numeric_limits<double>::lowest();
+                for (const unsigned int v :
+                     geometry.vertex_indices(points.cell[k]))
+                  {
+                    const double place = geometry.vertices()[v] * edge;
+                    first              = std::min(first, place);
+                    last               = std::max(last, place);
+                  }
+                length = std::max(length, edge.norm_square() / (last - first));
+              }
+          const double V = determinant(points.F[q]) * points.volume[q];
+          volumes[1] += V;
+          if (length > tolerated_length)
+            volumes[0] += V;
+          longest = std::max(longest, length);
+        }
+    longest = Utilities::MPI::max(longest, comm);
+    sum_over_ranks(volumes, comm);
+    if (volumes[0] <= tolerated_part * volumes[1])
+      return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "At t = " << time << ", " << 100 * volumes[0] / volumes[1]
+         << " % of the body consist of points whose domains are longer than "
+            "their cells, up to "
+         << longest
+         << " times. Nodes between the corners of a domain feel nothing of it: "
+            "displacements of the grid and of probes become arbitrary there, "
+            "later also those of the body. Seed more points (<Material "
+            "points/Points per cell>: domains grow by the stretch of the "
+            "body), let them be split before (<Material points/Split at share "
+            "of cell> = 0.2), take larger cells, or keep the grid (<Grid "
+            "reset/Steps between resets>).";
+    warnings.add("domains longer than the cells", text.str());
   }
 
 

@@ -387,8 +387,12 @@ namespace isochor
     problem.assemble        = [this](const bool with_matrix) {
       return assemble(with_matrix);
     };
-    problem.solve = [this](const bool              factorise,
-                           const SolutionAccuracy &accuracy) {
+    // that of a try which has failed is no good: its correction could not be
+    // judged, as the first one of a try may enlarge the residual
+    bool may_reuse = last_try_converged;
+    problem.solve  = [this, &may_reuse](const bool              factorise,
+                                       const SolutionAccuracy &accuracy) {
+      may_reuse = may_reuse || factorise;
       const unsigned int n =
         linear_step.solve(unknowns, constraints, pending, factorise, accuracy);
       WorkTally &work = terminal.work();
@@ -398,8 +402,8 @@ namespace isochor
       return n;
     };
     problem.is_iterative      = [this]() { return linear_step.is_iterative(); };
-    problem.has_factorisation = [this]() {
-      return linear_step.has_factorisation();
+    problem.has_factorisation = [this, &may_reuse]() {
+      return may_reuse && linear_step.has_factorisation();
     };
     problem.advance = [this](const double s) {
       at_start = false;
@@ -417,7 +421,9 @@ namespace isochor
       };
     relinearise();
     system.interpolate_followers(unknowns); // wherever it starts from
-    return newton_solver.solve(problem, terminal.log());
+    const NewtonReport report = newton_solver.solve(problem, terminal.log());
+    last_try_converged        = report.converged;
+    return report;
   }
 
 

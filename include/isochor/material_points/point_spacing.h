@@ -60,6 +60,11 @@ namespace isochor
                            Warnings    &warnings);
 
   private:
+    /** CPDI: warn of domains that are longer than their cells. Collective. */
+    void
+    warn_of_long_domains(const PointArrays<dim> &points,
+                         const double            time,
+                         Warnings               &warnings) const;
     /** The largest J V_0 / |e| of this rank's points. */
     double
     largest_share(const PointArrays<dim> &points) const;
