@@ -234,7 +234,7 @@ namespace
       "Boundary conditions/Displacement = bottom: x = 0, y = 0, z = 0\n"
       "Boundary conditions/Rigid sides = top: x = 0, y = 0, z = 0, rotation x "
       "= 0, rotation z = 0, moment y = 1e4*t\n"
-      "Time/Step size = 0.1\nTime/Minimum step size = 0.02\n");
+      "Time/Step size = 0.02\nTime/Minimum step size = 0.002\n");
     expect("the moment of a rigid side is a load",
            twisted,
            {"can't be cut back further", "No equilibrium found: limit load"});

@@ -10,6 +10,8 @@
 
 #include <isochor/step/material_point_method.h>
 
+#include <array>
+
 #include "scene.h"
 
 using namespace isochor;
@@ -69,6 +71,31 @@ namespace
     test::check(what + ": no cavity", !gap.cavity && !whole.cavity, "");
   }
 
+  /** A cavity that the body has from the start stays empty, also where points,
+   * which are as large as the cells here, are split. */
+  void
+  test_own_cavity()
+  {
+    std::array<double, 2> force;
+    for (unsigned int split = 0; split < 2; ++split)
+      {
+        const auto problem = test::run_scene<2>(
+          "Grid/Subdivisions = 8, 8\n"
+          "Material points/Region = abs(x - 0.5) > 0.12 || abs(y - 0.5) > "
+          "0.12\nMaterial points/Points per cell = 1\n"
+          "Material points/Split at share of cell = " +
+          std::string(split != 0 ? "0.5" : "0") +
+          "\nMaterial/Young modulus = 100\nMaterial/Density = 0\n"
+          "Quadrature/Type = cell-filled\n"
+          "Boundary conditions/Displacement = bottom: x=0, y=0; top: x=0, "
+          "y=-0.02*t\nPostprocess/Reactions = top\nTime/Step size = 0.5\n");
+        force[split] = problem->last_statistics().get("Reaction y on top (N)");
+      }
+    test::check_error("the body's own cavity stays empty",
+                      std::abs(force[1] / force[0] - 1),
+                      0.01);
+  }
+
   /** A gap of few cells that becomes many as the grid is refined, and is too
    * large for a hole then. */
   void
@@ -99,5 +126,6 @@ main(int argc, char **argv)
       test_gap<2>("(x - 0.5)^2 + (y - 0.15)^2 > 0.12^2", split);
       test_gap<3>("(x - 0.5)^2 + (y - 0.2)^2 + (z - 0.5)^2 > 0.13^2", split);
     }
+  test_own_cavity();
   test_cavity();
 }

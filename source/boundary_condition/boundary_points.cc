@@ -125,7 +125,7 @@ namespace isochor
         constexpr double            whole = 1e-6;
         const SurfaceOnDomains<dim> all(faces);
         const std::vector<double>   shares =
-          all.covered_shares(all.parts(grid.geometry(), body),
+          all.covered_shares(all.parts(grid.geometry(), body, true),
                              grid.communicator());
         others.clear();
         for (unsigned int f = 0; f < faces.size(); ++f)

@@ -34,7 +34,7 @@ namespace isochor
   void
   BoundaryPoints<dim>::add_points_on_domains(const PointArrays<dim> &body)
   {
-    const auto parts = on_domains.parts(grid.geometry(), body);
+    const auto parts = on_domains.parts(grid.geometry(), body, false);
     check_parts(parts);
     types::particle_index id = new_ids(rule.size() * parts.size());
     for (const auto &part : parts)

@@ -12,8 +12,10 @@ namespace isochor
 {
   namespace
   {
-    /** Of the size of a domain: what places may differ by that are the same. */
-    constexpr double tolerance = 1e-6;
+    /** What places may differ by that are the same, in the size of a face of
+     * the surface: when it is found to consist of faces of domains, and
+     * afterwards, so that it stays one when these are split. */
+    constexpr double tolerance = 1e-6, later_tolerance = 1e-5;
     /** Barycentric coordinates below this are zero. */
     constexpr double no_coordinate = 1e-9;
 
@@ -41,16 +43,29 @@ namespace isochor
       return size;
     }
 
+    template <int dim>
+    double
+    size_of(const SurfaceFace<dim> &face)
+    {
+      double size = 0;
+      for (unsigned int c = 1; c < dim; ++c)
+        size = std::max(size, (face.corners[c] - face.corners[0]).norm());
+      return size;
+    }
+
     /** Whether the face of @p domain opposite to corner @p opposite lies in the
      * plane of @p face, and the domain on the inner side of it. */
     template <int dim>
     bool
     lies_in_plane(const std::array<Point<dim>, dim + 1> &domain,
                   const unsigned int                     opposite,
-                  const SurfaceFace<dim>                &face)
+                  const SurfaceFace<dim>                &face,
+                  const bool                             at_start)
     {
-      const Tensor<1, dim> n   = face.area / face.area.norm();
-      const double         eps = tolerance * size_of<dim>(domain);
+      const Tensor<1, dim> n = face.area / face.area.norm();
+      const double         eps =
+        at_start ? tolerance * std::min(size_of<dim>(domain), size_of(face)) :
+                           later_tolerance * size_of(face);
       for (unsigned int c = 0; c <= dim; ++c)
         {
           const double height = (domain[c] - face.corners[0]) * n;
@@ -102,7 +117,8 @@ namespace isochor
   template <int dim>
   std::vector<typename SurfaceOnDomains<dim>::Part>
   SurfaceOnDomains<dim>::parts(const SimplexGeometry<dim> &geometry,
-                               const PointArrays<dim>     &body) const
+                               const PointArrays<dim>     &body,
+                               const bool                  at_start) const
   {
     namespace bgi = boost::geometry::index;
     std::vector<Part>               result;
@@ -116,7 +132,7 @@ namespace isochor
           for (unsigned int c = 0; c <= dim; ++c)
             domain[c] = X + body.domain[q][c];
           BoundingBox<dim> box = box_around<dim>(domain);
-          box.extend(tolerance * size_of<dim>(domain));
+          box.extend(later_tolerance * size_of<dim>(domain));
           near.clear();
           tree.query(bgi::intersects(box), std::back_inserter(near));
           std::sort(near.begin(),
@@ -125,7 +141,7 @@ namespace isochor
                       return a.second < b.second;
                     });
           for (const Entry &entry : near)
-            add_parts(entry.second, domain, k, q, result);
+            add_parts(entry.second, domain, k, q, at_start, result);
         }
     return result;
   }
@@ -139,6 +155,7 @@ namespace isochor
     const std::array<Point<dim>, dim + 1> &domain,
     const unsigned int                     k,
     const unsigned int                     q,
+    const bool                             at_start,
     std::vector<Part>                     &parts) const
   {
     const FaceCorners<dim> &corners = all_faces[f].corners;
@@ -148,7 +165,7 @@ namespace isochor
         edges[d][c] = domain[c + 1][d] - domain[0][d];
     for (unsigned int opposite = 0; opposite <= dim; ++opposite)
       {
-        if (!lies_in_plane<dim>(domain, opposite, all_faces[f]))
+        if (!lies_in_plane<dim>(domain, opposite, all_faces[f], at_start))
           continue;
         const Tensor<2, dim>    inverse = invert(edges);
         std::vector<Point<dim>> polygon(corners.begin(), corners.end());

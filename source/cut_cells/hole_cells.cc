@@ -152,7 +152,7 @@ namespace isochor
   {
     if (gap.size() <= largest_hole)
       return true;
-    if (!compares_with_seeding)
+    if (!compares_with_seeding || !large_holes_are_allowed)
       return false;
     return volume_of(gap) <= most_points * point && is_compact(gap);
   }

@@ -302,7 +302,8 @@ namespace isochor
     add_row(0, 0);
 
     constexpr unsigned int most_shortened = 3;
-    unsigned int           n_shortened    = 0; // corrections in a row
+    constexpr double       little         = 0.75; // left of the residual
+    unsigned int           n_shortened    = 0;    // corrections in a row
     double last_ratio = 0.; // try the factorisation of the last step
     double reduction  = 0.; // none yet
     // Assembling the matrix costs as much again as the residual: it is left
@@ -370,11 +371,13 @@ namespace isochor
            foreseen > tolerance);
         gauge.take(norms);
         add_row(search.best, n_linear);
-        n_shortened = search.best < 1. ? n_shortened + 1 : 0;
+        n_shortened =
+          search.best < 1. && search.reduction > little ? n_shortened + 1 : 0;
         if (problem.has_other_start && n_shortened == most_shortened &&
             gauge.is_far(norms, tolerance))
           {
-            report.failure = "three corrections in a row had to be shortened";
+            report.failure =
+              "three corrections in a row had to be shortened and changed little";
             return report;
           }
         // with the wrong conditions it may not converge at all

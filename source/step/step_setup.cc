@@ -255,6 +255,7 @@ namespace isochor
                         scene.kernel.materials);
     }
     scene.points.gather(arrays);
+    occupancy.allow_large_holes(scene.time.step > 0 && !has_own_cavities);
     scene.quadrature->set_up(
       arrays, *locator, scene.kernel, needs_occupancy, occupancy);
     spacing.check(arrays, time, scene.time.step == 0, scene.warnings);
@@ -285,9 +286,11 @@ namespace isochor
     const auto    &cavity = occupancy.largest_cavity();
     const MPI_Comm comm   = scene.grid.communicator();
     const auto     volume = Utilities::MPI::min_max_avg(cavity.volume, comm);
-    const bool     is_new = has_cavity == 0 && volume.max > 0;
+    const bool     is_new = !has_cavity && volume.max > 0;
     has_cavity            = volume.max > 0;
-    if (!is_new)
+    if (scene.time.step == 0)
+      has_own_cavities = has_cavity;
+    if (!is_new || has_own_cavities)
       return;
     const bool mine = Utilities::MPI::this_mpi_process(comm) ==
                       static_cast<unsigned int>(volume.max_index);
@@ -444,7 +447,8 @@ namespace isochor
   {
     std::ostringstream              stream(std::ios::binary);
     boost::archive::binary_oarchive archive(stream);
-    archive << scene.adaptation.save_state(scene.grid) << grid_reset;
+    archive << scene.adaptation.save_state(scene.grid) << grid_reset
+            << has_own_cavities << has_cavity;
     if (!grid_reset.due())
       archive << touched_vertices << arrays << extension;
     return stream.str();
@@ -462,7 +466,7 @@ namespace isochor
     archive >> mesh;
     if (scene.adaptation.load_state(mesh, scene.grid, scene.points, *locator))
       grid_changed();
-    archive >> grid_reset;
+    archive >> grid_reset >> has_own_cavities >> has_cavity;
     is_current = false;
     is_resumed = true;
     if (!grid_reset.due())

@@ -44,10 +44,13 @@ namespace isochor
     }
 
     /** Parts on the domains of this rank's points, in the order of these. The
-     * domain is on the inner side. */
+     * domain is on the inner side. @p at_start, when it is to be found out
+     * which faces consist of faces of domains, planes are compared more
+     * strictly. */
     std::vector<Part>
     parts(const SimplexGeometry<dim> &geometry,
-          const PointArrays<dim>     &body) const;
+          const PointArrays<dim>     &body,
+          const bool                  at_start) const;
 
     /** By face: the part of its area that lies on domains, of all ranks.
      * Collective. */
@@ -60,6 +63,7 @@ namespace isochor
               const std::array<Point<dim>, dim + 1> &domain,
               const unsigned int                     k,
               const unsigned int                     q,
+              const bool                             at_start,
               std::vector<Part>                     &parts) const;
 
     using Entry = std::pair<BoundingBox<dim>, unsigned int>;

@@ -83,6 +83,15 @@ namespace isochor
       return cavity;
     }
 
+    /** Whether gaps of more than a few cells may be holes, if they are compared
+     * with the seeding: not before it is known that the body has no cavities of
+     * its own. */
+    void
+    allow_large_holes(const bool are_allowed)
+    {
+      large_holes_are_allowed = are_allowed;
+    }
+
     /** What @p cell holds; null if it is empty (or far from this rank). */
     const Content *
     content(const unsigned int cell) const
@@ -220,10 +229,10 @@ namespace isochor
      * points as they were seeded, its cells, and the steps from one to another.
      * The volume is that of two cells of the original grid with the usual
      * number of points, less than largest_hole allows there. */
-    static constexpr unsigned int most_points           = (dim == 2 ? 8 : 16);
-    static constexpr unsigned int most_cells            = 128;
-    static constexpr unsigned int largest_extent        = (dim == 2 ? 12 : 6);
-    bool                          compares_with_seeding = false;
+    static constexpr unsigned int most_points    = (dim == 2 ? 8 : 16);
+    static constexpr unsigned int most_cells     = 128;
+    static constexpr unsigned int largest_extent = (dim == 2 ? 12 : 6);
+    bool compares_with_seeding = false, large_holes_are_allowed = false;
 
     std::vector<unsigned int>  cells_at_start, cells_at_vertices;
     std::vector<unsigned int>  n_cells_at;

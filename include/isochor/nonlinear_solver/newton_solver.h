@@ -117,8 +117,9 @@ namespace isochor
       std::function<bool(const double force_scale)> change_conditions;
       /** Whether there is another start should this one fail. Then one that
        * leads nowhere is given up at the third correction in a row that has to
-       * be shortened: the strip footing on an adaptive grid spent a third of
-       * its assemblies and a sixth of its factorisations on such ones. */
+       * be shortened and leaves most of the residual: the strip footing on an
+       * adaptive grid spent a third of its assemblies and a sixth of its
+       * factorisations on such ones. */
       bool has_other_start = false;
     };
 

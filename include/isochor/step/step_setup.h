@@ -179,7 +179,8 @@ namespace isochor
     /** The grid has been replaced: tell what knows it. */
     void
     grid_changed();
-    /** Warn once a cavity opens inside of the body. Collective. */
+    /** Remember whether the body has cavities of its own; if not, warn once one
+     * opens. Collective. */
     void
     watch_cavities();
     /** Of all boundary conditions. */
@@ -203,8 +204,9 @@ namespace isochor
     GridReset<dim>                     grid_reset;
     PointRefinement<dim>               refinement;
     PointSpacing<dim>                  spacing;
-    /** At the last reset; -1: not looked at yet. */
-    int                    has_cavity = -1;
+    /** Whether the body has enclosed gaps of more than a few cells: as it is at
+     * t = 0, and at the last reset. */
+    bool                   has_own_cavities = false, has_cavity = false;
     CellOccupancy<dim>     occupancy;
     bool                   needs_occupancy = false;
     DiscreteExtension<dim> extension;
