@@ -7,7 +7,7 @@
 // inset  see footing.geo: half a cell of the finest level at the edge
 DefineConstant[
   h     = {0.5, Min 1e-2, Max 2, Name "h"},
-  inset = {h / 32, Min 0, Max 0.4, Name "inset"}
+  inset = {h / 64, Min 0, Max 0.4, Name "inset"}
 ];
 width      = 12;
 depth      = 10;
