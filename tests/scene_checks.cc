@@ -373,6 +373,7 @@ namespace
 
     const std::string footing = grid + SOURCE_DIR "/footing.msh\n"
                                                   "Formulation/Type = u\n"
+                                                  "Quadrature/Type = CPDI\n"
                                                   "Boundary conditions/"
                                                   "Displacement = everywhere: "
                                                   "x = 0, y = 0\n"

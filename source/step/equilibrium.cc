@@ -387,9 +387,9 @@ namespace isochor
     problem.assemble        = [this](const bool with_matrix) {
       return assemble(with_matrix);
     };
-    // that of a try which has failed far from equilibrium is no good: its
-    // correction could not be judged, as the first one may enlarge the residual
-    bool may_reuse = last_try_came_close;
+    // that of a try which has failed is no good: its correction could not be
+    // judged, as the first one of a try may enlarge the residual
+    bool may_reuse = last_try_converged;
     problem.solve  = [this, &may_reuse](const bool              factorise,
                                        const SolutionAccuracy &accuracy) {
       may_reuse = may_reuse || factorise;
@@ -422,10 +422,7 @@ namespace isochor
     relinearise();
     system.interpolate_followers(unknowns); // wherever it starts from
     const NewtonReport report = newton_solver.solve(problem, terminal.log());
-    constexpr double   close  = 1e-2; // of the scales of the residuals
-    last_try_came_close =
-      report.converged || std::max(report.iterations.back().displacement,
-                                   report.iterations.back().pressure) < close;
+    last_try_converged        = report.converged;
     return report;
   }
 

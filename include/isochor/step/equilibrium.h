@@ -205,8 +205,8 @@ namespace isochor
     /** Forces of the boundary conditions that are terms of the equations. */
     NodalField boundary_force;
     /** Whether the iterate is where the step starts. */
-    bool   at_start            = true;
-    bool   last_try_came_close = true;
+    bool   at_start           = true;
+    bool   last_try_converged = true;
     double force_floor = 0, volume_floor = 0;
     bool   scene_checked = false;
     /** How many bodies apart from each other the active nodes form (0: not
