@@ -203,6 +203,35 @@ test_moved_surface(const std::string                         &u,
   test::check_error("surface moved by " + u, error, tolerance);
 }
 
+/** A bar is drawn through the grid. With four points per cell domains are half
+ * as long as their cells at first; from a stretch of 2.4 on nodes between their
+ * corners feel nothing. */
+void
+test_long_domains()
+{
+  const auto warns = [](const std::string &stretch, const std::string &points) {
+    const auto problem = test::run_scene<2>(
+      "Quadrature/Type = CPDI\nFormulation/Type = u\n"
+      "Grid/Upper corner = 3.2, 0.4\nGrid/Subdivisions = 16, 2\n"
+      "Material/Young modulus = 1\nMaterial/Poisson ratio = 0.3\n"
+      "Material points/Region = x < 1\nMaterial points/Points per cell = " +
+      points +
+      "\nBoundary conditions/Displacement = left: x=0; bottom: y=0; top: y=0\n"
+      "Boundary conditions/Surfaces of body = end: x > 0.9999\n"
+      "Boundary conditions/Displacement of body = end: x = (" +
+      stretch + " - 1)*t\nTime/Step size = 0.1\n");
+    for (const auto &warning : problem->all_warnings().all())
+      if (warning.subject == "domains longer than the cells")
+        return true;
+    return false;
+  };
+  test::check("domains as long as cells are not warned of",
+              !warns("2.3", "4"),
+              "");
+  test::check("longer ones are", warns("3", "4"), "");
+  test::check("nor those of more points", !warns("3", "9"), "");
+}
+
 int
 main(int argc, char **argv)
 {
@@ -216,4 +245,5 @@ main(int argc, char **argv)
     "t", [](const double) { return 0.; }, 250);
   test_moved_surface(
     "5*t^2", [](const double) { return 10.; }, 50);
+  test_long_domains();
 }

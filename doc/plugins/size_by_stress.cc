@@ -52,6 +52,13 @@ namespace isochor
       return is_active;
     }
 
+    // limit_sizes() is asked for sizes only, and only when the grid may change
+    bool
+    writes_statistics() const override
+    {
+      return false;
+    }
+
     void
     limit_sizes(const BodyState<dim> &state,
                 const LevelRule<dim> & /*rule*/,
