@@ -242,7 +242,9 @@ test_refined_gap(const std::string &formulation,
     (dim == 2 ? "(x - 0.54)^2 + (y - 0.6)^2 > " :
                 "(x - 0.5)^2 + (y - 0.5)^2 + (z - 0.5)^2 > ") +
     radius + "^2" +
-    "\nQuadrature/Type = cell-filled\nFormulation/Type = " + formulation +
+    "\nQuadrature/Type = cell-filled\nMaterial points/Domains = if needed\n"
+    "Formulation/Type = " +
+    formulation +
     "\nBoundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0; "
     "top: y=0.2*t" +
     (dim == 3 ? "; front: z=0; back: z=0" : "") + "\nTime/Step size = 0.25\n");

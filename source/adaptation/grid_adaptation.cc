@@ -216,7 +216,8 @@ namespace isochor
     // after a few steps points have changed cells
     constexpr unsigned int few_resets = 5;
     if (resets_between > 0 && n_resets >= few_resets + n_repetitions &&
-        !points.layout().with_domains &&
+        Utilities::MPI::max(step.points.domain.size(),
+                            step.grid.communicator()) == 0 &&
         std::any_of(criteria.begin(), criteria.end(), [](const auto &c) {
           return c->follows_stresses();
         }))

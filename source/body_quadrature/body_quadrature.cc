@@ -122,6 +122,8 @@ namespace isochor
     start_step(points, locator, kernel, with_occupancy, occupancy);
     if (!is_linear_on_domains())
       points.displacement.clear();
+    if (!needs_domains()) // which then are there for splitting only
+      points.domain.clear();
     if (by_functions)
       {
         add_stencils(grid.shape_functions(), points); // of massless points

@@ -159,6 +159,35 @@ namespace isochor
 
 
   template <int dim>
+  bool
+  DomainBisection<dim>::bisect_longest_edges(
+    const std::vector<unsigned int> &of_domains)
+  {
+    std::vector<unsigned int> newly_marked;
+    for (const unsigned int i : of_domains)
+      {
+        const unsigned int edge =
+          edges_of[i][longest(edges_of[i],
+                              [](const unsigned int) { return true; })];
+        if (!std::exchange(is_marked[edge], 1))
+          newly_marked.push_back(edge);
+      }
+    if (Utilities::MPI::sum(newly_marked.size(), comm) == 0)
+      return false;
+    for (;;)
+      {
+        close_marks(newly_marked);
+        if (Utilities::MPI::sum(newly_marked.size(), comm) == 0)
+          break;
+        exchange_marks(newly_marked);
+      }
+    bisect_marked();
+    return true;
+  }
+
+
+
+  template <int dim>
   void
   DomainBisection<dim>::bisect(const IsLarge &is_large)
   {
@@ -166,27 +195,30 @@ namespace isochor
     for (;;)
       {
         AssertThrow(n_rounds_left-- > 0, ExcInternalError());
-        std::vector<unsigned int> newly_marked;
+        std::vector<unsigned int> large;
         for (unsigned int i = 0; i < domains.size(); ++i)
           if (std::exchange(is_new[i], 0) && is_large(domains[i]))
-            {
-              const unsigned int edge =
-                edges_of[i][longest(edges_of[i],
-                                    [](const unsigned int) { return true; })];
-              if (!std::exchange(is_marked[edge], 1))
-                newly_marked.push_back(edge);
-            }
-        if (Utilities::MPI::sum(newly_marked.size(), comm) == 0)
+            large.push_back(i);
+        if (!bisect_longest_edges(large))
           return;
-        for (;;)
-          {
-            close_marks(newly_marked);
-            if (Utilities::MPI::sum(newly_marked.size(), comm) == 0)
-              break;
-            exchange_marks(newly_marked);
-          }
-        bisect_marked();
       }
+  }
+
+
+
+  template <int dim>
+  bool
+  DomainBisection<dim>::bisect(const std::vector<unsigned char> &asked,
+                               const IsLarge                    &is_large)
+  {
+    std::vector<unsigned int> numbers;
+    for (unsigned int i = 0; i < domains.size(); ++i)
+      if (asked[i])
+        numbers.push_back(i);
+    if (!bisect_longest_edges(numbers))
+      return false;
+    bisect(is_large);
+    return true;
   }
 
 

@@ -7,6 +7,7 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/material_points/domain_bisection.h>
 #include <isochor/material_points/point_refinement.h>
+#include <isochor/material_points/sparse_cells.h>
 
 #include <algorithm>
 #include <array>
@@ -95,18 +96,22 @@ namespace isochor
           shift[d] *= factors[d];
     }
 
-    /** Find location and cell of a part of a domain, which knows those of the
-     * whole. A part whose centroid is outside of the grid stays behind. */
+    /** Find location and cell of a part of a domain, which knows the location
+     * of the whole. A part whose centroid is outside of the grid stays behind.
+     * On a face between cells the answer depends on @p cell, that of the point
+     * as it was: MaterialPoints::relocate() will begin there, too. */
     template <int dim>
     void
-    locate_part(const PointLocator<dim> &locator, PointDomain<dim> &part)
+    locate_part(const PointLocator<dim> &locator,
+                const unsigned int       cell,
+                PointDomain<dim>        &part)
     {
       const Point<dim>     of_whole = part.location;
       const Tensor<1, dim> shift    = centroid<dim>(part.current) - of_whole;
       for (double factor = 1; factor > 1e-3; factor *= 0.75)
         {
           const Point<dim> x     = of_whole + factor * shift;
-          const auto       place = locator.locate(x, part.cell);
+          const auto       place = locator.locate(x, cell);
           if (!place.found)
             continue;
           part.location = x;
@@ -123,23 +128,40 @@ namespace isochor
   PointRefinement<dim>::declare_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Material points");
+    prm.declare_entry("Domains",
+                      "auto",
+                      Patterns::Selection("auto|always|if needed"),
+                      "Which points have a domain, a triangle (tetrahedron) "
+                      "that they carry along. 'auto': on adaptive grids all, "
+                      "so that small cells get as many points as large ones, "
+                      "else as 'if needed': those of the quadratures 'CPDI' "
+                      "and 'cell-filled + boundary', which integrate over "
+                      "domains. Others use them only to split points.");
     prm.declare_entry("Split at share of cell",
                       "0",
                       Patterns::Double(0),
                       "Split points whose current volume is larger than this "
-                      "share of the volume of the cell that they are in, into "
-                      "4 (2D) or 5 (3D) equal parts; points with domains, of "
-                      "the quadratures 'cell-filled + boundary' and 'CPDI', "
-                      "into halves, together with neighbours, so that domains "
-                      "go on sharing faces. 0: never; on an adaptive grid "
-                      "1.5 / 'Points per cell'.");
-    prm.declare_entry("Merge points",
-                      "with domains",
-                      Patterns::Selection("never|with domains|always"),
-                      "On an adaptive grid: put together what was split, where "
-                      "that then is smaller than 0.8 times what would be split "
-                      "again. 'with domains': with the quadratures "
-                      "'cell-filled + boundary' and 'CPDI' only.");
+                      "share of the volume of the cell that they are in: "
+                      "points with 'Domains' into halves, together with "
+                      "neighbours, so that domains go on sharing faces, others "
+                      "into 4 (2D) or 5 (3D) equal parts. 0: never; on an "
+                      "adaptive grid 1.5 / 'Points per cell'.");
+    prm.declare_entry("Least points per cell",
+                      "0",
+                      Patterns::Integer(0, 1000),
+                      "Where points with 'Domains' are split: as many as each "
+                      "cell that domains cover has at least, whatever "
+                      "their volumes. 0: one, so that nothing inside of the "
+                      "body is empty, and none with quadratures that "
+                      "integrate over domains ('CPDI', 'cell-filled + "
+                      "boundary').");
+    prm.declare_entry(
+      "Merge points",
+      "with domains",
+      Patterns::Selection("never|with domains|always"),
+      "On an adaptive grid: put together what was split, where "
+      "that then is smaller than 0.8 times what would be split "
+      "again. 'with domains': only points that have 'Domains'.");
     prm.declare_entry("Merging tolerance",
                       "0.1",
                       Patterns::Double(0),
@@ -160,6 +182,7 @@ namespace isochor
     largest_share         = prm.get_double("Split at share of cell");
     merging               = prm.get("Merge points");
     merging_tolerance     = prm.get_double("Merging tolerance");
+    least_points          = prm.get_integer("Least points per cell");
     const double asked    = prm.get_integer("Points per cell");
     const double per_cell = asked > 0 ? asked : (1 << dim);
     prm.leave_subsection();
@@ -182,13 +205,25 @@ namespace isochor
     MaterialPoints<dim>                         &points,
     const BackgroundGrid<dim>                   &grid,
     const PointLocator<dim>                     &locator,
-    const typename PointMerging<dim>::Materials &materials)
+    const typename PointMerging<dim>::Materials &materials,
+    const bool                                   may_merge)
   {
     const double share =
       grid.is_adaptive() ? share_on_adaptive_grids : largest_share;
     if (share == 0)
       return;
     const bool with_domains = points.layout().with_domains;
+    // first, since splitting has the last word on how many are needed
+    constexpr double hysteresis = 0.8;
+    if (grid.is_adaptive() && may_merge &&
+        (merging == "always" || (merging == "with domains" && with_domains)))
+      n_removed += PointMerging<dim>(points,
+                                     grid,
+                                     locator,
+                                     materials,
+                                     hysteresis * share,
+                                     merging_tolerance)
+                     .merge();
     // parts may still be too large; bounded, since each round divides by four
     for (unsigned int round = 0; round < (with_domains ? 1 : 8); ++round)
       {
@@ -202,16 +237,6 @@ namespace isochor
         insert(points, grid, parts);
         points.relocate(locator);
       }
-    constexpr double hysteresis = 0.8;
-    if (grid.is_adaptive() &&
-        (merging == "always" || (merging == "with domains" && with_domains)))
-      n_removed += PointMerging<dim>(points,
-                                     grid,
-                                     locator,
-                                     materials,
-                                     hysteresis * share,
-                                     merging_tolerance)
-                     .merge();
   }
 
 
@@ -293,19 +318,37 @@ namespace isochor
     const auto is_large = [&](const PointDomain<dim> &domain) {
       return domain.volume > share * geometry.measure(domain.cell);
     };
-    std::vector<NewPoint> added;
+    SparseCells<dim> sparse(geometry, std::max(least_points, 1u), comm);
+    const auto in_sparse_cells = [&](const std::vector<PointDomain<dim>> &all) {
+      return least_points > 0 ? sparse.find_domains(all) :
+                                std::vector<unsigned char>(all.size(), 0);
+    };
+    std::vector<NewPoint>      added;
+    std::vector<unsigned char> asked = in_sparse_cells(domains);
     if (Utilities::MPI::logical_or(
-          std::any_of(domains.begin(), domains.end(), is_large), comm) == false)
+          std::any_of(domains.begin(), domains.end(), is_large) ||
+            std::find(asked.begin(), asked.end(), 1) != asked.end(),
+          comm) == false)
       return added;
 
+    std::vector<unsigned int> cell_of_point;
+    for (const PointDomain<dim> &domain : domains)
+      cell_of_point.push_back(domain.cell);
     DomainBisection<dim> bisection(std::move(domains),
                                    quantum_of_places(grid),
                                    comm);
-    bisection.bisect([&](PointDomain<dim> &domain) {
+    const auto           is_large_in_its_cell = [&](PointDomain<dim> &domain) {
       if (domain.n_halvings > 0)
-        locate_part(locator, domain);
+        locate_part(locator, cell_of_point[domain.point], domain);
       return is_large(domain);
-    });
+    };
+    bisection.bisect(is_large_in_its_cell);
+    constexpr unsigned int most_rounds = 12;
+    for (unsigned int round = 0; round < most_rounds && least_points > 0;
+         ++round)
+      if (!bisection.bisect(in_sparse_cells(bisection.parts()),
+                            is_large_in_its_cell))
+        break;
 
     // the parts of a point follow each other; the first is what remains of it
     const auto         &parts    = bisection.parts();

@@ -286,8 +286,9 @@ namespace isochor
     AssertThrow(
       !simplices.empty(),
       ExcMessage(
-        "With this <Quadrature/Type> the points own parts of the body, "
-        "and a cell can't be divided into " +
+        "The points own parts of the body (<Material points/Domains>: with "
+        "this <Quadrature/Type>, or on an adaptive grid), and a cell can't be "
+        "divided into " +
         std::to_string(n_points) +
         " equal parts (<Material points/Points per cell> or <Points "
         "per cell in zones>). Choose " +

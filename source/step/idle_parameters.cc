@@ -182,21 +182,29 @@ namespace isochor
     void
     inspect_points(const Inspector &inspect,
                    const bool       grid_is_adaptive,
-                   const bool       with_domains)
+                   const bool       needs_domains,
+                   const bool       has_domains)
     {
       const std::string merging =
         inspect.value({"Material points", "Merge points"});
+      if (needs_domains)
+        inspect.idle({"Material points", "Domains"},
+                     "with <Quadrature/Type = " +
+                       inspect.value({"Quadrature", "Type"}) +
+                       ">, whose points always have domains");
       if (!grid_is_adaptive)
         for (const char *name : {"Merge points", "Merging tolerance"})
           inspect.idle({"Material points", name},
                        "with <Grid/Type = " + inspect.value({"Grid", "Type"}) +
                          ">: points are merged on adaptive grids only");
       else if (merging == "never" ||
-               (merging == "with domains" && !with_domains))
+               (merging == "with domains" && !has_domains))
         inspect.idle({"Material points", "Merging tolerance"},
                      "with <Material points/Merge points = " + merging +
                        "> and <Quadrature/Type = " +
-                       inspect.value({"Quadrature", "Type"}) + ">");
+                       inspect.value({"Quadrature", "Type"}) +
+                       ">, <Domains = " +
+                       inspect.value({"Material points", "Domains"}) + ">");
       if (inspect.number({"Material points", "Lattice spacing"}) > 0)
         inspect.idle({"Material points", "Points per cell"},
                      "with <Material points/Lattice spacing>, which sets the "
@@ -255,7 +263,8 @@ namespace isochor
     inspect_grid(inspect, scene.grid.source(), of_grids);
     inspect_points(inspect,
                    scene.grid.source().is_adaptive(),
-                   scene.quadrature->needs_domains());
+                   scene.quadrature->needs_domains(),
+                   scene.points_have_domains());
     inspect_equations(inspect, scene.has_inertia());
     inspect_cut_cells(inspect, scene.ties_cut_cells());
     inspect_surfaces(list, inspect);

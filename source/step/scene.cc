@@ -199,6 +199,9 @@ namespace isochor
     time.parse_parameters(prm);
     quadrature = BodyQuadrature<dim>::create(prm);
     inertia.parse_parameters(prm, *quadrature);
+    prm.enter_subsection("Material points");
+    domains = prm.get("Domains");
+    prm.leave_subsection();
     parse_formulation(prm);
     parse_materials(prm);
     parse_plugins(prm);
@@ -312,16 +315,15 @@ namespace isochor
   void
   Scene<dim>::create(const PointArrays<dim> &arrays)
   {
-    const bool with_domains = quadrature->needs_domains();
     grid.create();
     adaptation.make_initial_grid(grid);
     check_axis();
     points.seed(kernel.materials,
                 has_inertia(),
                 inertia.initial_velocity,
-                with_domains,
+                points_have_domains(),
                 kernel.axisymmetric);
-    shape.initialize(grid, with_domains);
+    shape.initialize(grid, points_have_domains());
     for (auto &condition : boundary_conditions)
       {
         condition->set_body(shape, arrays);

@@ -46,6 +46,7 @@ namespace isochor
   {
     extension.parse_parameters(prm);
     refinement.parse_parameters(prm);
+    refinement.integrate_over_domains(scene.quadrature->needs_domains());
     if (refinement.splits_points())
       scene.points.keep_ancestry();
     grid_reset.parse_parameters(prm);
@@ -240,7 +241,9 @@ namespace isochor
         scene.points.handler().n_global_particles(),
         time,
         scene.warnings);
-    if (scene.grid.is_adaptive() && scene.adaptation.is_due())
+    const bool may_change =
+      scene.grid.is_adaptive() && scene.adaptation.is_due();
+    if (may_change)
       {
         TimerOutput::Scope scope(timer, "grid adaptation");
         if (scene.adaptation.adapt(
@@ -252,7 +255,8 @@ namespace isochor
       refinement.refine(scene.points,
                         scene.grid,
                         *locator,
-                        scene.kernel.materials);
+                        scene.kernel.materials,
+                        may_change || !scene.adaptation.has_more_changes());
     }
     scene.points.gather(arrays);
     occupancy.allow_large_holes(scene.time.step > 0 && !has_own_cavities);
@@ -348,7 +352,7 @@ namespace isochor
     scene.points.seed(scene.kernel.materials,
                       scene.has_inertia(),
                       scene.inertia.initial_velocity,
-                      scene.quadrature->needs_domains(),
+                      scene.points_have_domains(),
                       scene.kernel.axisymmetric);
     grid_changed();
     is_current = false;

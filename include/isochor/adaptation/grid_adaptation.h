@@ -61,6 +61,13 @@ namespace isochor
     bool
     is_due();
 
+    /** Whether the grid may change after the first step. */
+    bool
+    has_more_changes() const
+    {
+      return resets_between > 0;
+    }
+
     /**
      * The grid is reset at @p time, and the points have been located in the old
      * one: replace it and put them into the new one, if a leaf changes. Nodes

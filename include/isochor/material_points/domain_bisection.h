@@ -48,6 +48,12 @@ namespace isochor
     void
     bisect(const IsLarge &is_large);
 
+    /** Bisect the domains that are @p asked for, by their place in parts(), and
+     * then what is too large. Whether any was asked for on any rank.
+     * Collective. */
+    bool
+    bisect(const std::vector<unsigned char> &asked, const IsLarge &is_large);
+
     const std::vector<PointDomain<dim>> &
     parts() const
     {
@@ -84,6 +90,10 @@ namespace isochor
     close_marks(std::vector<unsigned int> &newly_marked);
     void
     exchange_marks(std::vector<unsigned int> &newly_marked);
+    /** Bisect the longest edges of domains, by number, and what has to be
+     * bisected with them. False if no rank has any. Collective. */
+    bool
+    bisect_longest_edges(const std::vector<unsigned int> &of_domains);
     void
     bisect_marked();
     void

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace isochor
@@ -68,9 +67,9 @@ namespace isochor
               }
           if (is_done)
             continue;
-          const auto found = numbers.find(key);
-          if (found != numbers.end())
-            return found->second;
+          const unsigned int number = slots[slot_of(key)];
+          if (number != none)
+            return number;
         }
       return none;
     }
@@ -84,8 +83,11 @@ namespace isochor
       Key key;
       for (unsigned int d = 0; d < dim; ++d)
         key[d] = static_cast<std::int64_t>(std::floor(x[d] / quantum + offset));
-      numbers.emplace(key, keys.size());
       keys.push_back(key);
+      if (2 * keys.size() > slots.size())
+        enlarge();
+      else
+        slots[slot_of(key)] = keys.size() - 1;
       return keys.size() - 1;
     }
 
@@ -103,24 +105,36 @@ namespace isochor
      * the same number, or at least not all at its ends. */
     static constexpr double offset = 0.381966;
 
-    struct Hash
+    /** The slot that holds the number of @p key, or the empty one where it
+     * belongs: the first of these from that of its hash on. (Linear probing; a
+     * std::unordered_map took twice the time of all that uses the table.) */
+    std::size_t
+    slot_of(const Key &key) const
     {
-      std::size_t
-      operator()(const Key &key) const
-      {
-        std::uint64_t hash = 0;
-        for (const std::int64_t k : key)
-          {
-            hash = (hash ^ static_cast<std::uint64_t>(k)) * 0x9E3779B97F4A7C15u;
-            hash ^= hash >> 29;
-          }
-        return hash;
-      }
-    };
+      std::uint64_t hash = 0;
+      for (const std::int64_t k : key)
+        {
+          hash = (hash ^ static_cast<std::uint64_t>(k)) * 0x9E3779B97F4A7C15u;
+          hash ^= hash >> 29;
+        }
+      const std::size_t mask = slots.size() - 1;
+      std::size_t       slot = hash & mask;
+      while (slots[slot] != none && keys[slots[slot]] != key)
+        slot = (slot + 1) & mask;
+      return slot;
+    }
 
-    double                                      quantum;
-    std::unordered_map<Key, unsigned int, Hash> numbers;
-    std::vector<Key>                            keys;
+    void
+    enlarge()
+    {
+      slots.assign(2 * slots.size(), none);
+      for (unsigned int number = 0; number < keys.size(); ++number)
+        slots[slot_of(keys[number])] = number;
+    }
+
+    double                    quantum;
+    std::vector<unsigned int> slots = std::vector<unsigned int>(64, none);
+    std::vector<Key>          keys; ///< by number
   };
 } // namespace isochor
 

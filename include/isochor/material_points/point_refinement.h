@@ -46,6 +46,15 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm);
 
+    /** To be called before refine(): whether the quadrature integrates over
+     * domains, so that cells need no points of their own. */
+    void
+    integrate_over_domains(const bool integrate)
+    {
+      if (least_points == 0 && !integrate)
+        least_points = 1;
+    }
+
     /** Whether points may be split on a grid that does not adapt. */
     bool
     splits_points() const
@@ -53,14 +62,15 @@ namespace isochor
       return largest_share > 0;
     }
 
-    /** Split what is too large, if asked for; on adaptive grids, merge what was
-     * split and is small, see PointMerging. Invalidates what was gathered from
-     * the points. Collective. */
+    /** Split what is too large, if asked for; on adaptive grids, if @p
+     * may_merge, merge what was split and is small, see PointMerging.
+     * Invalidates what was gathered from the points. Collective. */
     void
     refine(MaterialPoints<dim>                         &points,
            const BackgroundGrid<dim>                   &grid,
            const PointLocator<dim>                     &locator,
-           const typename PointMerging<dim>::Materials &materials);
+           const typename PointMerging<dim>::Materials &materials,
+           const bool                                   may_merge);
 
     /** How many points came and went by it since this was called last. */
     void
@@ -92,9 +102,11 @@ namespace isochor
            const std::vector<NewPoint> &parts) const;
 
     /** Of a point in its cell; 0: any. */
-    double      largest_share = 0, share_on_adaptive_grids = 0;
-    std::string merging;
-    double      merging_tolerance = 0;
+    double largest_share = 0, share_on_adaptive_grids = 0;
+    /** In cells inside of the body, with domains. */
+    unsigned int least_points = 0;
+    std::string  merging;
+    double       merging_tolerance = 0;
     /** Numbers of points, over all ranks. */
     types::particle_index n_added = 0, n_removed = 0;
   };

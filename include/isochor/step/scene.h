@@ -90,6 +90,15 @@ namespace isochor
               quadrature->makes_stencils());
     }
 
+    /** Whether each point has a domain, a simplex that it carries along: where
+     * the quadrature needs it, or splitting shall fill cells evenly. */
+    bool
+    points_have_domains() const
+    {
+      return quadrature->needs_domains() || domains == "always" ||
+             (domains == "auto" && grid.source().is_adaptive());
+    }
+
     /** Whether the points have velocities. */
     bool
     has_inertia() const
@@ -116,6 +125,8 @@ namespace isochor
     /** Whether there is a stabilisation, and it leaves out the pressure that
      * carries weight. */
     bool leaves_out_weight = true;
+    /** Which points have domains, <Material points/Domains>. */
+    std::string domains = "auto";
     /** Unknowns of a node: dim in the u form, dim + 1 in the u-p form. */
     unsigned int n_components = dim + 1;
     /** Whether the matrix is symmetric. */

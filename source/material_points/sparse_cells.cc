@@ -1,0 +1,242 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/material_points/sparse_cells.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+namespace isochor
+{
+  namespace
+  {
+    template <int dim>
+    Point<dim>
+    centre_of(const SimplexGeometry<dim> &geometry, const unsigned int cell)
+    {
+      Point<dim> centre;
+      for (const unsigned int v : geometry.vertex_indices(cell))
+        centre += geometry.vertices()[v] / (dim + 1.);
+      return centre;
+    }
+
+    template <int dim>
+    bool
+    covers(const PointDomain<dim> &domain, const Point<dim> &x)
+    {
+      Tensor<2, dim> edges;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          edges[d][c] = domain.current[c + 1][d] - domain.current[0][d];
+      const double det = determinant(edges);
+      if (det == 0)
+        return false;
+      const Tensor<1, dim> lambda = invert(edges) * (x - domain.current[0]);
+      // a place on the face between two domains is covered
+      constexpr double tolerance = 1e-10;
+      double           sum       = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          if (!(lambda[d] >= -tolerance))
+            return false;
+          sum += lambda[d];
+        }
+      return sum <= 1 + tolerance;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SparseCells<dim>::SparseCells(const SimplexGeometry<dim> &geometry,
+                                const unsigned int          least,
+                                const MPI_Comm              comm)
+    : geometry(geometry)
+    , least(least)
+    , comm(comm)
+    , visited(geometry.n_cells(), 0)
+  {}
+
+
+
+  template <int dim>
+  void
+  SparseCells<dim>::visit_cells_around(
+    const unsigned int                             cell,
+    const std::function<bool(const unsigned int)> &visit)
+  {
+    // more cells meet at a vertex in space
+    constexpr unsigned int n_rings = (dim == 2 ? 3 : 5);
+    ++n_visits;
+    visited[cell] = n_visits;
+    queue.assign(1, cell);
+    std::size_t begin = 0;
+    for (unsigned int ring = 0; ring <= n_rings; ++ring)
+      {
+        const std::size_t end = queue.size();
+        for (; begin < end; ++begin)
+          {
+            if (visit(queue[begin]))
+              return;
+            for (const unsigned int next : geometry.neighbours(queue[begin]))
+              if (ring < n_rings && next != SimplexGeometry<dim>::no_cell &&
+                  visited[next] != n_visits)
+                {
+                  visited[next] = n_visits;
+                  queue.push_back(next);
+                }
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  SparseCells<dim>::collect_cells(const std::vector<PointDomain<dim>> &domains)
+  {
+    first.assign(geometry.n_cells() + 1, 0);
+    for (const PointDomain<dim> &domain : domains)
+      ++first[domain.cell + 1];
+    n_points.assign(first.begin() + 1, first.end());
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    domains_by_cell.resize(domains.size());
+    std::vector<unsigned int> next(first.begin(), first.end() - 1);
+    for (unsigned int i = 0; i < domains.size(); ++i)
+      domains_by_cell[next[domains[i].cell]++] = i;
+
+    std::vector<unsigned char> is_near(geometry.n_cells(), 0);
+    cells_nearby.clear();
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      if (n_points[cell] > 0)
+        visit_cells_around(cell, [&](const unsigned int near) {
+          if (!std::exchange(is_near[near], 1))
+            cells_nearby.push_back(near);
+          return false;
+        });
+    if (Utilities::MPI::n_mpi_processes(comm) > 1)
+      Utilities::MPI::sum(n_points, comm, n_points);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  SparseCells<dim>::find_domain(const std::vector<PointDomain<dim>> &domains,
+                                const unsigned int                   cell,
+                                const Point<dim>                    &x)
+  {
+    unsigned int found = domains.size();
+    visit_cells_around(cell, [&](const unsigned int near) {
+      for (unsigned int i = first[near]; i < first[near + 1]; ++i)
+        if (covers<dim>(domains[domains_by_cell[i]], x))
+          {
+            found = domains_by_cell[i];
+            return true;
+          }
+      return false;
+    });
+    return found;
+  }
+
+
+
+  template <int dim>
+  bool
+  SparseCells<dim>::is_worth_it(const PointDomain<dim> &domain,
+                                const unsigned int      cell) const
+  {
+    return domain.volume > smallest_share / least * geometry.measure(cell);
+  }
+
+
+
+  template <int dim>
+  void
+  SparseCells<dim>::fill_empty_cells(
+    const std::vector<PointDomain<dim>> &domains,
+    std::vector<unsigned char>          &flags)
+  {
+    for (const unsigned int cell : cells_nearby)
+      if (n_points[cell] == 0)
+        {
+          const unsigned int i =
+            find_domain(domains, cell, centre_of<dim>(geometry, cell));
+          if (i < domains.size() && is_worth_it(domains[i], cell))
+            flags[i] = 1;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  SparseCells<dim>::fill_sparse_cells(
+    const std::vector<PointDomain<dim>> &domains,
+    std::vector<unsigned char>          &flags)
+  {
+    // what domains of any rank cover
+    std::vector<unsigned int> is_covered(geometry.n_cells() * n_places, 0);
+    for (const unsigned int cell : cells_nearby)
+      if (n_points[cell] > 0 && n_points[cell] < least)
+        {
+          const Point<dim> centre = centre_of<dim>(geometry, cell);
+          for (unsigned int i = 0; i < n_places; ++i)
+            {
+              const Point<dim> place =
+                i == 0 ?
+                  centre :
+                  centre +
+                    (geometry.vertices()[geometry.vertex_indices(cell)[i - 1]] -
+                     centre) /
+                      2;
+              is_covered[cell * n_places + i] =
+                (find_domain(domains, cell, place) < domains.size());
+            }
+        }
+    std::vector<double> largest(geometry.n_cells(), 0.);
+    for (const PointDomain<dim> &domain : domains)
+      largest[domain.cell] = std::max(largest[domain.cell], domain.volume);
+    if (Utilities::MPI::n_mpi_processes(comm) > 1)
+      {
+        Utilities::MPI::max(is_covered, comm, is_covered);
+        Utilities::MPI::max(largest, comm, largest);
+      }
+    constexpr double equal = 1 - 1e-6; // but for rounding
+    for (unsigned int i = 0; i < domains.size(); ++i)
+      {
+        const unsigned int cell   = domains[i].cell;
+        const auto         places = is_covered.begin() + cell * n_places;
+        if (std::all_of(places,
+                        places + n_places,
+                        [](const unsigned int covered) {
+                          return covered == 1;
+                        }) &&
+            domains[i].volume > equal * largest[cell] &&
+            is_worth_it(domains[i], cell))
+          flags[i] = 1;
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned char>
+  SparseCells<dim>::find_domains(const std::vector<PointDomain<dim>> &domains)
+  {
+    collect_cells(domains);
+    std::vector<unsigned char> flags(domains.size(), 0);
+    fill_empty_cells(domains, flags);
+    if (least > 1)
+      fill_sparse_cells(domains, flags);
+    return flags;
+  }
+
+
+
+  template class SparseCells<2>;
+  template class SparseCells<3>;
+} // namespace isochor

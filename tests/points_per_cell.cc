@@ -1,0 +1,88 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// A body at rest that fills a grid, whose cells are halved around a place by up
+// to three levels (in space two) in one step: how many points its new cells
+// have.
+
+#include <isochor/step/material_point_method.h>
+
+#include "scene.h"
+
+using namespace isochor;
+
+/** The least number of points in a cell, for @p n points per cell as seeded. */
+template <int dim>
+unsigned int
+least_points(const std::string &quadrature,
+             const unsigned int n,
+             const std::string &more)
+{
+  const auto problem = test::run_scene<dim>(
+    "Grid/Type = adaptive\nGrid/Coarse cells = box\nGrid/Subdivisions = " +
+    std::string(dim == 2 ? "4, 4" : "2, 2, 2") +
+    "\nAdaptive grid/Maximum level = " + (dim == 2 ? "3" : "2") +
+    "\nAdaptive grid/Cell size = if(t > 0.05, 0.01 + 0.3*sqrt((x - 0.4)^2 + "
+    "(y - 0.3)^2), 1)\nMaterial/Poisson ratio = 0.3\nFormulation/Type = u-p\n"
+    "Quadrature/Type = " +
+    quadrature + "\nMaterial points/Points per cell = " + std::to_string(n) +
+    '\n' + more +
+    "\nBoundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0; "
+    "top: y=0" +
+    (dim == 3 ? "; front: z=0; back: z=0" : "") +
+    "\nTime/Step size = 0.1\nTime/End time = 0.2\n");
+  const MaterialPoints<dim> &points = problem->material_points();
+  std::vector<unsigned int>  n_points(
+    problem->last_statistics().get("Cells of grid"), 0);
+  for (const auto &particle : points.handler())
+    ++n_points[particle.get_surrounding_cell()->active_cell_index()];
+  Utilities::MPI::sum(n_points, MPI_COMM_WORLD, n_points);
+  return *std::min_element(n_points.begin(), n_points.end());
+}
+
+template <int dim>
+void
+check(const std::string &quadrature,
+      const unsigned int n,
+      const std::string &more,
+      const unsigned int expected)
+{
+  const unsigned int least = least_points<dim>(quadrature, n, more);
+  test::check(quadrature + ", dim " + std::to_string(dim) + ", " +
+                std::to_string(n) + " points in each cell, " + more,
+              least >= expected,
+              "a cell has " + std::to_string(least));
+}
+
+template <int dim>
+void
+test_dimension(const std::vector<unsigned int> &numbers)
+{
+  for (const std::string quadrature : {"points", "cell-filled"})
+    for (const unsigned int n : numbers)
+      check<dim>(quadrature,
+                 n,
+                 "Material points/Least points per cell = " + std::to_string(n),
+                 n);
+  // by itself
+  check<dim>("points", 1 << dim, "", 1 << dim);
+  check<dim>("points", dim + 1, "", 1);
+  check<dim>("CPDI", 1 << dim, "", 1 << dim);
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_dimension<2>({1, 3, 4, 6, 12});
+  test_dimension<3>({1, 4});
+  // points without domains leave cells empty, else the others prove nothing
+  const unsigned int least =
+    least_points<2>("points", 3, "Material points/Domains = if needed");
+  test::check("without domains a cell is empty",
+              least == 0,
+              "a cell has " + std::to_string(least));
+  return 0;
+}
