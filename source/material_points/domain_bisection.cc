@@ -37,16 +37,20 @@ namespace isochor
 
 
   template <int dim>
-  DomainBisection<dim>::DomainBisection(std::vector<PointDomain<dim>> &&all,
-                                        const double                    quantum,
-                                        const MPI_Comm                  comm)
+  DomainBisection<dim>::DomainBisection(
+    std::vector<PointDomain<dim>>                      &&all,
+    const double                                         quantum,
+    const MPI_Comm                                       comm,
+    const std::function<bool(const PointDomain<dim> &)> &takes_part)
     : domains(std::move(all))
     , comm(comm)
     , table(quantum)
     , is_new(domains.size(), 1)
   {
+    Edges no_edges;
+    no_edges.fill(PlaceTable<dim>::none);
     for (const PointDomain<dim> &domain : domains)
-      edges_of.push_back(number_edges(domain));
+      edges_of.push_back(takes_part(domain) ? number_edges(domain) : no_edges);
   }
 
 
@@ -102,7 +106,7 @@ namespace isochor
         for (const Edges &edges : edges_of)
           {
             if (std::none_of(edges.begin(), edges.end(), [&](const auto edge) {
-                  return is_marked[edge];
+                  return edge != PlaceTable<dim>::none && is_marked[edge];
                 }))
               continue;
             // the whole, then the triangle without corner c; in the plane
@@ -246,7 +250,7 @@ namespace isochor
                                   const bool              is_part)
   {
     const unsigned int edge = longest(edges, [&](const unsigned int e) {
-      return is_marked[edges[e]] != 0;
+      return edges[e] != PlaceTable<dim>::none && is_marked[edges[e]] != 0;
     });
     if (edge == n_edges)
       {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 namespace isochor
 {
@@ -57,14 +58,17 @@ namespace isochor
               places.push_back(domain.reference[middle<dim>][d]);
         }
     PlaceTable<dim> all(quantum);
-    for (const auto &of_rank : Utilities::MPI::all_gather(comm, places))
-      for (std::size_t i = 0; i < of_rank.size(); i += dim)
-        {
-          Point<dim> place;
-          for (unsigned int d = 0; d < dim; ++d)
-            place[d] = of_rank[i + d];
-          all.find_or_add(place);
-        }
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      all = std::move(own);
+    else
+      for (const auto &of_rank : Utilities::MPI::all_gather(comm, places))
+        for (std::size_t i = 0; i < of_rank.size(); i += dim)
+          {
+            Point<dim> place;
+            for (unsigned int d = 0; d < dim; ++d)
+              place[d] = of_rank[i + d];
+            all.find_or_add(place);
+          }
     is_vetoed.assign(all.size(), 0);
     if (all.size() == 0)
       return all;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace isochor
 {
@@ -94,6 +95,33 @@ namespace isochor
       for (Tensor<1, dim> &shift : shifts)
         for (unsigned int d = 0; d < dim; ++d)
           shift[d] *= factors[d];
+    }
+
+    /** Add cells a few faces away to those for which @p is_near is 1 on any
+     * rank: what is bisected there hardly ever concerns domains further away.
+     */
+    template <int dim>
+    void
+    add_cells_around(const SimplexGeometry<dim> &geometry,
+                     const MPI_Comm              comm,
+                     std::vector<unsigned char> &is_near)
+    {
+      constexpr unsigned int    n_faces = 8;
+      std::vector<unsigned int> last;
+      for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+        if (is_near[cell])
+          last.push_back(cell);
+      for (unsigned int i = 0; i < n_faces; ++i)
+        for (const unsigned int cell : std::exchange(last, {}))
+          for (const unsigned int next : geometry.neighbours(cell))
+            if (next != SimplexGeometry<dim>::no_cell &&
+                !std::exchange(is_near[next], 1))
+              last.push_back(next);
+      if (Utilities::MPI::n_mpi_processes(comm) == 1)
+        return;
+      std::vector<unsigned int> on_any_rank(is_near.begin(), is_near.end());
+      Utilities::MPI::max(on_any_rank, comm, on_any_rank);
+      std::copy(on_any_rank.begin(), on_any_rank.end(), is_near.begin());
     }
 
     /** Find location and cell of a part of a domain, which knows the location
@@ -224,7 +252,8 @@ namespace isochor
                                      hysteresis * share,
                                      merging_tolerance)
                      .merge();
-    // parts may still be too large; bounded, since each round divides by four
+    // parts may still be too large; bounded, since each round divides by
+    // four
     for (unsigned int round = 0; round < (with_domains ? 1 : 8); ++round)
       {
         const std::vector<NewPoint> parts =
@@ -306,37 +335,40 @@ namespace isochor
 
 
   template <int dim>
-  std::vector<typename PointRefinement<dim>::NewPoint>
-  PointRefinement<dim>::split_domains(MaterialPoints<dim>       &points,
-                                      const BackgroundGrid<dim> &grid,
-                                      const PointLocator<dim>   &locator,
-                                      const double               share) const
+  std::vector<PointDomain<dim>>
+  PointRefinement<dim>::bisect_domains(std::vector<PointDomain<dim>> &&domains,
+                                       const BackgroundGrid<dim>      &grid,
+                                       const PointLocator<dim>        &locator,
+                                       const double share) const
   {
-    const SimplexGeometry<dim>   &geometry = locator.geometry();
-    const MPI_Comm                comm     = grid.communicator();
-    std::vector<PointDomain<dim>> domains  = point_domains(points);
-    const auto is_large = [&](const PointDomain<dim> &domain) {
-      return domain.volume > share * geometry.measure(domain.cell);
+    const MPI_Comm comm     = grid.communicator();
+    const auto     is_large = [&](const PointDomain<dim> &domain) {
+      return domain.volume > share * locator.geometry().measure(domain.cell);
     };
-    SparseCells<dim> sparse(geometry, std::max(least_points, 1u), comm);
-    const auto in_sparse_cells = [&](const std::vector<PointDomain<dim>> &all) {
-      return least_points > 0 ? sparse.find_domains(all) :
-                                std::vector<unsigned char>(all.size(), 0);
-    };
-    std::vector<NewPoint>      added;
-    std::vector<unsigned char> asked = in_sparse_cells(domains);
-    if (Utilities::MPI::logical_or(
-          std::any_of(domains.begin(), domains.end(), is_large) ||
-            std::find(asked.begin(), asked.end(), 1) != asked.end(),
-          comm) == false)
-      return added;
+    SparseCells<dim>           sparse(locator.geometry(), least_points, comm);
+    const auto                 asked = sparse.find_domains(domains);
+    std::vector<unsigned char> is_near(locator.geometry().n_cells(), 0);
+    bool                       is_any = false;
+    for (unsigned int i = 0; i < domains.size(); ++i)
+      if (asked[i] || is_large(domains[i]))
+        {
+          is_near[domains[i].cell] = 1;
+          is_any                   = true;
+        }
+    if (!Utilities::MPI::logical_or(is_any, comm))
+      return std::move(domains);
 
+    if (!have_to_fit)
+      add_cells_around(locator.geometry(), comm, is_near);
     std::vector<unsigned int> cell_of_point;
     for (const PointDomain<dim> &domain : domains)
       cell_of_point.push_back(domain.cell);
     DomainBisection<dim> bisection(std::move(domains),
                                    quantum_of_places(grid),
-                                   comm);
+                                   comm,
+                                   [&](const PointDomain<dim> &domain) {
+                                     return have_to_fit || is_near[domain.cell];
+                                   });
     const auto           is_large_in_its_cell = [&](PointDomain<dim> &domain) {
       if (domain.n_halvings > 0)
         locate_part(locator, cell_of_point[domain.point], domain);
@@ -344,14 +376,27 @@ namespace isochor
     };
     bisection.bisect(is_large_in_its_cell);
     constexpr unsigned int most_rounds = 12;
-    for (unsigned int round = 0; round < most_rounds && least_points > 0;
-         ++round)
-      if (!bisection.bisect(in_sparse_cells(bisection.parts()),
+    for (unsigned int round = 0; round < most_rounds; ++round)
+      if (!bisection.bisect(sparse.find_domains(bisection.parts()),
                             is_large_in_its_cell))
         break;
+    return bisection.parts();
+  }
 
-    // the parts of a point follow each other; the first is what remains of it
-    const auto         &parts    = bisection.parts();
+
+
+  template <int dim>
+  std::vector<typename PointRefinement<dim>::NewPoint>
+  PointRefinement<dim>::split_domains(MaterialPoints<dim>       &points,
+                                      const BackgroundGrid<dim> &grid,
+                                      const PointLocator<dim>   &locator,
+                                      const double               share) const
+  {
+    const auto parts =
+      bisect_domains(point_domains(points), grid, locator, share);
+    std::vector<NewPoint> added;
+    // the parts of a point follow each other; the first is what remains of
+    // it
     auto                particle = points.handler().begin();
     unsigned int        point    = 0;
     std::vector<double> whole;

@@ -227,8 +227,10 @@ namespace isochor
   std::vector<unsigned char>
   SparseCells<dim>::find_domains(const std::vector<PointDomain<dim>> &domains)
   {
-    collect_cells(domains);
     std::vector<unsigned char> flags(domains.size(), 0);
+    if (least == 0)
+      return flags;
+    collect_cells(domains);
     fill_empty_cells(domains, flags);
     if (least > 1)
       fill_sparse_cells(domains, flags);

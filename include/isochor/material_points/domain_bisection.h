@@ -35,10 +35,14 @@ namespace isochor
   {
   public:
     /** @p domains of all points of this rank. Two places at t = 0 are the same
-     * if they differ by much less than @p quantum (m). */
-    DomainBisection(std::vector<PointDomain<dim>> &&domains,
-                    const double                    quantum,
-                    const MPI_Comm                  comm);
+     * if they differ by much less than @p quantum (m). Domains for which
+     * @p takes_part is false stay whole, even beside others whose edges are
+     * bisected, and cost nothing. */
+    DomainBisection(
+      std::vector<PointDomain<dim>>                      &&domains,
+      const double                                         quantum,
+      const MPI_Comm                                       comm,
+      const std::function<bool(const PointDomain<dim> &)> &takes_part);
 
     /** Says whether a domain is too large, after having found its location and
      * cell, of which it knows those of the whole that it is a part of. */

@@ -47,10 +47,12 @@ namespace isochor
     parse_parameters(ParameterHandler &prm);
 
     /** To be called before refine(): whether the quadrature integrates over
-     * domains, so that cells need no points of their own. */
+     * domains. Then they have to fit together, and cells need no points of
+     * their own. */
     void
     integrate_over_domains(const bool integrate)
     {
+      have_to_fit = integrate;
       if (least_points == 0 && !integrate)
         least_points = 1;
     }
@@ -96,6 +98,12 @@ namespace isochor
                   const BackgroundGrid<dim> &grid,
                   const PointLocator<dim>   &locator,
                   const double               share) const;
+    /** The @p domains of all points, or halves of them. Collective. */
+    std::vector<PointDomain<dim>>
+    bisect_domains(std::vector<PointDomain<dim>> &&domains,
+                   const BackgroundGrid<dim>      &grid,
+                   const PointLocator<dim>        &locator,
+                   const double                    share) const;
     void
     insert(MaterialPoints<dim>         &points,
            const BackgroundGrid<dim>   &grid,
@@ -105,6 +113,7 @@ namespace isochor
     double largest_share = 0, share_on_adaptive_grids = 0;
     /** In cells inside of the body, with domains. */
     unsigned int least_points = 0;
+    bool         have_to_fit  = true; ///< domains of neighbours
     std::string  merging;
     double       merging_tolerance = 0;
     /** Numbers of points, over all ranks. */

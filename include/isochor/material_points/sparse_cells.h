@@ -29,7 +29,7 @@ namespace isochor
   class SparseCells
   {
   public:
-    /** Cells should have @p least points, at least one. @p geometry is of the
+    /** Cells should have @p least points; 0: any number. @p geometry is of the
      * whole grid, on each rank. */
     SparseCells(const SimplexGeometry<dim> &geometry,
                 const unsigned int          least,
