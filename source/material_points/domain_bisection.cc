@@ -38,11 +38,11 @@ namespace isochor
 
   template <int dim>
   DomainBisection<dim>::DomainBisection(std::vector<PointDomain<dim>> &&all,
-                                        const double                    quantum,
+                                        const PlaceScale<dim>          &scale,
                                         const MPI_Comm                  comm)
     : domains(std::move(all))
     , comm(comm)
-    , table(quantum)
+    , table(scale)
     , is_new(domains.size(), 1)
   {
     for (const PointDomain<dim> &domain : domains)

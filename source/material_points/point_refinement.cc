@@ -299,7 +299,7 @@ namespace isochor
       return added;
 
     DomainBisection<dim> bisection(std::move(domains),
-                                   quantum_of_places(grid),
+                                   scale_of_places(grid),
                                    comm);
     bisection.bisect([&](PointDomain<dim> &domain) {
       if (domain.n_halvings > 0)

@@ -34,10 +34,10 @@ namespace isochor
   class DomainBisection
   {
   public:
-    /** @p domains of all points of this rank. Two places at t = 0 are the same
-     * if they differ by much less than @p quantum (m). */
+    /** @p domains of all points of this rank, whose places at t = 0 are told
+     * apart by @p scale. */
     DomainBisection(std::vector<PointDomain<dim>> &&domains,
-                    const double                    quantum,
+                    const PlaceScale<dim>          &scale,
                     const MPI_Comm                  comm);
 
     /** Says whether a domain is too large, after having found its location and
