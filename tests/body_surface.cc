@@ -363,6 +363,30 @@ test_mixed_cells()
                     1e-9);
 }
 
+/** A condition holds also on the last faces of the sides: what is loaded is
+ * told. */
+void
+test_loaded_area()
+{
+  std::ostringstream    printed;
+  std::streambuf *const original = std::cout.rdbuf(printed.rdbuf());
+  test::run_scene<2>(
+    "Output/Terminal = progress\nGrid/Upper corner = 1.2, 0.2\n"
+    "Grid/Subdivisions = 96, 16\nMaterial points/Region = x < 1\n"
+    "Boundary conditions/Displacement = left: x=0, y=0\n"
+    "Boundary conditions/Surfaces of body = tip: x > 0.99\n"
+    "Boundary conditions/Traction on body = tip: 1000*t, 0\n"
+    "Material/Young modulus = 1e6\nFormulation/Type = u\n");
+  std::cout.rdbuf(original);
+  const bool is_first = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  test::check("the loaded area is told",
+              !is_first || printed.str().find(
+                             "Surface <tip> of <Boundary conditions/Surfaces "
+                             "of body>: 0.225 m in [0.9875, 1] x [0, 0.2]\n") !=
+                             std::string::npos,
+              printed.str());
+}
+
 int
 main(int argc, char **argv)
 {
@@ -374,4 +398,5 @@ main(int argc, char **argv)
   test_ties();
   test_corner();
   test_mixed_cells();
+  test_loaded_area();
 }

@@ -163,6 +163,11 @@ namespace
     test::check("a body that falls apart is an error",
                 message.find("falls apart") != std::string::npos,
                 message);
+    test::check("its pieces",
+                message.find("form 14 pieces that share no face, with the "
+                             "empty cells between them it were 1.") !=
+                  std::string::npos,
+                message);
   }
 } // namespace
 

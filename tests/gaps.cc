@@ -115,6 +115,36 @@ namespace
       told = told || warning.subject == "a cavity has opened";
     test::check("a cavity is warned of", told, "");
   }
+
+  /** The same in a body with a cavity of its own. */
+  void
+  test_cavity_besides()
+  {
+    for (const bool opens : {false, true})
+      {
+        const auto problem = test::run_scene<2>(
+          "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
+          "Grid/Upper corner = 2, 1\nGrid/Subdivisions = 8, 4\n"
+          "Adaptive grid/Cell size = if(t > 0.1 && x < 1, 0.07, 1)\n"
+          "Material/Young modulus = 100\nMaterial/Density = 0\n"
+          "Material points/Region = (abs(x - 1.5) > 0.26 || abs(y - 0.5) > "
+          "0.26)" +
+          std::string(opens ? " && (x - 0.54)^2 + (y - 0.6)^2 > 0.2^2" : "") +
+          "\nQuadrature/Type = cell-filled\nFormulation/Type = u-p\n"
+          "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: "
+          "y=0; top: y=0\nTime/Step size = 0.25\n");
+        std::string told;
+        for (const auto &warning : problem->all_warnings().all())
+          if (warning.subject == "a cavity has opened")
+            told = warning.text;
+        test::check(std::string("a body with a cavity: ") +
+                      (opens ? "a new one is warned of" : "its own is not"),
+                    opens ?
+                      told.find("seeded: 2, at t = 0 1.") != std::string::npos :
+                      told.empty(),
+                    told);
+      }
+  }
 } // namespace
 
 int
@@ -128,4 +158,5 @@ main(int argc, char **argv)
     }
   test_own_cavity();
   test_cavity();
+  test_cavity_besides();
 }

@@ -86,10 +86,39 @@ test_failure()
               message);
 }
 
+/** From wherever a step begins it may be halved to exactly the smallest. */
+void
+test_smallest_step()
+{
+  ParameterHandler prm;
+  LoadStepping::declare_parameters(prm);
+  test::set_parameters(prm,
+                       "Time/End time = 10\nTime/Step size = 0.1\n"
+                       "Time/Minimum step size = 0.0125\n");
+  bool reached = true, ended = true;
+  for (unsigned int n_steps = 0; n_steps < 90; ++n_steps)
+    {
+      LoadStepping time;
+      time.parse_parameters(prm);
+      for (unsigned int n = 0; n < n_steps; ++n)
+        time.accept(1);
+      for (unsigned int n = 0; n < 3; ++n)
+        {
+          reached = reached && time.can_be_cut();
+          if (time.can_be_cut())
+            time.reject("");
+        }
+      ended = ended && !time.can_be_cut();
+    }
+  test::check("a step is cut down to the smallest", reached, "");
+  test::check("and no further", ended, "");
+}
+
 int
 main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_cuts();
   test_failure();
+  test_smallest_step();
 }

@@ -134,6 +134,57 @@ test_tension(const std::string &formulation,
   test::check_error("volume, mass, centre, second moments", worst, 1e-9);
 }
 
+/** A block under its weight through which a band of small cells goes, far from
+ * the origin: the same points are split and merged, and it says where doubles
+ * end. */
+void
+test_far_away()
+{
+  const auto run = [](const std::string &X, const std::string &beyond) {
+    return test::run_scene<2>(
+      "Quadrature/Type = CPDI\nFormulation/Type = u\n"
+      "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
+      "Grid/Subdivisions = 4, 4\nGrid/Lower corner = " +
+      X + ", " + X + "\nGrid/Upper corner = " + beyond + ", " + beyond +
+      "\nAdaptive grid/Cell size = if(abs(x - " + X +
+      " + 0.15 - 1.3*t) < 0.1, 0.04, 1)\nMaterial points/Region = if(y - " + X +
+      " < 0.5, 1, 0)\nMaterial/Young modulus = 3000\n"
+      "Material/Poisson ratio = 0.3\nMaterial/Density = 1\n"
+      "Boundary conditions/Gravity = 0, -10*t\n"
+      "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0\n"
+      "Postprocess/Reactions = bottom\n"
+      "Time/Step size = 0.1\nTime/End time = 0.6\n");
+  };
+  const auto here = run("0", "1"), far = run("1e6", "1000001");
+  const auto n_points = [](const MaterialPointMethod<2> &problem) {
+    return problem.material_points().handler().n_global_particles();
+  };
+  test::check("far away: as many points",
+              n_points(*here) == n_points(*far) && n_points(*here) > 200,
+              std::to_string(n_points(*here)) + " and " +
+                std::to_string(n_points(*far)));
+  test::check_error("far away: weight",
+                    std::abs(test::get(*far, "Reaction y on bottom (N)") / 3 -
+                             1),
+                    1e-6);
+  test::check_error("far away: smallest J",
+                    std::abs(test::get(*far, "Smallest J") -
+                             test::get(*here, "Smallest J")),
+                    1e-7);
+  std::string message;
+  try
+    {
+      run("1e8", "100000001");
+    }
+  catch (const std::exception &exc)
+    {
+      message = test::one_line(exc.what());
+    }
+  test::check("too far away",
+              message.find("too far from the origin") != std::string::npos,
+              message);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -148,5 +199,6 @@ main(int argc, char **argv)
     }
   test_tension<2>("u-p", "cell-filled + boundary", "4", corner);
   test_tension<3>("u-p", "CPDI", "4", "if(abs(x - 0.3) < 0.1, 0.1, 1)");
+  test_far_away();
   return 0;
 }

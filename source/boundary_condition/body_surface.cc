@@ -46,6 +46,11 @@ namespace isochor
       this->body  = &body;
     }
 
+    std::string
+    describe() const override
+    {
+      return description;
+    }
     void
     check_scene(const StepContext<dim> &step) const override;
 
@@ -82,10 +87,12 @@ namespace isochor
                        NodalField             &force) const override;
 
     void
-    set_trial(const StepContext<dim> &step, const double trial_size) override
+    set_trial(const StepContext<dim> &step,
+              const double            trial_size,
+              const SmoothStart      &start) override
     {
       if (points)
-        forces->set_trial(step, trial_size);
+        forces->set_trial(step, trial_size, start);
     }
     bool
     starts_suddenly(const StepContext<dim> &step,
@@ -121,8 +128,10 @@ namespace isochor
     const PointArrays<dim>              *body  = nullptr;
     std::unique_ptr<BoundaryPoints<dim>> points;
     bool                                 seeded = false;
-    /** By surface; empty but in the step in which they are seeded. */
-    std::vector<double> covered_share;
+    std::string                          description;
+    /** By surface; empty but in the step in which they are seeded: the area of
+     * their faces, and the part of it that the body covers. */
+    std::vector<double> candidate_area, covered_area;
     /** The same, where points see functions linear on their domains: how much
      * of the area consists of faces of these. */
     std::vector<double>                 share_on_domains;
@@ -157,7 +166,7 @@ namespace isochor
     if (at_start)
       {
         seeded = false; // as many as the new faces need
-        covered_share.clear();
+        covered_area.clear();
         share_on_domains.clear();
       }
     else
@@ -178,8 +187,9 @@ namespace isochor
     const auto found =
       seed_surfaces(grid, *shape, occupied, places, conditions.body_mesh);
     const bool linear_on_domains = points->seed(found.faces, *body);
-    for (unsigned int s = 0; s < places.size(); ++s)
-      covered_share.push_back(found.covered[s] / found.candidate[s]);
+    candidate_area               = found.candidate;
+    covered_area                 = found.covered;
+    description                  = describe_surfaces(found, places);
     share_on_domains.clear();
     if (linear_on_domains)
       {
@@ -234,7 +244,7 @@ namespace isochor
       return;
     warn_of_uncovered_faces(step);
     warn_of_loads_beside_domains(step);
-    covered_share.clear();
+    covered_area.clear();
     share_on_domains.clear();
     forces->find_shear_moduli(step);
     std::vector<unsigned int> nodes;
@@ -256,17 +266,21 @@ namespace isochor
   BodySurfaceConditions<dim>::warn_of_uncovered_faces(
     const StepContext<dim> &step) const
   {
-    for (unsigned int s = 0; s < covered_share.size(); ++s)
+    const std::string unit = dim == 2 ? " m" : " m^2";
+    for (unsigned int s = 0; s < covered_area.size(); ++s)
       {
         const BodySurface<dim> &place = conditions.surfaces[s].place;
-        if (place.on_grid_boundary || covered_share[s] > 0.99)
+        const double            share = covered_area[s] / candidate_area[s];
+        if (place.on_grid_boundary || share > 0.99)
           continue;
         step.warnings.add(
           "surface in part off the body",
-          "The body covers only " + rounded(100 * covered_share[s]) +
+          "The body covers only " + rounded(100 * share) +
             " % of the faces of cells that the surface <" + place.name +
-            "> of <" + place.parameter +
-            "> consists of; what it does acts on this part. If the body's "
+            "> of <" + place.parameter + "> consists of, " +
+            rounded(covered_area[s]) + " of " + rounded(candidate_area[s]) +
+            unit +
+            "; what it does acts on this part. If the body's "
             "surface does not lie on faces of the grid there, give the body's "
             "mesh in <" +
             this->parameter("Mesh of body surfaces") + ">.");

@@ -143,12 +143,13 @@ namespace isochor
   SurfaceForces<dim>::initial_motion(const unsigned int b,
                                      const unsigned int a) const
   {
-    const auto      &u     = condition_at(b).displacement[a].front();
-    const Point<dim> X     = points.reference_location(b);
-    const double     dt    = trial.end - trial.start;
-    const double     start = u(X, trial.start), end = u(X, trial.end),
-                 middle = u(X, trial.start + dt / 2);
-    return parabola_at_start(middle - start, end - middle, dt);
+    const auto      &u  = condition_at(b).displacement[a].front();
+    const Point<dim> X  = points.reference_location(b);
+    const double     dt = trial.end - trial.start;
+    std::array<double, n_motion_places> places;
+    for (unsigned int k = 0; k < n_motion_places; ++k)
+      places[k] = u(X, trial.start + k * dt / (n_motion_places - 1));
+    return trial.smooth.of(motion_of_step(places, dt));
   }
 
 

@@ -52,12 +52,15 @@ namespace isochor
     const double       dt = step.step_size();
     // differences only: a jump of the prescribed place at the start of the step
     // is in all of them
-    std::array<NodalConstraints, 3> contact;
-    const auto                      at = [&](const unsigned int k) {
-      return constraints_at(
-        step, conditions, constraints.ties, k / 2., contact[k]);
-    };
-    const NodalConstraints start = at(0), middle = at(1), end = at(2);
+    Places contact, at;
+    for (unsigned int k = 0; k < n_motion_places; ++k)
+      at[k] = constraints_at(step,
+                             conditions,
+                             constraints.ties,
+                             k / (n_motion_places - 1.),
+                             contact[k]);
+    const NodalConstraints &start  = at[0];
+    const SmoothStart       smooth = integrator->smooth_start(dt);
     held.assign(step.nodes.n_local() * dim, 0);
     stopped.clear();
     if (kept_part > 0)
@@ -80,16 +83,17 @@ namespace isochor
           held[i]                 = (how == NodalConstraints::prescribed);
           if (!held[i] && how != NodalConstraints::in_contact)
             continue;
-          const double first = middle.increment[entry] - start.increment[entry],
-                       second = end.increment[entry] - middle.increment[entry];
-          const auto [v, a]   = parabola_at_start(first, second, dt);
+          const MotionAtStart motion =
+            motion_of_step({{at[0].increment[entry],
+                             at[1].increment[entry],
+                             at[2].increment[entry],
+                             at[3].increment[entry]}},
+                           dt);
           if (!held[i])
-            stopped.push_back({i, v + a * dt, a});
+            stopped.push_back({i, motion.after(dt), smooth.of(motion).second});
           else if (node < step.nodes.n_owned())
-            {
-              acceleration.local_element(i) = a;
-              velocity.local_element(i)     = v;
-            }
+            std::tie(velocity.local_element(i), acceleration.local_element(i)) =
+              smooth.of(motion);
         }
     note_stopping_walls(contact, nc, dt);
 
@@ -98,20 +102,17 @@ namespace isochor
     given_acceleration.clear();
     if (!start.equations.empty())
       {
-        const Followers at_half = displacement_followers(middle, nc);
-        const Followers at_end  = displacement_followers(end, nc);
-        given_velocity.resize(followers.size());
-        given_acceleration.resize(followers.size());
-        for (unsigned int k = 0; k < followers.size(); ++k)
-          std::tie(given_velocity[k], given_acceleration[k]) =
-            parabola_at_start(at_half.value[k] - followers.value[k],
-                              at_end.value[k] - at_half.value[k],
-                              dt);
+        const auto starts = starts_of_followers(at, nc, dt);
+        for (const auto &[v, a] : starts)
+          {
+            given_velocity.push_back(v);
+            given_acceleration.push_back(a);
+          }
       }
     project(step, momentum, followers, given_velocity, velocity);
     if (by_stresses && !prescribed)
       {
-        note_pressed(step, constraints, contact, {{&start, &middle, &end}});
+        note_pressed(step, constraints, contact, at);
         // those of a grid that is kept are those of the last step
         if (step.mixed() && !step.grid_is_kept)
           leave_out_unfelt_pressure(step, start);
@@ -131,7 +132,7 @@ namespace isochor
         {
           held[node.entry] = 1;
           if (node.entry < step.nodes.n_owned() * dim)
-            acceleration.local_element(node.entry) = node.acceleration;
+            acceleration.local_element(node.entry) = node.acceleration_at_start;
         }
     project(
       step, force, followers, given_acceleration, acceleration, by_stresses);
@@ -142,12 +143,34 @@ namespace isochor
 
 
   template <int dim>
+  std::vector<std::pair<double, double>>
+  InertiaTerm<dim>::starts_of_followers(const Places      &at,
+                                        const unsigned int n_components,
+                                        const double       dt) const
+  {
+    std::array<Followers, n_motion_places> all;
+    for (unsigned int k = 0; k < n_motion_places; ++k)
+      all[k] = displacement_followers(at[k], n_components);
+    std::vector<std::pair<double, double>> result;
+    for (unsigned int f = 0; f < all[0].size(); ++f)
+      {
+        std::array<double, n_motion_places> places;
+        for (unsigned int k = 0; k < n_motion_places; ++k)
+          places[k] = all[k].value[f];
+        result.push_back(
+          integrator->smooth_start(dt).of(motion_of_step(places, dt)));
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
   void
-  InertiaTerm<dim>::note_pressed(
-    const StepContext<dim>                       &step,
-    const NodalConstraints                       &constraints,
-    const std::array<NodalConstraints, 3>        &contact,
-    const std::array<const NodalConstraints *, 3> at)
+  InertiaTerm<dim>::note_pressed(const StepContext<dim> &step,
+                                 const NodalConstraints &constraints,
+                                 const Places           &contact,
+                                 const Places           &at)
   {
     const unsigned int nc = step.n_components;
     pressed.components    = stopped;
@@ -163,25 +186,18 @@ namespace isochor
         walls = walls || how == NodalConstraints::in_contact;
     if (Utilities::MPI::max(walls ? 1 : 0, step.grid.communicator()) == 0)
       return;
-    std::array<Followers, 3> places;
-    for (unsigned int k = 0; k < 3; ++k)
+    Places all;
+    for (unsigned int k = 0; k < n_motion_places; ++k)
       {
         // see constraints_at()
-        NodalConstraints all =
-          k > 0 && contact[k].equations.empty() ? *at[k] : contact[k];
-        all.ties = constraints.ties;
-        all.resolve(nc);
-        places[k] = displacement_followers(all, nc);
-        if (k == 0)
-          pressed.constraints = all;
+        all[k] = k > 0 && contact[k].equations.empty() ? at[k] : contact[k];
+        all[k].ties = constraints.ties;
+        all[k].resolve(nc);
       }
-    pressed.followers = places[0];
-    for (unsigned int k = 0; k < pressed.followers.size(); ++k)
-      pressed.acceleration.push_back(
-        parabola_at_start(places[1].value[k] - places[0].value[k],
-                          places[2].value[k] - places[1].value[k],
-                          step.step_size())
-          .second);
+    pressed.constraints = all[0];
+    pressed.followers   = displacement_followers(all[0], nc);
+    for (const auto &start : starts_of_followers(all, nc, step.step_size()))
+      pressed.acceleration.push_back(start.second);
   }
 
 
@@ -280,10 +296,9 @@ namespace isochor
 
   template <int dim>
   void
-  InertiaTerm<dim>::note_stopping_walls(
-    const std::array<NodalConstraints, 3> &constraints,
-    const unsigned int                     n_components,
-    const double                           dt)
+  InertiaTerm<dim>::note_stopping_walls(const Places      &constraints,
+                                        const unsigned int n_components,
+                                        const double       dt)
   {
     stopped_along.clear();
     const NodalConstraints &start = constraints[0];
@@ -292,12 +307,13 @@ namespace isochor
         const auto &equation = start.equations[k];
         if (equation.how != NodalConstraints::in_contact)
           continue;
-        const double at_half = constraints[1].equations[k].value;
-        const auto [v, a] =
-          parabola_at_start(at_half - equation.value,
-                            constraints[2].equations[k].value - at_half,
-                            dt);
-        StoppedAlong wall{{}, v + a * dt, a};
+        StoppedAlong wall;
+        wall.at_end = motion_of_step({{equation.value,
+                                       constraints[1].equations[k].value,
+                                       constraints[2].equations[k].value,
+                                       constraints[3].equations[k].value}},
+                                     dt)
+                        .after(dt);
         for (std::size_t i = equation.first; i < equation.last; ++i)
           wall.direction.emplace_back(start.entry[i] / n_components * dim +
                                         start.entry[i] % n_components,
@@ -325,10 +341,10 @@ namespace isochor
       };
     for (const StoppedAlong &wall : stopped_along)
       {
-        set(wall, new_velocity, wall.velocity);
+        set(wall, new_velocity, wall.at_end.velocity);
         set(wall,
             new_acceleration,
-            from_stresses && !in_trial() ? 0. : wall.acceleration);
+            from_stresses && !in_trial() ? 0. : wall.at_end.acceleration);
       }
   }
 

@@ -305,9 +305,9 @@ namespace isochor
         }
     for (const Stopped &node : stopped)
       {
-        new_velocity.local_element(node.entry) = node.velocity;
+        new_velocity.local_element(node.entry) = node.at_end.velocity;
         new_acceleration.local_element(node.entry) =
-          from_stresses && !in_trial() ? 0. : node.acceleration;
+          from_stresses && !in_trial() ? 0. : node.at_end.acceleration;
       }
     stop_at_walls();
   }

@@ -19,7 +19,9 @@ namespace isochor
   {
     trial_size = trial_step;
     for (const auto &condition : conditions)
-      condition->set_trial(step, trial_step);
+      condition->set_trial(step,
+                           trial_step,
+                           integrator->smooth_start(step.step_size()));
   }
 
 
@@ -32,7 +34,7 @@ namespace isochor
   {
     trial_size = 0;
     for (const auto &condition : conditions)
-      condition->set_trial(step, 0.);
+      condition->set_trial(step, 0., {});
   }
 
 

@@ -39,12 +39,12 @@ namespace isochor
   template <int dim>
   DomainBisection<dim>::DomainBisection(
     std::vector<PointDomain<dim>>                      &&all,
-    const double                                         quantum,
+    const PlaceScale<dim>                               &scale,
     const MPI_Comm                                       comm,
     const std::function<bool(const PointDomain<dim> &)> &takes_part)
     : domains(std::move(all))
     , comm(comm)
-    , table(quantum)
+    , table(scale)
     , is_new(domains.size(), 1)
   {
     Edges no_edges;

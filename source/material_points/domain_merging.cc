@@ -47,7 +47,7 @@ namespace isochor
     const auto     is_willing = [&](const PointDomain<dim> &part) {
       return part.ancestry > 0 && fits(2 * part.volume, part.cell);
     };
-    PlaceTable<dim>     own(quantum);
+    PlaceTable<dim>     own(scale);
     std::vector<double> places;
     for (const PointDomain<dim> &domain : domains)
       if (is_willing(domain))
@@ -57,7 +57,7 @@ namespace isochor
             for (unsigned int d = 0; d < dim; ++d)
               places.push_back(domain.reference[middle<dim>][d]);
         }
-    PlaceTable<dim> all(quantum);
+    PlaceTable<dim> all(scale);
     if (Utilities::MPI::n_mpi_processes(comm) == 1)
       all = std::move(own);
     else
@@ -138,7 +138,7 @@ namespace isochor
                                 const PlaceTable<dim>               &middles,
                                 const std::vector<unsigned int>     &is_vetoed)
   {
-    PlaceTable<dim>   wholes(quantum);
+    PlaceTable<dim>   wholes(scale);
     std::vector<Pair> pairs;
     const auto        add = [&](const Part &part, const unsigned int number) {
       const auto [kept, lost] = Ancestry<dim>::last(part.domain.ancestry);

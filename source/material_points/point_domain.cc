@@ -2,10 +2,12 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/plain_message.h>
 #include <isochor/material_points/point_domain.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace isochor
 {
@@ -94,14 +96,40 @@ namespace isochor
 
 
   template <int dim>
-  double
-  quantum_of_places(const BackgroundGrid<dim> &grid)
+  PlaceScale<dim>
+  scale_of_places(const BackgroundGrid<dim> &grid)
   {
-    double largest = 0;
-    for (const Point<dim> &vertex : grid.geometry().vertices())
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    Point<dim> lower = geometry.vertices().front(), upper = lower;
+    double     farthest = 0, extent = 0;
+    for (const Point<dim> &vertex : geometry.vertices())
       for (unsigned int d = 0; d < dim; ++d)
-        largest = std::max(largest, std::abs(vertex[d]));
-    return 1e-8 * largest;
+        {
+          lower[d] = std::min(lower[d], vertex[d]);
+          upper[d] = std::max(upper[d], vertex[d]);
+          farthest = std::max(farthest, std::abs(vertex[d]));
+        }
+    for (unsigned int d = 0; d < dim; ++d)
+      extent = std::max(extent, upper[d] - lower[d]);
+    double smallest = std::pow(extent, dim);
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      smallest = std::min(smallest, geometry.measure(cell));
+    const double size = std::pow(smallest, 1. / dim);
+
+    // places are sums of a few coordinates, over many steps
+    const double rounding =
+      1e4 * std::numeric_limits<double>::epsilon() * farthest;
+    AssertThrow(rounding < 1e-3 * size,
+                ExcMessage(
+                  "The grid is too far from the origin for its "
+                  "cells: they are " +
+                  rounded(size) + " m long, coordinates up to " +
+                  rounded(farthest) +
+                  " m, of which 16 digits are known. That is too "
+                  "little to split domains of points and to merge "
+                  "them. Move the scene towards the origin (<Grid/"
+                  "Lower corner>, <Grid/Upper corner>, or the mesh)."));
+    return {lower, std::max(rounding, std::min(1e-8 * extent, 1e-4 * size))};
   }
 
 
@@ -168,8 +196,8 @@ namespace isochor
                const ArrayView<double> &);
   template Point<2>
   centroid<2>(const typename PointDomain<2>::Corners &);
-  template double
-  quantum_of_places(const BackgroundGrid<2> &);
+  template PlaceScale<2>
+  scale_of_places(const BackgroundGrid<2> &);
   template struct Ancestry<3>;
   template std::vector<PointDomain<3>>
   point_domains(const MaterialPoints<3> &);
@@ -179,6 +207,6 @@ namespace isochor
                const ArrayView<double> &);
   template Point<3>
   centroid<3>(const typename PointDomain<3>::Corners &);
-  template double
-  quantum_of_places(const BackgroundGrid<3> &);
+  template PlaceScale<3>
+  scale_of_places(const BackgroundGrid<3> &);
 } // namespace isochor

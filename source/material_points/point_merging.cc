@@ -24,7 +24,7 @@ namespace isochor
     , materials(materials)
     , largest_share(largest_share)
     , tolerance(tolerance)
-    , quantum(quantum_of_places(grid))
+    , scale(scale_of_places(grid))
   {}
 
 

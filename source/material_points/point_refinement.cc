@@ -364,7 +364,7 @@ namespace isochor
     for (const PointDomain<dim> &domain : domains)
       cell_of_point.push_back(domain.cell);
     DomainBisection<dim> bisection(std::move(domains),
-                                   quantum_of_places(grid),
+                                   scale_of_places(grid),
                                    comm,
                                    [&](const PointDomain<dim> &domain) {
                                      return have_to_fit || is_near[domain.cell];

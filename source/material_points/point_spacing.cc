@@ -129,8 +129,13 @@ namespace isochor
     const unsigned int n_held = n_pieces({held.begin(), held.end()}),
                        n_body = n_pieces({body.begin(), body.end()});
     if (n_held > n_body)
-      text << " The body falls apart into " << n_held << " pieces instead of "
-           << n_body << ".";
+      text << (n_body == 1 ? " The body falls apart: the" :
+                             " Bodies fall apart: the")
+           << " cells that hold points form " << n_held
+           << " pieces that share no face, with the empty cells between them "
+              "it were "
+           << n_body
+           << (n_body == 1 ? "." : ", one for each body of the scene.");
     AssertThrow(!at_start || n_held <= n_body, ExcMessage(text.str()));
     warnings.add("material points too far apart for the grid", text.str());
   }

@@ -2,8 +2,10 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/quadrature_lib.h>
 
+#include <isochor/base/plain_message.h>
 #include <isochor/grid/mesh_reader.h>
 #include <isochor/material_points/seeding.h>
 #include <isochor/material_points/surface_seeding.h>
@@ -342,6 +344,34 @@ namespace isochor
 
 
 
+  template <int dim>
+  std::string
+  describe_surfaces(const SeededSurfaces<dim>           &seeded,
+                    const std::vector<BodySurface<dim>> &surfaces)
+  {
+    std::string text;
+    for (unsigned int s = 0; s < surfaces.size(); ++s)
+      {
+        std::vector<Point<dim>> corners;
+        for (const SurfaceFace<dim> &face : seeded.faces)
+          if (face.surface == s)
+            corners.insert(corners.end(),
+                           face.corners.begin(),
+                           face.corners.end());
+        const auto ends = BoundingBox<dim>(corners).get_boundary_points();
+        text += (s > 0 ? "\nSurface <" : "Surface <") + surfaces[s].name +
+                "> of <" + surfaces[s].parameter +
+                ">: " + rounded(seeded.covered[s]) +
+                (dim == 2 ? " m in " : " m^2 in ");
+        for (unsigned int d = 0; d < dim; ++d)
+          text += (d > 0 ? " x [" : "[") + rounded(ends.first[d]) + ", " +
+                  rounded(ends.second[d]) + "]";
+      }
+    return text;
+  }
+
+
+
   template double
   measure<2>(const FaceCorners<2> &);
   template double
@@ -362,6 +392,12 @@ namespace isochor
                    const std::vector<unsigned int> &,
                    const std::vector<BodySurface<2>> &,
                    const std::string &);
+  template std::string
+  describe_surfaces<2>(const SeededSurfaces<2> &,
+                       const std::vector<BodySurface<2>> &);
+  template std::string
+  describe_surfaces<3>(const SeededSurfaces<3> &,
+                       const std::vector<BodySurface<3>> &);
   template SeededSurfaces<3>
   seed_surfaces<3>(const BackgroundGrid<3> &,
                    const BodyShape<3> &,

@@ -142,7 +142,8 @@ namespace isochor
   bool
   LoadStepping::can_be_cut() const
   {
-    return (next_time() - time) / 2 >= smallest;
+    // the difference of two times is rounded
+    return (next_time() - time) / 2 >= smallest * (1 - 1e-8);
   }
 
 

@@ -164,11 +164,12 @@ namespace isochor
           " times that of the slowest step so far (" +
           rounded(last_speed / slowest) +
           " times at t = " + rounded(step.time) +
-          "). If loads drive the body, they are beyond what it can carry: it "
-          "flows or falls, and without inertia its speed means nothing. Look "
-          "at t = " +
+          "). If loads drive the body, they are beyond what it can carry as it "
+          "is: it flows or falls, and without inertia its speed means nothing. "
+          "The limit load is the one at t = " +
           rounded(soft_since) +
-          " for the limit load; to follow the body beyond, use "
+          "; what is carried beyond is so by the body as it has been deformed, "
+          "or by a grid that is too coarse. To follow the body beyond, use "
           "<Dynamics/Inertia = true>.");
   }
 
@@ -181,6 +182,25 @@ namespace isochor
     constexpr double significant = 3;
     return growth > significant || growth_of_trial > significant ||
            n_negative_pivots > 0;
+  }
+
+
+
+  template <int dim>
+  std::string
+  FailureReport<dim>::Evidence::limit(const double last_equilibrium,
+                                      const double failed) const
+  {
+    if (soft_since < 0 || soft_since >= last_equilibrium)
+      return "near t = " + rounded(last_equilibrium);
+    return "between t = " + rounded(soft_since) +
+           ", since when the body gives way, and t = " +
+           rounded(last_equilibrium) +
+           ", the last equilibrium that was found (none at t = " +
+           rounded(failed) +
+           "). The former is that of the body as it was; what is carried beyond "
+           "is so by the body as it has been deformed, or by a grid that is "
+           "too coarse";
   }
 
 
@@ -323,11 +343,11 @@ namespace isochor
            "It may also be a cell that has folded: try a finer grid, more "
            "points or smaller steps.");
     else if (evidence.has_lost_stiffness())
-      text +=
-        "No equilibrium found: limit load near t = " + rounded(time.time) +
-        ". Evidence: " + evidence.text() +
-        ". To follow the body beyond, prescribe displacements instead of "
-        "loads, or give it inertia (<Dynamics/Inertia = true>).";
+      text += "No equilibrium found: limit load " +
+              evidence.limit(time.time, time.next_time()) +
+              ". Evidence: " + evidence.text() +
+              ". To follow the body beyond, prescribe displacements instead of "
+              "loads, or give it inertia (<Dynamics/Inertia = true>).";
     else
       text += "The body has not lost its stiffness (" + evidence.text() +
               "), so that this is hardly a limit load, but a bad step: look "

@@ -42,6 +42,7 @@ namespace isochor
     print_size();
     setup.restore_moved_grid();
     initialisation_phase();
+    print_conditions();
     equilibrium.evaluate();
     terminal.print_summary(scene.warnings);
   }
@@ -74,6 +75,7 @@ namespace isochor
                                                            scene.points,
                                                            output_directory)));
           }
+        print_conditions();
         const NewtonReport newton = updated_lagrangian_phase();
         if (newton.converged &&
             setup.repeats_first_step(equilibrium.nodal_unknowns()))

@@ -213,6 +213,24 @@ namespace isochor
 
   template <int dim>
   void
+  MaterialPointMethod<dim>::print_conditions()
+  {
+    if (scene.time.step > 0)
+      return;
+    std::string text;
+    for (const auto &condition : scene.boundary_conditions)
+      if (const std::string of_this = condition->describe(); !of_this.empty())
+        text += of_this + '\n';
+    // the first step may be repeated, on another grid
+    if (text != said_of_conditions)
+      terminal.out() << text << std::flush;
+    said_of_conditions = text;
+  }
+
+
+
+  template <int dim>
+  void
   MaterialPointMethod<dim>::print_progress(const NewtonReport &newton)
   {
     const LoadStepping &time = scene.time;

@@ -259,13 +259,14 @@ namespace isochor
                         may_change || !scene.adaptation.has_more_changes());
     }
     scene.points.gather(arrays);
-    occupancy.allow_large_holes(scene.time.step > 0 && !has_own_cavities);
+    occupancy.allow_large_holes(scene.time.step > 0 &&
+                                !cavity_watch.body_has_small_ones());
     scene.quadrature->set_up(
       arrays, *locator, scene.kernel, needs_occupancy, occupancy);
     spacing.check(arrays, time, scene.time.step == 0, scene.warnings);
     spacing.compare_volumes(arrays, time, scene.warnings);
     if (needs_occupancy)
-      watch_cavities();
+      cavity_watch.look(occupancy, time, scene.time.step == 0, scene.warnings);
     touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched_vertices);
@@ -279,40 +280,6 @@ namespace isochor
         extension.update(arrays, touched_vertices);
       }
     touch_masters();
-  }
-
-
-
-  template <int dim>
-  void
-  StepSetup<dim>::watch_cavities()
-  {
-    const auto    &cavity = occupancy.largest_cavity();
-    const MPI_Comm comm   = scene.grid.communicator();
-    const auto     volume = Utilities::MPI::min_max_avg(cavity.volume, comm);
-    const bool     is_new = !has_cavity && volume.max > 0;
-    has_cavity            = volume.max > 0;
-    if (scene.time.step == 0)
-      has_own_cavities = has_cavity;
-    if (!is_new || has_own_cavities)
-      return;
-    const bool mine = Utilities::MPI::this_mpi_process(comm) ==
-                      static_cast<unsigned int>(volume.max_index);
-    const unsigned int n_cells =
-      Utilities::MPI::sum(mine ? cavity.n_cells : 0u, comm);
-    const Tensor<1, dim> place = Utilities::MPI::sum(
-      mine ? Tensor<1, dim>(cavity.place) : Tensor<1, dim>(), comm);
-    std::ostringstream text;
-    text << "At t = " << scene.time.time << " a cavity of " << n_cells
-         << " cells without points (" << volume.max << " m^" << dim
-         << ") has opened inside of the body, at (" << place
-         << "). It is larger than a few points as they were seeded, and counts "
-            "as outside: nothing resists there, and volume and load are lost "
-            "as it closes. If it is not meant: seed more points where cells "
-            "become smaller than those that they were seeded in (<Material "
-            "points/Points per cell>, <Points per cell in zones>), or larger "
-            "cells.";
-    scene.warnings.add("a cavity has opened", text.str());
   }
 
 
@@ -452,7 +419,7 @@ namespace isochor
     std::ostringstream              stream(std::ios::binary);
     boost::archive::binary_oarchive archive(stream);
     archive << scene.adaptation.save_state(scene.grid) << grid_reset
-            << has_own_cavities << has_cavity;
+            << cavity_watch;
     if (!grid_reset.due())
       archive << touched_vertices << arrays << extension;
     return stream.str();
@@ -470,7 +437,7 @@ namespace isochor
     archive >> mesh;
     if (scene.adaptation.load_state(mesh, scene.grid, scene.points, *locator))
       grid_changed();
-    archive >> grid_reset >> has_own_cavities >> has_cavity;
+    archive >> grid_reset >> cavity_watch;
     is_current = false;
     is_resumed = true;
     if (!grid_reset.due())

@@ -9,6 +9,7 @@
 #include <isochor/base/plugin_registry.h>
 #include <isochor/base/statistics.h>
 #include <isochor/equations/equation_term.h>
+#include <isochor/grid/prescribed_motion.h>
 #include <isochor/material_points/body_shape.h>
 
 #include <string>
@@ -69,6 +70,14 @@ namespace isochor
     set_body(const BodyShape<dim> & /*shape*/,
              const PointArrays<dim> & /*points*/)
     {}
+
+    /** The first step is set up: what it acts on, in lines for the terminal, if
+     * the parameters alone don't say it. The same on all ranks. */
+    virtual std::string
+    describe() const
+    {
+      return {};
+    }
 
     /** The first step is set up: warn of what can't be meant, as parts of the
      * parameters that act on nothing. See boundary_checks.h. Collective. */
@@ -261,12 +270,13 @@ namespace isochor
      * For conditions that move_body(): a trial step in dynamics begins, of size
      * @p trial_size (positive or negative, s), which looks for the initial
      * acceleration; 0: it is over. What the condition prescribes is the
-     * increment h V + h²/2 A then, with V and A the velocity and acceleration
-     * of its motion at the start of @p step, by the parabola through its places
-     * at the start, the middle and the end. See InertiaTerm.
+     * increment h V + h²/2 A then, with V and A what a @p start with its
+     * motion_of_step() in @p step needs. See InertiaTerm.
      */
     virtual void
-    set_trial(const StepContext<dim> & /*step*/, const double /*trial_size*/)
+    set_trial(const StepContext<dim> & /*step*/,
+              const double /*trial_size*/,
+              const SmoothStart & /*start*/)
     {}
 
     /** In a trial: whether what is prescribed on this rank's part of the body

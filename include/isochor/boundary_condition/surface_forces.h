@@ -68,11 +68,14 @@ namespace isochor
     /** Prescribed displacements are increments of a trial from now on, see
      * BoundaryCondition::set_trial(). */
     void
-    set_trial(const StepContext<dim> &step, const double trial_size)
+    set_trial(const StepContext<dim> &step,
+              const double            trial_size,
+              const SmoothStart      &smooth)
     {
-      trial.size  = trial_size;
-      trial.start = step.old_time;
-      trial.end   = step.time;
+      trial.size   = trial_size;
+      trial.smooth = smooth;
+      trial.start  = step.old_time;
+      trial.end    = step.time;
     }
 
     /** What component @p a of the displacement of point @p b, which has to be
@@ -144,8 +147,8 @@ namespace isochor
                  const bool              with_matrix,
                  PointElement           &element) const;
 
-    /** V and A, components @p a of the prescribed motion of point @p b at the
-     * start of the step that is tried. */
+    /** V and A, components @p a of what the prescribed motion of point @p b
+     * has to start with in the step that is tried. */
     std::pair<double, double>
     initial_motion(const unsigned int b, const unsigned int a) const;
 
@@ -154,8 +157,9 @@ namespace isochor
 
     struct Trial
     {
-      double size  = 0;          ///< 0: none
-      double start = 0, end = 0; ///< of the step itself
+      double      size  = 0;          ///< 0: none
+      double      start = 0, end = 0; ///< of the step itself
+      SmoothStart smooth;
     } trial;
   };
 } // namespace isochor

@@ -70,18 +70,21 @@ namespace isochor
     /** An enclosed gap that is too large for a hole and counts as outside. */
     struct Cavity
     {
-      unsigned int n_cells = 0;
-      double       volume  = 0;
+      unsigned int cell; ///< the first of its cells, which names it
+      unsigned int n_cells;
+      double       volume;
       Point<dim>   place;
     };
 
-    /** The largest one of this rank's that is known: of at most most_cells,
-     * where gaps are compared with the seeding. */
-    const Cavity &
-    largest_cavity() const
-    {
-      return cavity;
-    }
+    /** Those of all ranks, the largest first: of at most most_cells, where gaps
+     * are compared with the seeding, and none elsewhere. Collective. */
+    std::vector<Cavity>
+    all_cavities() const;
+
+    /** The number of enclosed gaps that are larger, and don't reach the
+     * boundary of the grid. This takes a look at all of it. Collective. */
+    unsigned int
+    n_large_cavities() const;
 
     /** Whether gaps of more than a few cells may be holes, if they are compared
      * with the seeding: not before it is known that the body has no cavities of
@@ -242,7 +245,7 @@ namespace isochor
     std::map<unsigned int, std::vector<unsigned int>> near_ranks;
 
     std::vector<Content>       contents;
-    Cavity                     cavity;
+    std::vector<Cavity>        cavities; ///< of which this rank knows
     std::vector<unsigned int>  entry_of_cell;
     std::vector<unsigned char> vertex_active;
     std::vector<unsigned int>  active_list;

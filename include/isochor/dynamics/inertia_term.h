@@ -160,11 +160,14 @@ namespace isochor
     std::string initial_velocity;
 
   private:
+    /** What holds at the places of a motion_of_step(). */
+    using Places = std::array<NodalConstraints, n_motion_places>;
+
     /**
-     * Give the unknowns held by @p constraints the velocity and acceleration of
-     * their prescribed motion, the parabola through its places at the start,
-     * the middle and the end of @p step, and project to the others. Has to be
-     * called whenever other unknowns are held than before. Collective.
+     * Give the unknowns held by @p constraints the velocity and acceleration
+     * that a smooth start with their motion_of_step() needs, and project to the
+     * others. Has to be called whenever other unknowns are held than before.
+     * Collective.
      *
      * What a one-sided wall holds starts with what the points bring, so that
      * the search for the nodes in contact doesn't change what it starts from,
@@ -260,20 +263,26 @@ namespace isochor
       const StepContext<dim>                                     &step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       const NodalConstraints                                     &constraints);
-    /** Note the walls that equations of @p constraints stand for, at the start,
-     * the middle and the end of the step. */
+    /** Note the walls that equations of @p constraints stand for, at the places
+     * of the step's motion. */
     void
-    note_stopping_walls(const std::array<NodalConstraints, 3> &constraints,
-                        const unsigned int                     n_components,
-                        const double                           dt);
+    note_stopping_walls(const Places      &constraints,
+                        const unsigned int n_components,
+                        const double       dt);
+    /** Velocities and accelerations that the followers of displacements start
+     * with, by what they follow @p at the places of the step's motion. */
+    std::vector<std::pair<double, double>>
+    starts_of_followers(const Places      &at,
+                        const unsigned int n_components,
+                        const double       dt) const;
     /** The search for contact begins: keep in pressed what it begins with, of
-     * the constraints @p at the start, the middle and the end of the step and,
-     * with one-sided walls, @p contact. */
+     * the constraints @p at the places of the step's motion and, with one-sided
+     * walls, @p contact. */
     void
-    note_pressed(const StepContext<dim>                       &step,
-                 const NodalConstraints                       &constraints,
-                 const std::array<NodalConstraints, 3>        &contact,
-                 const std::array<const NodalConstraints *, 3> at);
+    note_pressed(const StepContext<dim> &step,
+                 const NodalConstraints &constraints,
+                 const Places           &contact,
+                 const Places           &at);
     /** Let new_velocity and new_acceleration have the motion of these walls. */
     void
     stop_at_walls();
@@ -293,12 +302,13 @@ namespace isochor
       new_acceleration;
     /** Prescribed entries, of local nodes. */
     std::vector<unsigned char> held;
-    /** An entry that a one-sided wall holds, with the wall's velocity and
-     * acceleration at the end of the step. */
+    /** An entry that a one-sided wall holds, with the wall's motion at the end
+     * of the step and what it would start with. */
     struct Stopped
     {
-      unsigned int entry;
-      double       velocity, acceleration;
+      unsigned int  entry;
+      MotionAtStart at_end;
+      double        acceleration_at_start;
     };
     std::vector<Stopped> stopped;
     /** What walls held at the end of the last step: their force on the body is
@@ -317,7 +327,7 @@ namespace isochor
     struct StoppedAlong
     {
       std::vector<std::pair<unsigned int, double>> direction;
-      double                                       velocity, acceleration;
+      MotionAtStart                                at_end;
     };
     std::vector<StoppedAlong> stopped_along;
     /** Of velocities and accelerations. */

@@ -8,6 +8,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <isochor/base/plugin_registry.h>
+#include <isochor/grid/prescribed_motion.h>
 
 #include <memory>
 
@@ -79,6 +80,15 @@ namespace isochor
     /** Its derivative with respect to Δu (1/s²). */
     virtual double
     stiffness(const double dt) const = 0;
+
+    /** What to start with for the scheme, in steps of size @p dt, to follow a
+     * motion u(t) whose jerk is constant without error in the inertial
+     * acceleration. */
+    virtual SmoothStart
+    smooth_start(const double /*dt*/) const
+    {
+      return {};
+    }
   };
 
   /**
@@ -128,6 +138,16 @@ namespace isochor
     stiffness(const double dt) const override
     {
       return (1 - alpha) / (beta * dt * dt);
+    }
+
+    /** By the relations above, a_n = ü + k Δt J and v_n = u̇ + m Δt² J for a
+     * jerk J in all steps for one k and one m. With Bossak's γ = 1/2 - α the
+     * inertial acceleration then is ü at the end of the step. */
+    SmoothStart
+    smooth_start(const double dt) const override
+    {
+      const double k = 0.5 - gamma, m = 1. / 6 - k / 2 - beta;
+      return {m * dt * dt, k * dt};
     }
 
   protected:

@@ -8,6 +8,7 @@
 #include <isochor/base/expression.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -30,18 +31,76 @@ namespace isochor
            (old_time > 0 ? displacement(x, old_time) : 0.);
   }
 
-  /** Velocity and acceleration at the start of a step of size @p dt, of the
-   * parabola through the places at its start, middle and end: @p first and
-   * @p second are the increments over its halves. */
-  inline std::pair<double, double>
-  parabola_at_start(const double first, const double second, const double dt)
+  /** Velocity (m/s), acceleration (m/s²) and its rate (m/s³, constant) of a
+   * prescribed motion at the start of a step. */
+  struct MotionAtStart
   {
-    double a = 4 * (second - first) / (dt * dt);
-    if (std::abs(second - first) <=
-        1e-12 * std::max(std::abs(first), std::abs(second)))
-      a = 0; // rounding
-    return {(first + second) / dt - a * dt / 2, a};
+    double velocity = 0, acceleration = 0, jerk = 0;
+
+    /** The same @p dt later. */
+    MotionAtStart
+    after(const double dt) const
+    {
+      return {velocity + dt * (acceleration + dt / 2 * jerk),
+              acceleration + dt * jerk,
+              jerk};
+    }
+  };
+
+  /** A motion_of_step() is known by its places at the start, at the end and,
+   * evenly, between. */
+  constexpr unsigned int n_motion_places = 4;
+
+  /**
+   * The motion over a step of size @p dt through @p places: the cubic, unless
+   * its acceleration would change sign in the step. What motions from rest as
+   * t⁴ or bends inside of the step ask for then is more than four places can
+   * tell, and the acceleration stays at zero at one of the ends.
+   */
+  inline MotionAtStart
+  motion_of_step(const std::array<double, n_motion_places> &places,
+                 const double                               dt)
+  {
+    constexpr double      rounding = 1e-12;
+    const double          h        = dt / (n_motion_places - 1);
+    std::array<double, 3> d; // increments
+    double                size = 0;
+    for (unsigned int k = 0; k < d.size(); ++k)
+      {
+        d[k] = places[k + 1] - places[k];
+        size = std::max(size, std::abs(d[k]));
+      }
+    const auto change = [&](const double from, const double to) {
+      return std::abs(to - from) > rounding * size ? to - from : 0.;
+    };
+    const double bend = change(d[0], d[1]), next_bend = change(d[1], d[2]);
+    const double mean_acceleration = (bend + next_bend) / (2 * h * h);
+    const double most              = std::abs(2 * mean_acceleration / dt);
+    const double jerk =
+      std::clamp(change(bend, next_bend) / (h * h * h), -most, most);
+    const double acceleration = mean_acceleration - jerk * dt / 2;
+    return {(d[0] + d[1] + d[2]) / dt - dt * (acceleration / 2 + dt * jerk / 6),
+            acceleration,
+            jerk};
   }
+
+  /**
+   * What a scheme in time has to start with for its forces to be those of a
+   * motion and not to alternate about them: not quite the velocity and
+   * acceleration of the motion itself, see TimeIntegrator::smooth_start().
+   */
+  struct SmoothStart
+  {
+    /** What is added to the velocity (s²) and acceleration (s), per jerk. */
+    double velocity_per_jerk = 0, acceleration_per_jerk = 0;
+
+    std::pair<double, double>
+    of(const MotionAtStart &motion) const
+    {
+      return {motion.velocity + velocity_per_jerk * motion.jerk,
+              motion.acceleration + acceleration_per_jerk * motion.jerk};
+    }
+  };
 } // namespace isochor
 
 #endif

@@ -34,13 +34,12 @@ namespace isochor
   class DomainBisection
   {
   public:
-    /** @p domains of all points of this rank. Two places at t = 0 are the same
-     * if they differ by much less than @p quantum (m). Domains for which
-     * @p takes_part is false stay whole, even beside others whose edges are
-     * bisected, and cost nothing. */
+    /** @p domains of all points of this rank, whose places at t = 0 are told
+     * apart by @p scale. Domains for which @p takes_part is false stay whole,
+     * even beside others whose edges are bisected, and cost nothing. */
     DomainBisection(
       std::vector<PointDomain<dim>>                      &&domains,
-      const double                                         quantum,
+      const PlaceScale<dim>                               &scale,
       const MPI_Comm                                       comm,
       const std::function<bool(const PointDomain<dim> &)> &takes_part);
 

@@ -16,10 +16,23 @@ namespace isochor
 {
   using namespace dealii;
 
+  /** By what places in space are told apart. */
+  template <int dim>
+  struct PlaceScale
+  {
+    /** A place near to all others, so that the numbers below are the same
+     * wherever the scene lies. */
+    Point<dim> origin;
+    /** Much larger than errors of rounding, much smaller than distances between
+     * places (m). */
+    double quantum;
+  };
+
   /**
    * Numbers places in space. Places are the same if they differ by rounding,
-   * that is, by much less than the @p quantum: they are rounded to multiples of
-   * it, and where the rounding might go either way, both are looked up.
+   * that is, by much less than the quantum of the scale: they are rounded to
+   * multiples of it, and where the rounding might go either way, both are
+   * looked up.
    */
   template <int dim>
   class PlaceTable
@@ -29,10 +42,8 @@ namespace isochor
 
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
-    /** @p quantum (m): much larger than errors of rounding, much smaller than
-     * distances between places. */
-    explicit PlaceTable(const double quantum)
-      : quantum(quantum)
+    explicit PlaceTable(const PlaceScale<dim> &scale)
+      : scale(scale)
     {}
 
     unsigned int
@@ -48,7 +59,7 @@ namespace isochor
       Key base, other;
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const double scaled = x[d] / quantum + offset;
+          const double scaled = scaled_coordinate(x, d);
           const double floor  = std::floor(scaled);
           base[d]             = static_cast<std::int64_t>(floor);
           other[d]            = base[d] + (scaled - floor < margin     ? -1 :
@@ -82,7 +93,7 @@ namespace isochor
         return number;
       Key key;
       for (unsigned int d = 0; d < dim; ++d)
-        key[d] = static_cast<std::int64_t>(std::floor(x[d] / quantum + offset));
+        key[d] = static_cast<std::int64_t>(std::floor(scaled_coordinate(x, d)));
       keys.push_back(key);
       if (2 * keys.size() > slots.size())
         enlarge();
@@ -91,7 +102,7 @@ namespace isochor
       return keys.size() - 1;
     }
 
-    /** Coordinates of a place in units of the quantum. */
+    /** Coordinates of a place from the origin, in units of the quantum. */
     const Key &
     key(const unsigned int number) const
     {
@@ -132,7 +143,13 @@ namespace isochor
         slots[slot_of(keys[number])] = number;
     }
 
-    double                    quantum;
+    double
+    scaled_coordinate(const Point<dim> &x, const unsigned int d) const
+    {
+      return (x[d] - scale.origin[d]) / scale.quantum + offset;
+    }
+
+    PlaceScale<dim>           scale;
     std::vector<unsigned int> slots = std::vector<unsigned int>(64, none);
     std::vector<Key>          keys; ///< by number
   };

@@ -9,6 +9,7 @@
 #include <deal.II/base/point.h>
 
 #include <isochor/material_points/material_points.h>
+#include <isochor/material_points/place_table.h>
 
 #include <array>
 #include <utility>
@@ -53,11 +54,13 @@ namespace isochor
   Point<dim>
   centroid(const typename PointDomain<dim>::Corners &corners);
 
-  /** Two places at t = 0 are one if they differ by much less than this (m): a
-   * tiny part of the extent of the grid. */
+  /** How places at t = 0 are told apart: by a tiny part of the extent of the
+   * grid and of its smallest cell but, far from the origin, by more than what
+   * coordinates are rounded to there.
+   * @throws ExcMessage if the cells are too small for that. */
   template <int dim>
-  double
-  quantum_of_places(const BackgroundGrid<dim> &grid);
+  PlaceScale<dim>
+  scale_of_places(const BackgroundGrid<dim> &grid);
 
   /**
    * The bisections that a domain comes from, as the digits of an integer that a

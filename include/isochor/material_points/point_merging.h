@@ -128,7 +128,7 @@ namespace isochor
     const PointLocator<dim>   &locator;
     const Materials           &materials;
     const double               largest_share, tolerance;
-    const double               quantum;
+    const PlaceScale<dim>      scale;
   };
 } // namespace isochor
 

@@ -107,6 +107,13 @@ namespace isochor
                 const std::vector<unsigned int>     &occupied,
                 const std::vector<BodySurface<dim>> &surfaces,
                 const std::string                   &body_mesh);
+
+  /** What was found of each of the @p surfaces, a line each: its area (2D: its
+   * length, of the section) at t = 0, and the box around it. */
+  template <int dim>
+  std::string
+  describe_surfaces(const SeededSurfaces<dim>           &seeded,
+                    const std::vector<BodySurface<dim>> &surfaces);
 } // namespace isochor
 
 #endif

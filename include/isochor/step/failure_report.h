@@ -85,6 +85,10 @@ namespace isochor
       has_lost_stiffness() const;
       std::string
       text() const;
+      /** Where the limit load is, given the times of the last equilibrium and
+       * of the step that failed. */
+      std::string
+      limit(const double last_equilibrium, const double failed) const;
     };
 
     Evidence

@@ -106,6 +106,9 @@ namespace isochor
     set_statistics(const StepResult<dim> &result);
     void
     print_size();
+    /** What the boundary conditions act on, in the first step. */
+    void
+    print_conditions();
     /** What was done and skipped, at the end. Collective. */
     void
     print_work();
@@ -124,6 +127,7 @@ namespace isochor
     FailureReport<dim> failure_report;
     Statistics         statistics;
     std::string        output_directory;
+    std::string        said_of_conditions; ///< by print_conditions()
   };
 } // namespace isochor
 

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <isochor/cut_cells/cavity_watch.h>
 #include <isochor/cut_cells/cell_occupancy.h>
 #include <isochor/cut_cells/discrete_extension.h>
 #include <isochor/material_points/point_locator.h>
@@ -179,10 +180,6 @@ namespace isochor
     /** The grid has been replaced: tell what knows it. */
     void
     grid_changed();
-    /** Remember whether the body has cavities of its own; if not, warn once one
-     * opens. Collective. */
-    void
-    watch_cavities();
     /** Of all boundary conditions. */
     std::vector<ControlNode<dim>>
     control_nodes() const;
@@ -204,13 +201,11 @@ namespace isochor
     GridReset<dim>                     grid_reset;
     PointRefinement<dim>               refinement;
     PointSpacing<dim>                  spacing;
-    /** Whether the body has enclosed gaps of more than a few cells: as it is at
-     * t = 0, and at the last reset. */
-    bool                   has_own_cavities = false, has_cavity = false;
-    CellOccupancy<dim>     occupancy;
-    bool                   needs_occupancy = false;
-    DiscreteExtension<dim> extension;
-    bool                   extends = false;
+    CellOccupancy<dim>                 occupancy;
+    CavityWatch<dim>                   cavity_watch;
+    bool                               needs_occupancy = false;
+    DiscreteExtension<dim>             extension;
+    bool                               extends = false;
 
     PointArrays<dim> arrays;
     ActiveNodes<dim> nodes;

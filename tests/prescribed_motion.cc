@@ -1,0 +1,205 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Motions that begin smoothly, of a boundary of the grid or of the body's
+// surface, need the force M ü from the first step on. Started with anything but
+// what the scheme follows them with, the force alternates about it.
+
+#include <isochor/dynamics/time_integrator.h>
+#include <isochor/postprocess/postprocessor.h>
+
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  /** The reaction in each step, by a column of the statistics, and the times.
+   */
+  std::vector<std::pair<double, double>> reactions;
+  std::string                            column;
+
+  std::unique_ptr<TimeIntegrator>
+  make_scheme(const std::string &name, const std::string &rho)
+  {
+    ParameterHandler prm;
+    TimeIntegrator::declare_schemes(prm);
+    prm.set("Inertia", true);
+    prm.set("Scheme", name);
+    prm.set("Spectral radius", rho);
+    return TimeIntegrator::create(prm);
+  }
+
+  /** Places of @p u at the ends of a step from t = 0.3 and between. */
+  template <typename Motion>
+  MotionAtStart
+  motion_of(const Motion &u, const double dt)
+  {
+    std::array<double, n_motion_places> places;
+    for (unsigned int k = 0; k < n_motion_places; ++k)
+      places[k] = u(0.3 + k * dt / 3);
+    return motion_of_step(places, dt);
+  }
+
+  void
+  test_places()
+  {
+    const auto cubic = [](const double t) {
+      return 7 + t * (2 - t * (1 - 3 * t));
+    };
+    const MotionAtStart m   = motion_of(cubic, 0.1);
+    const MotionAtStart end = m.after(0.1);
+    test::check_error("a cubic motion",
+                      std::max({std::abs(m.velocity - (2 - 0.6 + 0.81)),
+                                std::abs(m.acceleration - (-2 + 5.4)),
+                                std::abs(m.jerk - 18),
+                                std::abs(end.velocity - (2 - 0.8 + 1.44)),
+                                std::abs(end.acceleration - (-2 + 7.2))}),
+                      1e-10);
+    const auto line    = [](const double t) { return 7 + t / 3; };
+    const auto of_line = motion_of(line, 0.1);
+    test::check_error("no acceleration from rounding",
+                      std::abs(of_line.velocity - 1. / 3) +
+                        std::abs(of_line.acceleration) + std::abs(of_line.jerk),
+                      1e-12);
+    // the whole increment is that of the places; no change of sign
+    const auto bend    = [](const double t) { return std::max(0., t - 0.33); };
+    const auto of_bend = motion_of(bend, 0.1), at_end = of_bend.after(0.1);
+    test::check_error("a bend in the step",
+                      std::abs(0.1 * (of_bend.velocity +
+                                      0.1 * (of_bend.acceleration / 2 +
+                                             0.1 * of_bend.jerk / 6)) -
+                               0.07),
+                      1e-14);
+    test::check("a bend in the step: no change of sign",
+                of_bend.acceleration > -1e-12 && at_end.acceleration > -1e-12,
+                std::to_string(at_end.acceleration));
+  }
+
+  /** A mass that is made to move by t² + 2 t³. */
+  void
+  test_scheme(const std::string &name, const std::string &rho)
+  {
+    const auto   scheme = make_scheme(name, rho);
+    const double dt     = 0.1;
+    const auto   u      = [](const double t) {
+      return (t - 0.3) * (t - 0.3) * (1 + 2 * (t - 0.3));
+    };
+    auto [v, a]  = scheme->smooth_start(dt).of(motion_of(u, dt));
+    double error = 0;
+    for (unsigned int i = 0; i < 10; ++i)
+      {
+        const double t     = 0.3 + i * dt;
+        const double new_a = scheme->acceleration(u(t + dt) - u(t), v, a, dt);
+        test::add_error(error,
+                        std::abs(scheme->inertial_acceleration(a, new_a) -
+                                 (2 + 12 * (t + dt - 0.3))));
+        v = scheme->velocity(v, a, new_a, dt);
+        a = new_a;
+      }
+    test::check_error(name + ", rho " + rho + ": the force of a motion",
+                      error,
+                      1e-9);
+  }
+
+  /** A block, stiff against anything that the steps resolve, drawn by @p u(t)
+   * at its right end; @p acceleration(t) is that of the motion. */
+  template <int dim, typename Acceleration>
+  void
+  test_block(const std::string  &what,
+             const std::string  &u,
+             const Acceleration &acceleration,
+             const std::string  &settings,
+             const double        tolerance)
+  {
+    const bool        solid  = (dim == 3);
+    const double      mass   = solid ? 0.25 : 0.5;
+    const std::string sides  = "bottom: y=0; top: y=0";
+    const std::string width  = solid ? ", 0.5, 0.5" : ", 0.5";
+    const std::string across = solid ? ", 2, 2" : ", 4";
+    const std::string scene =
+      "Material/Young modulus = 1e10\nMaterial/Density = 1\n"
+      "Dynamics/Inertia = true\nTime/Step size = 0.005\n"
+      "Time/End time = 0.05\n";
+    for (const bool of_body : {true, false})
+      {
+        reactions.clear();
+        column = of_body ? "Reaction x on tip by boundary points (N)" :
+                           "Reaction x on right (N)";
+        test::run_scene<dim>(
+          scene + settings +
+          (of_body ?
+             "Grid/Upper corner = 1.5" + width +
+               "\nGrid/Subdivisions = " + (solid ? "6" : "12") + across +
+               "\nMaterial points/Region = x < 1\n"
+               "Boundary conditions/Displacement = " +
+               sides + (solid ? "; front: z=0; back: z=0" : "") +
+               "\nBoundary conditions/Surfaces of body = tip: x > 0.999\n"
+               "Boundary conditions/Displacement of body = tip: x=" +
+               u + "\n" :
+             "Grid/Upper corner = 1" + width +
+               "\nGrid/Subdivisions = " + (solid ? "4" : "8") + across + "\n" +
+               test::keep_grid + "Boundary conditions/Displacement = " + sides +
+               (solid ? "; front: z=0; back: z=0" : "") + "; right: x=" + u +
+               "\nPostprocess/Reactions = right\n"));
+        double worst = 0;
+        for (const auto &[time, force] : reactions)
+          test::add_error(worst,
+                          test::relative(force, mass * acceleration(time)));
+        const std::string name =
+          what + (of_body ? ", surface of the body" : ", boundary of the grid");
+        test::check(name + ": all steps",
+                    reactions.size() == 10,
+                    std::to_string(reactions.size()));
+        test::check_error(name, worst, tolerance);
+      }
+  }
+} // namespace
+
+namespace isochor
+{
+  /** Keeps what the force on the right end is. */
+  template <int dim>
+  class ReactionHistory : public Postprocessor<dim>
+  {
+  public:
+    void
+    evaluate_points(const StepResult<dim> &result,
+                    Statistics            &statistics) override
+    {
+      reactions.emplace_back(result.step.time, statistics.get(column));
+    }
+  };
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor,
+                                 ReactionHistory,
+                                 "Z: reaction history")
+} // namespace isochor
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_places();
+  for (const std::string rho : {"1", "0.9", "0.5", "0"})
+    test_scheme("Bossak", rho);
+  test_scheme("Newmark", "1");
+
+  const auto jerk     = [](const double t) { return 600 * t; };
+  const auto waves    = [](const double t) { return 100 * std::cos(10 * t); };
+  const std::string u = "Formulation/Type = u\nMaterial/Poisson ratio = 0.3\n",
+                    mixed   = "Formulation/Type = u-p\n"
+                              "Material/Poisson ratio = 0.5\n",
+                    domains = "Quadrature/Type = CPDI\n";
+  test_block<2>("t^3, 2D, u", "100*t^3", jerk, u + domains, 2e-3);
+  test_block<2>("t^3, 2D, u-p", "100*t^3", jerk, mixed + domains, 2e-3);
+  test_block<2>("t^3, 2D, cell-filled",
+                "100*t^3",
+                jerk,
+                u + "Quadrature/Type = cell-filled\n",
+                2e-3);
+  test_block<3>("t^3, 3D, u", "100*t^3", jerk, u + domains, 2e-3);
+  test_block<3>("t^3, 3D, u-p", "100*t^3", jerk, mixed + domains, 2e-3);
+  test_block<2>("1 - cos, 2D, u", "1 - cos(10*t)", waves, u + domains, 2e-3);
+}
