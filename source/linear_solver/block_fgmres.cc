@@ -14,6 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#ifdef __GLIBC__
+#  include <malloc.h>
+#endif
 
 namespace isochor
 {
@@ -21,6 +24,16 @@ namespace isochor
   {
     using DistributedVector      = TrilinosWrappers::MPI::Vector;
     using DistributedBlockVector = TrilinosWrappers::MPI::BlockVector;
+
+    /** Give the system what has been freed between arrays in use: new ones, of
+     * other sizes, often don't fit there. */
+    void
+    give_back_memory()
+    {
+#ifdef __GLIBC__
+      malloc_trim(0);
+#endif
+    }
 
     /** Upper block triangle of the factors of a saddle-point matrix. */
     struct BlockTriangularPreconditioner
@@ -206,6 +219,7 @@ namespace isochor
       Teuchos::ParameterList              parameters;
       std::unique_ptr<Epetra_MultiVector> unused;
       data.set_parameters(parameters, unused, K);
+      unused.reset();
 
       Epetra_MultiVector modes = near_null_space(*system, *displacements);
       parameters.set("PDE equations", static_cast<int>(system->dim));
@@ -222,6 +236,7 @@ namespace isochor
       // solve, which is kept for the next one, would only be in the way.
       GrowingVectorMemory<DistributedVector>::release_unused_memory();
       GrowingVectorMemory<DistributedBlockVector>::release_unused_memory();
+      give_back_memory();
       multigrid.initialize(K, parameters);
       hierarchy_serves = hierarchy_is_new = true;
     }
