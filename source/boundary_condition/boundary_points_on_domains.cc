@@ -56,7 +56,7 @@ namespace isochor
     const SimplexGeometry<dim> &geometry = grid.geometry();
     const SurfaceFace<dim>     &face     = on_domains.faces()[part.face];
     const unsigned int          cell     = body.cell[part.k];
-    const Tensor<2, dim>       &F        = body.F[part.q];
+    const Tensor<2, dim>        F        = body.F[part.q];
     const Point<dim>     centre = body.location(geometry, part.k, part.q);
     const Tensor<1, dim> u      = body.displacement[part.q];
     const auto           nodes  = body.stencil(geometry, part.k, part.q);

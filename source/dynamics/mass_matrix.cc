@@ -58,7 +58,7 @@ namespace isochor
   MassMatrix<dim>::reinit(const StepContext<dim> &step, const bool with_domains)
   {
     const PointArrays<dim> &points = step.points;
-    reinit(step, points.mass, dim);
+    reinit(step, points.mass.values(), dim);
     if (!with_domains)
       return;
     step.nodes.initialize(diagonal_of_domains, 1);

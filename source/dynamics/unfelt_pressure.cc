@@ -30,7 +30,7 @@ namespace isochor
     MassMatrix<dim> volume;
     NodalField      load, pressure;
     volume.reinit(step, weight, 1);
-    volume.collect(step, points.pressure, load);
+    volume.collect(step, points.pressure.values(), load);
     step.nodes.initialize(pressure, 1);
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       if (const double V = volume.lumped.local_element(node); V > 0)

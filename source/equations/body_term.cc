@@ -63,8 +63,14 @@ namespace isochor
           add(grid.geometry().vertex_indices(cell.cell).data(), dim + 1);
       }
     else
-      for (const unsigned int cell : points.cell)
-        add(grid.geometry().vertex_indices(cell).data(), dim + 1);
+      {
+        // arrays that grow by themselves take up to twice the memory
+        const std::size_t n = points.cell.size();
+        elements.start.reserve(elements.start.size() + n);
+        elements.node.reserve(elements.node.size() + n * (dim + 1));
+        for (const unsigned int cell : points.cell)
+          add(grid.geometry().vertex_indices(cell).data(), dim + 1);
+      }
   }
 
 

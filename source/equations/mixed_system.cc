@@ -229,8 +229,29 @@ namespace isochor
   void
   MixedSystem<dim>::build_rows()
   {
-    system.row_start.assign(1, 0);
-    system.column.clear();
+    // room for all at once: arrays that grow by themselves take up to twice of
+    // what they hold
+    std::size_t n_entries = 0;
+    for (unsigned int order = 0; order < nodes_in_order.size(); ++order)
+      {
+        const std::size_t n = n_free(nodes_in_order[order]);
+        for (std::size_t k = neighbour_start[order];
+             k < neighbour_start[order + 1];
+             ++k)
+          n_entries += n * n_free(nodes_in_order[neighbour[k]]);
+        if (system.symmetric)
+          n_entries -= n * (n - 1) / 2;
+      }
+    AssertThrow(n_entries <
+                  static_cast<std::size_t>(std::numeric_limits<int>::max()),
+                ExcMessage("The matrix of one rank exceeds 2^31 entries: use "
+                           "more ranks."));
+    std::vector<double>().swap(system.values);
+    std::vector<unsigned int>().swap(system.column);
+    system.column.reserve(n_entries);
+    system.row_start.clear();
+    system.row_start.reserve(system.field.size() + 1);
+    system.row_start.push_back(0);
     for (unsigned int order = 0; order < nodes_in_order.size(); ++order)
       {
         const unsigned int node = nodes_in_order[order];
@@ -252,11 +273,7 @@ namespace isochor
             system.row_start.push_back(system.column.size());
           }
       }
-    AssertThrow(system.column.size() <
-                  static_cast<std::size_t>(std::numeric_limits<int>::max()),
-                ExcMessage("The matrix of one rank exceeds 2^31 entries: use "
-                           "more ranks."));
-    system.values.resize(system.column.size());
+    AssertDimension(system.column.size(), n_entries);
   }
 
 
@@ -266,8 +283,16 @@ namespace isochor
   MixedSystem<dim>::find_blocks()
   {
     const ElementNodes &elements = all_elements();
+    std::size_t         n_blocks = 0;
+    for (unsigned int e = 0; e < elements.size(); ++e)
+      {
+        const std::size_t n = elements.start[e + 1] - elements.start[e];
+        n_blocks += system.symmetric ? n * (n + 1) / 2 : n * n;
+      }
+    std::vector<unsigned int>().swap(block_offset);
+    block_offset.reserve(n_blocks);
     block_start.assign(1, 0);
-    block_offset.clear();
+    block_start.reserve(elements.size() + 1);
     element_is_constrained.assign(elements.size(), 0);
     for (unsigned int e = 0; e < elements.size(); ++e)
       {

@@ -18,7 +18,7 @@ namespace isochor
     lifting = 0.;
     lifting.zero_out_ghost_values();
     if (with_matrix)
-      std::fill(system.values.begin(), system.values.end(), 0.);
+      system.values.assign(system.column.size(), 0.);
   }
 
 

@@ -14,6 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#ifdef __GLIBC__
+#  include <malloc.h>
+#endif
 
 namespace isochor
 {
@@ -21,6 +24,16 @@ namespace isochor
   {
     using DistributedVector      = TrilinosWrappers::MPI::Vector;
     using DistributedBlockVector = TrilinosWrappers::MPI::BlockVector;
+
+    /** Give the system what has been freed between arrays in use: new ones, of
+     * other sizes, often don't fit there. */
+    void
+    give_back_memory()
+    {
+#ifdef __GLIBC__
+      malloc_trim(0);
+#endif
+    }
 
     /** Upper block triangle of the factors of a saddle-point matrix. */
     struct BlockTriangularPreconditioner
@@ -114,36 +127,25 @@ namespace isochor
     LinearSolverReport
     factorise(const SparseSystem &A) override
     {
-      LinearSolverReport report;
-      assert_finite(A);
-      system = &A;
-      comm   = A.comm;
-      if (!matrix || pattern_id != A.pattern_id)
-        {
-          multigrid.clear(); // refers to the matrix
-          hierarchy_serves = false;
-          matrix.reset();
-          displacements =
-            std::make_unique<EquationSubset>(A,
-                                             SparseSystem::Field::displacement,
-                                             true);
-          pressures =
-            std::make_unique<EquationSubset>(A, SparseSystem::Field::pressure);
-          matrix =
-            std::make_unique<SaddlePointMatrix>(A, *displacements, *pressures);
-          pattern_id      = A.pattern_id;
-          report.analysed = true;
-        }
-      else
-        matrix->copy_values(A);
+      take_matrix(A);
+      build_preconditioner();
+      return set_up;
+    }
 
-      if (!hierarchy_serves || slowdown == 1.)
-        build_multigrid();
-      if (pressures->locally_owned.size() > 0)
-        build_block_preconditioner();
-      report.factorised      = true;
-      report.memory_in_bytes = matrix->memory_consumption();
-      return report;
+    LinearSolverReport
+    factorise_and_free(SparseSystem &A) override
+    {
+      take_matrix(A);
+      std::vector<double>().swap(A.values);
+      build_preconditioner();
+      return set_up;
+    }
+
+    void
+    restore_values(SparseSystem &A) const override
+    {
+      if (matrix) // else A has no values to be restored
+        matrix->restore_values(A);
     }
 
     LinearSolverReport
@@ -166,6 +168,45 @@ namespace isochor
     }
 
   private:
+    /** Copy @p A to the blocks, which are laid out anew if its pattern is. */
+    void
+    take_matrix(const SparseSystem &A)
+    {
+      set_up = LinearSolverReport();
+      assert_finite(A);
+      system = &A;
+      comm   = A.comm;
+      if (matrix && pattern_id == A.pattern_id)
+        matrix->copy_values(A);
+      else
+        {
+          multigrid.clear(); // refers to the matrix
+          hierarchy_serves = false;
+          matrix.reset();
+          displacements =
+            std::make_unique<EquationSubset>(A,
+                                             SparseSystem::Field::displacement,
+                                             true);
+          pressures =
+            std::make_unique<EquationSubset>(A, SparseSystem::Field::pressure);
+          matrix =
+            std::make_unique<SaddlePointMatrix>(A, *displacements, *pressures);
+          pattern_id      = A.pattern_id;
+          set_up.analysed = true;
+        }
+      set_up.memory_in_bytes = matrix->memory_consumption();
+    }
+
+    void
+    build_preconditioner()
+    {
+      if (!hierarchy_serves || slowdown == 1.)
+        build_multigrid();
+      if (pressures->locally_owned.size() > 0)
+        build_block_preconditioner();
+      set_up.factorised = true;
+    }
+
     void
     build_multigrid()
     {
@@ -178,6 +219,7 @@ namespace isochor
       Teuchos::ParameterList              parameters;
       std::unique_ptr<Epetra_MultiVector> unused;
       data.set_parameters(parameters, unused, K);
+      unused.reset();
 
       Epetra_MultiVector modes = near_null_space(*system, *displacements);
       parameters.set("PDE equations", static_cast<int>(system->dim));
@@ -194,6 +236,7 @@ namespace isochor
       // solve, which is kept for the next one, would only be in the way.
       GrowingVectorMemory<DistributedVector>::release_unused_memory();
       GrowingVectorMemory<DistributedBlockVector>::release_unused_memory();
+      give_back_memory();
       multigrid.initialize(K, parameters);
       hierarchy_serves = hierarchy_is_new = true;
     }
@@ -358,6 +401,7 @@ namespace isochor
     double           slowdown             = 1.5;
     SolutionAccuracy accuracy;
 
+    LinearSolverReport  set_up; ///< of the last matrix
     MPI_Comm            comm       = MPI_COMM_NULL;
     unsigned long       pattern_id = 0;
     const SparseSystem *system     = nullptr;

@@ -20,6 +20,9 @@ namespace isochor
     std::vector<double>
     dense_matrix(const SparseSystem &A)
     {
+      AssertThrow(A.values.size() == A.column.size(),
+                  ExcMessage("The linear solver has freed the values of the "
+                             "matrix."));
       const std::size_t   n = A.n_equations;
       std::vector<double> local(n * n, 0.), total(n * n);
       for (std::size_t r = 0; r + 1 < A.row_start.size(); ++r)

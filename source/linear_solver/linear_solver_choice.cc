@@ -115,8 +115,9 @@ namespace isochor
   LinearSolverReport
   LinearSolverChoice::factorise(const SparseSystem &A)
   {
-    matrix = &A;
-    in_use = &choose(A);
+    matrix       = &A;
+    freed_matrix = nullptr;
+    in_use       = &choose(A);
     try
       {
         return in_use->factorise(A);
@@ -125,7 +126,26 @@ namespace isochor
       {
         if (in_use == direct.get())
           throw;
-        return fall_back(A, plain_message(exc));
+        return fall_back(plain_message(exc));
+      }
+  }
+
+
+
+  LinearSolverReport
+  LinearSolverChoice::factorise_and_free(SparseSystem &A)
+  {
+    in_use = &choose(A);
+    if (in_use == direct.get())
+      return factorise(A);
+    matrix = freed_matrix = &A;
+    try
+      {
+        return iterative->factorise_and_free(A);
+      }
+    catch (const ExcLinearSolverFailed &exc)
+      {
+        return fall_back(plain_message(exc));
       }
   }
 
@@ -143,7 +163,7 @@ namespace isochor
       {
         if (in_use == direct.get())
           throw;
-        fall_back(*matrix, plain_message(exc));
+        fall_back(plain_message(exc));
       }
     return in_use->solve(b, x);
   }
@@ -151,11 +171,13 @@ namespace isochor
 
 
   LinearSolverReport
-  LinearSolverChoice::fall_back(const SparseSystem &A,
-                                const std::string  &failure)
+  LinearSolverChoice::fall_back(const std::string &failure)
   {
-    in_use         = direct.get();
-    failed_pattern = A.pattern_id;
+    if (freed_matrix && freed_matrix->values.empty())
+      iterative->restore_values(*freed_matrix);
+    const SparseSystem &A = *matrix;
+    in_use                = direct.get();
+    failed_pattern        = A.pattern_id;
     warnings.add("the iterative linear solver failed",
                  failure + " The direct solver " + direct_name +
                    " takes over for the " + std::to_string(A.n_equations) +

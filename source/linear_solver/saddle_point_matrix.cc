@@ -39,6 +39,16 @@ namespace isochor
   }
 
   void
+  SaddlePointMatrix::restore_values(SparseSystem &A) const
+  {
+    A.values.resize(A.column.size());
+    for (const TrilinosBlock *block :
+         std::array<const TrilinosBlock *, 4>{{&K, &B, B_star.get(), &minus_C}})
+      if (block != nullptr)
+        block->restore_values(A);
+  }
+
+  void
   SaddlePointMatrix::vmult(TrilinosWrappers::MPI::BlockVector       &dst,
                            const TrilinosWrappers::MPI::BlockVector &src) const
   {

@@ -278,6 +278,19 @@ namespace isochor
       }
   }
 
+  void
+  TrilinosBlock::restore_values(SparseSystem &A) const
+  {
+    int    *offsets, *indices;
+    double *values;
+    check(local->ExtractCrsDataPointers(offsets, indices, values),
+          "ExtractCrsDataPointers");
+    std::vector<int> next(offsets, offsets + rows.is_owned.size());
+    for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t k) {
+      A.values[k] = values[next[r]++];
+    });
+  }
+
   const Epetra_CrsMatrix &
   TrilinosBlock::matrix() const
   {

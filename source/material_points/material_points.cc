@@ -131,7 +131,7 @@ namespace isochor
                                grid.is_adaptive(),
                                grid.is_adaptive() || keeps_ancestry);
     point_layout.axisymmetric = axisymmetric;
-    groups.clear();
+    forget_order();
     particles.initialize(grid.triangulation(),
                          grid.mapping(),
                          point_layout.n_properties);
@@ -215,41 +215,59 @@ namespace isochor
 
   template <int dim>
   void
-  MaterialPoints<dim>::group_by_cell()
+  MaterialPoints<dim>::forget_order()
   {
-    // the handler keeps the points of a cell together, cells in any order
-    groups.clear();
-    for (auto particle = particles.begin(); particle != particles.end();
-         ++particle)
-      {
-        const unsigned int cell =
-          particle->get_surrounding_cell()->active_cell_index();
-        if (groups.empty() || groups.back().cell != cell)
-          groups.push_back({cell, particle, 0});
-        ++groups.back().n_points;
-      }
-    std::sort(groups.begin(), groups.end(), [](const auto &a, const auto &b) {
-      return a.cell < b.cell;
-    });
+    slots.reset();
+    cell_start.clear();
   }
 
 
 
   template <int dim>
-  template <typename Function>
-  void
-  MaterialPoints<dim>::for_each_in_arrays(const Function &copy) const
+  std::vector<unsigned int>
+  MaterialPoints<dim>::order_by_cell()
   {
-    unsigned int q = 0;
+    // the handler keeps the points of a cell together, cells in any order
+    struct Group
+    {
+      unsigned int cell, first, n_points;
+    };
+    std::vector<Group>        groups;
+    std::vector<unsigned int> handles;
+    handles.reserve(particles.n_locally_owned_particles());
+    for (const auto &particle : particles)
+      {
+        const unsigned int cell =
+          particle.get_surrounding_cell()->active_cell_index();
+        if (groups.empty() || groups.back().cell != cell)
+          groups.push_back(
+            {cell, static_cast<unsigned int>(handles.size()), 0});
+        ++groups.back().n_points;
+        handles.push_back(particle.get_local_index());
+      }
+    std::sort(groups.begin(), groups.end(), [](const auto &a, const auto &b) {
+      return a.cell < b.cell;
+    });
+
+    const auto                found = std::make_shared<PointSlots>();
+    std::vector<unsigned int> cells;
+    found->slot.reserve(handles.size());
+    cells.reserve(groups.size());
+    cell_start.reserve(groups.size() + 1);
+    cell_start.assign(1, 0);
     for (const Group &group : groups)
       {
-        auto particle = group.first;
-        for (unsigned int i = 0; i < group.n_points; ++i, ++particle, ++q)
-          copy(q,
-               group.cell,
-               particle->get_location(),
-               particle->get_properties().data());
+        const auto first = handles.begin() + group.first;
+        found->slot.insert(found->slot.end(), first, first + group.n_points);
+        cells.push_back(group.cell);
+        cell_start.push_back(found->slot.size());
       }
+    auto &pool = particles.get_property_pool();
+    if (!handles.empty())
+      found->properties = pool.get_properties(0).data();
+    found->n_properties = pool.n_properties_per_slot();
+    slots               = found;
+    return cells;
   }
 
 
@@ -258,26 +276,20 @@ namespace isochor
   void
   MaterialPoints<dim>::gather(PointArrays<dim> &arrays)
   {
-    group_by_cell();
-    const unsigned int n = particles.n_locally_owned_particles();
-    arrays.n_history     = point_layout.n_history;
-    arrays.cell.clear();
-    arrays.cell_start.assign(1, 0);
-    for (const Group &group : groups)
-      {
-        arrays.cell.push_back(group.cell);
-        arrays.cell_start.push_back(arrays.cell_start.back() + group.n_points);
-      }
+    const unsigned int n    = particles.n_locally_owned_particles();
+    arrays.n_history        = point_layout.n_history;
+    arrays.cell             = order_by_cell();
+    arrays.cell_start       = cell_start;
     arrays.n_occupied_cells = arrays.cell.size();
     arrays.deformed_cell.clear();
     arrays.stencil_start.clear();
     arrays.corner_cells.clear();
+    arrays.volume.clear();
+    arrays.mass.clear();
+    arrays.pressure.clear();
+    arrays.F.clear();
     arrays.shape.resize(n);
-    arrays.volume.resize(n);
-    arrays.mass.resize(n);
     arrays.weight.resize(n);
-    arrays.pressure.resize(n);
-    arrays.F.resize(n);
     arrays.radius.resize(point_layout.axisymmetric ? n : 0);
     arrays.material.resize(n);
     arrays.history.resize(n * std::size_t(point_layout.n_history));
@@ -288,17 +300,15 @@ namespace isochor
     arrays.seeded_volume.resize(point_layout.with_ancestry ? n : 0);
 
     const PointLayout &l = point_layout;
-    for_each_in_arrays([&](const unsigned int q,
-                           const unsigned int cell,
-                           const Point<dim>  &location,
-                           const double      *properties) {
-      arrays.shape[q]    = grid.geometry().barycentric(cell, location);
-      arrays.volume[q]   = properties[l.volume];
-      arrays.mass[q]     = properties[l.mass];
-      arrays.weight[q]   = properties[l.volume];
+    for_each([&](const unsigned int k,
+                 const unsigned int q,
+                 const Point<dim>  &location,
+                 ArrayView<double>  properties) {
+      arrays.shape[q]  = grid.geometry().barycentric(arrays.cell[k], location);
+      arrays.weight[q] = properties[l.volume];
       arrays.material[q] = static_cast<unsigned char>(properties[l.material]);
       if (l.with_ancestry)
-        arrays.seeded_volume[q] = seeded_volume<dim>(properties, l);
+        arrays.seeded_volume[q] = seeded_volume<dim>(properties.data(), l);
       if (!l.with_domains)
         return;
       for (unsigned int d = 0; d < dim; ++d)
@@ -320,18 +330,22 @@ namespace isochor
   void
   MaterialPoints<dim>::update(PointArrays<dim> &arrays)
   {
-    if (groups.empty()) // a resumed run
-      group_by_cell();
+    if (!slots) // a resumed run
+      order_by_cell();
     const PointLayout &l = point_layout;
-    for_each_in_arrays([&](const unsigned int q,
-                           const unsigned int /*cell*/,
-                           const Point<dim> &location,
-                           const double     *properties) {
+    arrays.volume.attach(slots, l.volume);
+    arrays.mass.attach(slots, l.mass);
+    arrays.pressure.attach(slots, l.pressure);
+    arrays.F.attach(slots, l.F);
+    if (!l.axisymmetric && l.n_history == 0 && !l.dynamic)
+      return;
+    for_each([&](const unsigned int /*k*/,
+                 const unsigned int q,
+                 const Point<dim>  &location,
+                 ArrayView<double>  properties) {
       if (l.axisymmetric)
         arrays.radius[q] = location[0];
-      arrays.pressure[q] = properties[l.pressure];
-      arrays.F[q]        = deformation_gradient<dim>(properties, l);
-      std::copy_n(properties + l.history,
+      std::copy_n(properties.data() + l.history,
                   l.n_history,
                   arrays.history.data() + q * std::size_t(l.n_history));
       if (l.dynamic)
@@ -349,7 +363,7 @@ namespace isochor
   types::particle_index
   MaterialPoints<dim>::relocate(const PointLocator<dim> &locator)
   {
-    groups.clear();
+    forget_order();
     const RelocationReport<dim> report = isochor::relocate(particles, locator);
     if (report.n_lost == 0)
       return report.n_moved;
@@ -408,7 +422,7 @@ namespace isochor
     const std::function<std::unique_ptr<Triangulation<dim>>()> &change,
     const bool                                                  keep_points)
   {
-    groups.clear();
+    forget_order();
     const unsigned int n_properties = particles.n_properties_per_particle();
     PointRecords<dim>  records(n_properties);
     if (keep_points)

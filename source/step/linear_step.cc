@@ -8,9 +8,9 @@
 namespace isochor
 {
   template <int dim>
-  LinearStep<dim>::LinearStep(const MixedSystem<dim> &system,
-                              TimerOutput            &timer,
-                              Warnings               &warnings)
+  LinearStep<dim>::LinearStep(MixedSystem<dim> &system,
+                              TimerOutput      &timer,
+                              Warnings         &warnings)
     : system(system)
     , timer(timer)
     , linear_solver(warnings)
@@ -68,7 +68,7 @@ namespace isochor
       {
         TimerOutput::Scope scope(timer, "factorisation");
         factorised_pattern = 0; // none, should this throw
-        factorisation      = linear_solver.factorise(system.matrix());
+        factorisation      = linear_solver.factorise_and_free(system.matrix());
         factorised_pattern = system.matrix().pattern_id;
       }
     LinearSolverReport report;

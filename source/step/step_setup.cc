@@ -270,6 +270,11 @@ namespace isochor
     touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched_vertices);
+    std::sort(touched_vertices.begin(), touched_vertices.end());
+    touched_vertices.erase(std::unique(touched_vertices.begin(),
+                                       touched_vertices.end()),
+                           touched_vertices.end());
+    touched_vertices.shrink_to_fit(); // each cell has named all of its own
     if (extends)
       {
         std::vector<unsigned int> never;

@@ -136,8 +136,8 @@ namespace isochor
                                     history.data());
           if (!points.radius.empty())
             points.radius[q] += nodal.increment_at(stencil)[0];
-          points.F[q]        = state.F;
-          points.pressure[q] = state.pressure;
+          points.F.set(q, state.F);
+          points.pressure.set(q, state.pressure);
           std::copy(history.begin(),
                     history.end(),
                     points.history.begin() +

@@ -210,8 +210,15 @@ namespace isochor
       return equations[entry];
     }
 
+    /** Its values are those of the last assembly, empty once a linear solver
+     * has freed them. */
     const SparseSystem &
     matrix() const
+    {
+      return system;
+    }
+    SparseSystem &
+    matrix()
     {
       return system;
     }

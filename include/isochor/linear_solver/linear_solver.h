@@ -90,6 +90,23 @@ namespace isochor
     factorise(const SparseSystem &A) = 0;
 
     /**
+     * The same, of a matrix that nobody else needs any more: a solver with a
+     * copy of its own may free the values of @p A, which are empty then, if
+     * restore_values() gives them back.
+     */
+    virtual LinearSolverReport
+    factorise_and_free(SparseSystem &A)
+    {
+      return factorise(A);
+    }
+
+    /** Give @p A, which has been handed over last, the values that it had, to
+     * the last digit. */
+    virtual void
+    restore_values(SparseSystem & /*A*/) const
+    {}
+
+    /**
      * Solve A x = b with the last factorised A. Both vectors are distributed
      * as A.locally_owned. May be called repeatedly.
      */

@@ -47,6 +47,9 @@ namespace isochor
     factorise(const SparseSystem &A) override;
 
     LinearSolverReport
+    factorise_and_free(SparseSystem &A) override;
+
+    LinearSolverReport
     solve(const TrilinosWrappers::MPI::Vector &b,
           TrilinosWrappers::MPI::Vector       &x) override;
 
@@ -55,9 +58,10 @@ namespace isochor
     LinearSolver &
     choose(const SparseSystem &A) const;
 
-    /** Factorise @p A directly since @p failure befell the iterative solver. */
+    /** Factorise the matrix directly since @p failure befell the iterative
+     * solver. */
     LinearSolverReport
-    fall_back(const SparseSystem &A, const std::string &failure);
+    fall_back(const std::string &failure);
 
     Warnings &warnings;
 
@@ -70,6 +74,8 @@ namespace isochor
 
     LinearSolver       *in_use = nullptr;
     const SparseSystem *matrix = nullptr;
+    /** The same if its values may be freed, else null. */
+    SparseSystem *freed_matrix = nullptr;
     /** The pattern that the iterative solver has failed with, 0: none. Nothing
      * else is remembered: a resumed run would not know. */
     unsigned long failed_pattern = 0;

@@ -33,6 +33,10 @@ namespace isochor
     void
     copy_values(const SparseSystem &A);
 
+    /** The reverse: give @p A the values that were copied last. */
+    void
+    restore_values(SparseSystem &A) const;
+
     void
     vmult(TrilinosWrappers::MPI::BlockVector       &dst,
           const TrilinosWrappers::MPI::BlockVector &src) const;

@@ -102,6 +102,10 @@ namespace isochor
     void
     copy_values(const SparseSystem &A);
 
+    /** The reverse of copy_values(); values of other blocks stay. */
+    void
+    restore_values(SparseSystem &A) const;
+
     const Epetra_CrsMatrix &
     matrix() const;
 

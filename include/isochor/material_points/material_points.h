@@ -142,11 +142,12 @@ namespace isochor
       const std::function<std::unique_ptr<Triangulation<dim>>()> &change,
       const bool keep_points = true);
 
-    /** Copy the points into @p arrays, ordered by cell. */
+    /** Bring the points into @p arrays, ordered by cell. Some of their fields
+     * are not copied, see PointField. */
     void
     gather(PointArrays<dim> &arrays);
 
-    /** Copy what a step changes (F, pressure, history, velocity, acceleration)
+    /** Bring what a step changes (F, pressure, history, velocity, acceleration)
      * into @p arrays, which gather() has filled since the points were last
      * located. */
     void
@@ -161,17 +162,15 @@ namespace isochor
     void
     for_each(const Function &update)
     {
-      unsigned int q = 0;
-      for (unsigned int k = 0; k < groups.size(); ++k)
-        {
-          auto particle = groups[k].first;
-          for (unsigned int i = 0; i < groups[k].n_points; ++i, ++particle, ++q)
-            {
-              Point<dim> location = particle->get_location();
-              update(k, q, location, particle->get_properties());
-              particle->set_location(location);
-            }
-        }
+      auto &pool = particles.get_property_pool();
+      for (unsigned int k = 0; k + 1 < cell_start.size(); ++k)
+        for (unsigned int q = cell_start[k]; q < cell_start[k + 1]; ++q)
+          {
+            const auto handle   = slots->slot[q];
+            Point<dim> location = pool.get_location(handle);
+            update(k, q, location, pool.get_properties(handle));
+            pool.set_location(handle, location);
+          }
     }
 
     /** Bring every point to the cell and rank where it now lies.
@@ -188,22 +187,13 @@ namespace isochor
     layout() const;
 
   private:
-    /** The consecutive points of a cell in the handler. */
-    struct Group
-    {
-      unsigned int                     cell;
-      Particles::ParticleIterator<dim> first;
-      unsigned int                     n_points;
-    };
-
-    /** Find the groups. */
+    /** Order the points by cell: find slots and cell_start. Returns the
+     * occupied cells, ascending. */
+    std::vector<unsigned int>
+    order_by_cell();
+    /** Forget the order: points have been located anew. */
     void
-    group_by_cell();
-    /** Call @p copy(q, cell, location, properties) for all points in the order
-     * of the arrays. */
-    template <typename Function>
-    void
-    for_each_in_arrays(const Function &copy) const;
+    forget_order();
 
     void
     insert(const std::vector<Seed<dim>>                           &seeds,
@@ -216,7 +206,10 @@ namespace isochor
     bool                            keeps_ancestry = false;
     PointLayout                     point_layout;
     Particles::ParticleHandler<dim> particles;
-    std::vector<Group>              groups;
+    /** As PointArrays has them; null and empty if points have been located
+     * since. */
+    std::shared_ptr<const PointSlots> slots;
+    std::vector<unsigned int>         cell_start;
   };
 } // namespace isochor
 

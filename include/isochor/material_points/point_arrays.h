@@ -10,6 +10,7 @@
 
 #include <isochor/base/thickness.h>
 #include <isochor/grid/simplex_geometry.h>
+#include <isochor/material_points/point_field.h>
 #include <isochor/material_points/seeding.h>
 
 #include <algorithm>
@@ -69,11 +70,11 @@ namespace isochor
     unsigned int n_occupied_cells = 0;    ///< cells with material points
 
     std::vector<std::array<double, dim + 1>> shape;  ///< N_I at the point
-    std::vector<double>                      volume; ///< V_0
-    std::vector<double>                      mass;
+    PointField<double>                       volume; ///< V_0
+    PointField<double>                       mass;
     std::vector<double>                      weight; ///< volume of integration
-    std::vector<double>                      pressure;
-    std::vector<Tensor<2, dim>>              F;
+    PointField<double>                       pressure;
+    PointField<Tensor<2, dim>>               F;
     std::vector<unsigned char>               material; ///< its index
     /** In axisymmetry, the distance from the axis (m) at the start of the step;
      * else empty. */
@@ -323,7 +324,7 @@ namespace isochor
     unsigned int
     n_points() const
     {
-      return volume.size();
+      return weight.size();
     }
 
     template <class Archive>

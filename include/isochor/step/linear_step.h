@@ -21,9 +21,9 @@ namespace isochor
   {
   public:
     /** All arguments are kept by reference. */
-    LinearStep(const MixedSystem<dim> &system,
-               TimerOutput            &timer,
-               Warnings               &warnings);
+    LinearStep(MixedSystem<dim> &system,
+               TimerOutput      &timer,
+               Warnings         &warnings);
 
     static void
     declare_parameters(ParameterHandler &prm);
@@ -42,7 +42,8 @@ namespace isochor
     }
 
     /**
-     * Find the correction of @p unknowns: with the matrix last assembled or, if
+     * Find the correction of @p unknowns: with the matrix last assembled, whose
+     * values may be freed, or, if
      * not @p factorise, with the one factorised before, as accurately as asked
      * where the solver is_iterative(). Where @p constraints
      * prescribe an unknown its correction is what is @p pending. Returns the
@@ -79,8 +80,8 @@ namespace isochor
                    Statistics        &statistics) const;
 
   private:
-    const MixedSystem<dim> &system;
-    TimerOutput            &timer;
+    MixedSystem<dim> &system;
+    TimerOutput      &timer;
 
     LinearSolverChoice linear_solver;
     LinearSolverReport factorisation;

@@ -1,0 +1,132 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_point_field_h
+#define isochor_point_field_h
+
+#include <deal.II/base/exceptions.h>
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  /** Where the properties of the material points of this rank stand in the
+   * memory of deal.II's ParticleHandler: those of point q in block slot[q]. */
+  struct PointSlots
+  {
+    const double             *properties   = nullptr; ///< block 0
+    unsigned int              n_properties = 0;       ///< of a block
+    std::vector<unsigned int> slot;
+  };
+
+  /**
+   * A field of the points, numbers or tensors, that is not copied for a step:
+   * of material points it is read where MaterialPoints keeps it, by what
+   * PointSlots says; massless points, which stand behind them, have values of
+   * their own. So it changes as soon as GridToPoints writes what a step has
+   * found, and can be read from MaterialPoints::gather() or update() until the
+   * points are located anew. As long as it isn't attached, all values are its
+   * own.
+   */
+  template <typename T>
+  class PointField
+  {
+  public:
+    T
+    operator[](const unsigned int q) const
+    {
+      return q < n_attached ? read(q) : own[q - n_attached];
+    }
+
+    /** Read the points of @p slots there, from entry @p first_entry of their
+     * properties on; values of its own come behind them. */
+    void
+    attach(std::shared_ptr<const PointSlots> slots_,
+           const unsigned int                first_entry)
+    {
+      slots      = std::move(slots_);
+      entry      = first_entry;
+      n_attached = slots->slot.size();
+    }
+
+    /** Be attached to nothing, without values. */
+    void
+    clear()
+    {
+      slots.reset();
+      n_attached = 0;
+      own.clear();
+    }
+
+    void
+    push_back(const T &value)
+    {
+      own.push_back(value);
+    }
+
+    /** Of a massless point. */
+    void
+    set(const unsigned int q, const T &value)
+    {
+      AssertIndexRange(q - n_attached, own.size());
+      own[q - n_attached] = value;
+    }
+
+    std::size_t
+    size() const
+    {
+      return n_attached + own.size();
+    }
+
+    /** A copy of all. */
+    std::vector<T>
+    values() const
+    {
+      std::vector<T> copy;
+      copy.reserve(size());
+      for (unsigned int q = 0; q < size(); ++q)
+        copy.push_back((*this)[q]);
+      return copy;
+    }
+
+    /** Its own values; after loading it has to be attached again. */
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &own;
+    }
+
+  private:
+    T
+    read(const unsigned int q) const
+    {
+      const double *const values =
+        slots->properties +
+        slots->slot[q] * static_cast<std::size_t>(slots->n_properties) + entry;
+      if constexpr (std::is_same_v<T, double>)
+        return *values;
+      else
+        {
+          T tensor;
+          for (unsigned int i = 0; i < T::dimension; ++i)
+            for (unsigned int j = 0; j < T::dimension; ++j)
+              tensor[i][j] = values[i * T::dimension + j];
+          return tensor;
+        }
+    }
+
+    std::shared_ptr<const PointSlots> slots;
+    unsigned int                      entry = 0, n_attached = 0;
+    std::vector<T>                    own;
+  };
+} // namespace isochor
+
+#endif
