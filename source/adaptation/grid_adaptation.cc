@@ -82,8 +82,9 @@ namespace isochor
     prm.declare_entry("Resets between changes",
                       "1",
                       Patterns::Integer(0),
-                      "The grid may change at every so many resets of it. 0: "
-                      "it stays as it is at t = 0.");
+                      "The grid may change at every so many resets of it, and "
+                      "points are split and merged. 0: the grid stays as it "
+                      "is at t = 0, the points may change at each reset.");
     prm.declare_entry("Repetitions of first step",
                       "0",
                       Patterns::Integer(0),

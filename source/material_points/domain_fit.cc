@@ -110,8 +110,8 @@ namespace isochor
             "the faces of cells alike ("
          << (dim == 2 ? "1 and 3; 4, 6 and 12; 9 and 27; 16, 24 and 48" :
                         "1 and 4; 8 and 32; 27 and 108")
-         << "), the same everywhere, or a <Quadrature/Type> without domains "
-            "(points, cell-filled).";
+         << "), the same everywhere, or a <Quadrature/Type> that "
+            "does not integrate over domains (points, cell-filled).";
     warnings.add("domains that don't fit together", text.str());
   }
 

@@ -233,8 +233,7 @@ namespace isochor
     MaterialPoints<dim>                         &points,
     const BackgroundGrid<dim>                   &grid,
     const PointLocator<dim>                     &locator,
-    const typename PointMerging<dim>::Materials &materials,
-    const bool                                   may_merge)
+    const typename PointMerging<dim>::Materials &materials)
   {
     const double share =
       grid.is_adaptive() ? share_on_adaptive_grids : largest_share;
@@ -243,7 +242,7 @@ namespace isochor
     const bool with_domains = points.layout().with_domains;
     // first, since splitting has the last word on how many are needed
     constexpr double hysteresis = 0.8;
-    if (grid.is_adaptive() && may_merge &&
+    if (grid.is_adaptive() &&
         (merging == "always" || (merging == "with domains" && with_domains)))
       n_removed += PointMerging<dim>(points,
                                      grid,

@@ -241,23 +241,24 @@ namespace isochor
         scene.points.handler().n_global_particles(),
         time,
         scene.warnings);
-    const bool may_change =
-      scene.grid.is_adaptive() && scene.adaptation.is_due();
-    if (may_change)
+    const bool is_due = scene.grid.is_adaptive() && scene.adaptation.is_due();
+    if (is_due)
       {
         TimerOutput::Scope scope(timer, "grid adaptation");
         if (scene.adaptation.adapt(
               scene.grid, scene.points, *locator, time, last_motion))
           grid_changed();
       }
-    {
-      TimerOutput::Scope scope(timer, "splitting and merging of points");
-      refinement.refine(scene.points,
-                        scene.grid,
-                        *locator,
-                        scene.kernel.materials,
-                        may_change || !scene.adaptation.has_more_changes());
-    }
+    // points follow as often as the grid, or always if it stays
+    if (is_due || !scene.grid.is_adaptive() ||
+        !scene.adaptation.has_more_changes())
+      {
+        TimerOutput::Scope scope(timer, "splitting and merging of points");
+        refinement.refine(scene.points,
+                          scene.grid,
+                          *locator,
+                          scene.kernel.materials);
+      }
     scene.points.gather(arrays);
     occupancy.allow_large_holes(scene.time.step > 0 &&
                                 !cavity_watch.body_has_small_ones());

@@ -64,15 +64,14 @@ namespace isochor
       return largest_share > 0;
     }
 
-    /** Split what is too large, if asked for; on adaptive grids, if @p
-     * may_merge, merge what was split and is small, see PointMerging.
-     * Invalidates what was gathered from the points. Collective. */
+    /** Split what is too large, if asked for; on adaptive grids, merge what was
+     * split and is small, see PointMerging. Invalidates what was gathered from
+     * the points. Collective. */
     void
     refine(MaterialPoints<dim>                         &points,
            const BackgroundGrid<dim>                   &grid,
            const PointLocator<dim>                     &locator,
-           const typename PointMerging<dim>::Materials &materials,
-           const bool                                   may_merge);
+           const typename PointMerging<dim>::Materials &materials);
 
     /** How many points came and went by it since this was called last. */
     void
