@@ -83,8 +83,8 @@ namespace isochor
                       "1",
                       Patterns::Integer(0),
                       "The grid may change at every so many resets of it, and "
-                      "points are split and merged. 0: the grid stays as it "
-                      "is at t = 0, the points may change at each reset.");
+                      "points be merged. 0: the grid stays as it is at t = 0, "
+                      "and points may be merged at each reset.");
     prm.declare_entry("Repetitions of first step",
                       "0",
                       Patterns::Integer(0),

@@ -233,7 +233,8 @@ namespace isochor
     MaterialPoints<dim>                         &points,
     const BackgroundGrid<dim>                   &grid,
     const PointLocator<dim>                     &locator,
-    const typename PointMerging<dim>::Materials &materials)
+    const typename PointMerging<dim>::Materials &materials,
+    const bool                                   merges)
   {
     const double share =
       grid.is_adaptive() ? share_on_adaptive_grids : largest_share;
@@ -242,7 +243,7 @@ namespace isochor
     const bool with_domains = points.layout().with_domains;
     // first, since splitting has the last word on how many are needed
     constexpr double hysteresis = 0.8;
-    if (grid.is_adaptive() &&
+    if (grid.is_adaptive() && merges &&
         (merging == "always" || (merging == "with domains" && with_domains)))
       n_removed += PointMerging<dim>(points,
                                      grid,

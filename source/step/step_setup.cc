@@ -249,16 +249,13 @@ namespace isochor
               scene.grid, scene.points, *locator, time, last_motion))
           grid_changed();
       }
-    // points follow as often as the grid, or always if it stays
-    if (is_due || !scene.grid.is_adaptive() ||
-        !scene.adaptation.has_more_changes())
-      {
-        TimerOutput::Scope scope(timer, "splitting and merging of points");
-        refinement.refine(scene.points,
-                          scene.grid,
-                          *locator,
-                          scene.kernel.materials);
-      }
+    {
+      TimerOutput::Scope scope(timer, "splitting and merging of points");
+      // what is split at once disturbs the next step the less, the less it is
+      const bool merges = is_due || !scene.adaptation.has_more_changes();
+      refinement.refine(
+        scene.points, scene.grid, *locator, scene.kernel.materials, merges);
+    }
     scene.points.gather(arrays);
     occupancy.allow_large_holes(scene.time.step > 0 &&
                                 !cavity_watch.body_has_small_ones());

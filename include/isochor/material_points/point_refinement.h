@@ -64,14 +64,15 @@ namespace isochor
       return largest_share > 0;
     }
 
-    /** Split what is too large, if asked for; on adaptive grids, merge what was
-     * split and is small, see PointMerging. Invalidates what was gathered from
-     * the points. Collective. */
+    /** Split what is too large, if asked for; on adaptive grids, if it
+     * @p merges, merge what was split and is small, see PointMerging.
+     * Invalidates what was gathered from the points. Collective. */
     void
     refine(MaterialPoints<dim>                         &points,
            const BackgroundGrid<dim>                   &grid,
            const PointLocator<dim>                     &locator,
-           const typename PointMerging<dim>::Materials &materials);
+           const typename PointMerging<dim>::Materials &materials,
+           const bool                                   merges);
 
     /** How many points came and went by it since this was called last. */
     void
