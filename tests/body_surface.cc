@@ -368,15 +368,16 @@ test_mixed_cells()
 void
 test_loaded_area()
 {
-  std::ostringstream    printed;
-  std::streambuf *const original = std::cout.rdbuf(printed.rdbuf());
-  test::run_scene<2>(
+  const std::string block =
     "Output/Terminal = progress\nGrid/Upper corner = 1.2, 0.2\n"
     "Grid/Subdivisions = 96, 16\nMaterial points/Region = x < 1\n"
     "Boundary conditions/Displacement = left: x=0, y=0\n"
     "Boundary conditions/Surfaces of body = tip: x > 0.99\n"
-    "Boundary conditions/Traction on body = tip: 1000*t, 0\n"
-    "Material/Young modulus = 1e6\nFormulation/Type = u\n");
+    "Material/Young modulus = 1e9\nFormulation/Type = u\n";
+  std::ostringstream    printed;
+  std::streambuf *const original = std::cout.rdbuf(printed.rdbuf());
+  const auto            drawn    = test::run_scene<2>(
+    block + "Boundary conditions/Traction on body = tip: 1000*t, 200\n");
   std::cout.rdbuf(original);
   const bool is_first = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   test::check("the loaded area is told",
@@ -385,6 +386,18 @@ test_loaded_area()
                              "of body>: 0.225 m in [0.9875, 1] x [0, 0.2]\n") !=
                              std::string::npos,
               printed.str());
+  test::check_error("the load of a traction",
+                    std::abs(test::get(*drawn, "Load x on tip (N)") - 225) +
+                      std::abs(test::get(*drawn, "Load y on tip (N)") - 45),
+                    1e-9);
+  // on the sides it has no resultant
+  const auto pressed = test::run_scene<2>(
+    block + "Output/Terminal = quiet\n"
+            "Boundary conditions/Pressure on body = tip: 1000*t\n");
+  test::check_error("the load of a pressure",
+                    std::abs(test::get(*pressed, "Load x on tip (N)") + 200) +
+                      std::abs(test::get(*pressed, "Load y on tip (N)")),
+                    1e-3);
 }
 
 int

@@ -416,24 +416,41 @@ namespace isochor
                                        const NodalConstraints & /*constraints*/,
                                        Statistics &statistics) const
   {
-    for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
+    // <Traction> may load a boundary that <Surfaces of body> has, too
+    const auto set = [&](const std::string &surface,
+                         const std::string &name,
+                         const std::string &how,
+                         const auto        &force_at) {
+      std::vector<bool> has_name;
+      for (const SurfaceCondition<dim> &other : conditions.surfaces)
+        has_name.push_back(other.place.name == surface);
+      std::array<double, dim> force{};
+      for (unsigned int b = 0; b < points->size(); ++b)
+        if (has_name[points->surface(b)])
+          {
+            const Tensor<1, dim> f = force_at(b);
+            for (unsigned int a = 0; a < dim; ++a)
+              force[a] += f[a];
+          }
+      sum_over_ranks(force, step.grid.communicator());
+      for (unsigned int a = 0; a < dim; ++a)
+        statistics.set(name + ' ' + "xyz"[a] + " on " + surface + how + " (N)",
+                       force[a]);
+    };
+    for (const SurfaceCondition<dim> &surface : conditions.surfaces)
       {
-        if (!conditions.surfaces[s].is_fixed())
-          continue;
-        std::array<double, dim> force{};
-        for (unsigned int b = 0; b < points->size(); ++b)
-          if (points->surface(b) == s)
-            {
-              const Tensor<1, dim> f = forces->penalty_force(step, unknowns, b);
-              for (unsigned int a = 0; a < dim; ++a)
-                force[a] += f[a];
-            }
-        sum_over_ranks(force, step.grid.communicator());
-        for (unsigned int a = 0; a < dim; ++a)
-          statistics.set(std::string("Reaction ") + "xyz"[a] + " on " +
-                           conditions.surfaces[s].place.name +
-                           " by boundary points (N)",
-                         force[a]);
+        const std::string &name = surface.place.name;
+        if (surface.is_fixed())
+          set(name,
+              "Reaction",
+              " by boundary points",
+              [&](const unsigned int b) {
+                return forces->penalty_force(step, unknowns, b);
+              });
+        if (!surface.traction.empty() || !surface.pressure.empty())
+          set(name, "Load", "", [&](const unsigned int b) {
+            return forces->load(step, unknowns, b);
+          });
       }
   }
 

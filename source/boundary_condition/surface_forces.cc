@@ -274,26 +274,60 @@ namespace isochor
 
 
   template <int dim>
+  Tensor<1, dim>
+  SurfaceForces<dim>::dead_load(const StepContext<dim> &step,
+                                const unsigned int      b) const
+  {
+    const auto    &traction = condition_at(b).traction;
+    Tensor<1, dim> force;
+    if (traction.empty())
+      return force;
+    const double     A = area(step, b);
+    const Point<dim> X = points.reference_location(b);
+    for (unsigned int a = 0; a < dim; ++a)
+      force[a] = A * traction[a](X, step.time);
+    return force;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  SurfaceForces<dim>::load(const StepContext<dim> &step,
+                           const NodalField       &unknowns,
+                           const unsigned int      b) const
+  {
+    Tensor<1, dim> force = dead_load(step, b);
+    if (condition_at(b).pressure.empty())
+      return force;
+    const unsigned int n_nodes = points.stencil(b).n_nodes;
+    PointElement       element;
+    element.reinit(n_nodes * step.n_components, false);
+    add_pressure(step, unknowns, b, false, element);
+    for (unsigned int I = 0; I < n_nodes; ++I)
+      for (unsigned int a = 0; a < dim; ++a)
+        force[a] -= element.residual[I * step.n_components + a];
+    return force;
+  }
+
+
+
+  template <int dim>
   void
   SurfaceForces<dim>::add_dead_loads(const StepContext<dim> &step,
                                      NodalField             &force) const
   {
     for (unsigned int b = 0; b < points.size(); ++b)
       {
-        const auto &traction = condition_at(b).traction;
-        if (traction.empty())
+        if (condition_at(b).traction.empty())
           continue;
-        const double     A     = area(step, b);
-        const Point<dim> X     = points.reference_location(b);
-        const auto       nodes = points.stencil(b);
-        for (unsigned int a = 0; a < dim; ++a)
-          {
-            const double t = traction[a](X, step.time);
-            for (unsigned int I = 0; I < nodes.n_nodes; ++I)
-              force.local_element(
-                step.nodes.node(nodes.vertex[I]) * step.n_components + a) +=
-                nodes.shape[I] * A * t;
-          }
+        const Tensor<1, dim> at_point = dead_load(step, b);
+        const auto           nodes    = points.stencil(b);
+        for (unsigned int I = 0; I < nodes.n_nodes; ++I)
+          for (unsigned int a = 0; a < dim; ++a)
+            force.local_element(
+              step.nodes.node(nodes.vertex[I]) * step.n_components + a) +=
+              nodes.shape[I] * at_point[a];
       }
   }
 

@@ -24,7 +24,9 @@ namespace isochor
                         Patterns::Double(0, 1),
                         "Of Bossak's scheme: the factor per step by which "
                         "oscillations decay that are much faster than the "
-                        "steps. 1: none does (the trapezoidal rule).");
+                        "steps. 1: none does (the trapezoidal rule). From 0.95 "
+                        "on bodies that turn several times may gain energy, "
+                        "above all incompressible ones.");
     }
 
     void

@@ -119,6 +119,13 @@ namespace isochor
                    const bool              with_matrix,
                    PointElement           &element) const;
 
+    /** The force of the loads at point @p b, dead ones and pressures, on the
+     * body (N). */
+    Tensor<1, dim>
+    load(const StepContext<dim> &step,
+         const NodalField       &unknowns,
+         const unsigned int      b) const;
+
     /** Add the dead loads (N) to nodal forces. */
     void
     add_dead_loads(const StepContext<dim> &step, NodalField &force) const;
@@ -134,6 +141,9 @@ namespace isochor
     displacement(const StepContext<dim> &step,
                  const NodalField       &unknowns,
                  const unsigned int      b) const;
+    /** The dead load at a point (N), zero without. */
+    Tensor<1, dim>
+    dead_load(const StepContext<dim> &step, const unsigned int b) const;
     void
     add_penalty(const StepContext<dim> &step,
                 const NodalField       &unknowns,
