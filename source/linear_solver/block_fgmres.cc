@@ -136,7 +136,9 @@ namespace isochor
     factorise_and_free(SparseSystem &A) override
     {
       take_matrix(A);
-      std::vector<double>().swap(A.values);
+      // of several ranks, the blocks hold the sum
+      if (Utilities::MPI::n_mpi_processes(A.comm) == 1)
+        std::vector<double>().swap(A.values);
       build_preconditioner();
       return set_up;
     }
@@ -144,7 +146,8 @@ namespace isochor
     void
     restore_values(SparseSystem &A) const override
     {
-      if (matrix) // else A has no values to be restored
+      // else A has none, or still has them
+      if (matrix && Utilities::MPI::n_mpi_processes(A.comm) == 1)
         matrix->restore_values(A);
     }
 

@@ -5,6 +5,7 @@
 
 #include <isochor/linear_solver/trilinos_export.h>
 
+#include <Epetra_Export.h>
 #include <Epetra_Import.h>
 #include <Epetra_IntVector.h>
 #include <Epetra_MpiComm.h>
@@ -187,15 +188,24 @@ namespace isochor
     : rows(rows)
     , columns(columns)
   {
-    make_local_pattern(A);
+    block = local_pattern(A);
     if (Utilities::MPI::n_mpi_processes(A.comm) > 1)
       {
-        to_owners =
-          std::make_unique<Epetra_Export>(rows.local_map, rows.owned_map);
-        summed = std::make_unique<Epetra_CrsMatrix>(Copy, rows.owned_map, 0);
-        check(summed->Export(*local, *to_owners, ::Add), "Export");
-        check(summed->FillComplete(columns.owned_map, rows.owned_map),
+        const auto local = std::move(block);
+        block = std::make_unique<Epetra_CrsMatrix>(Copy, rows.owned_map, 0);
+        check(block->Export(*local,
+                            Epetra_Export(rows.local_map, rows.owned_map),
+                            ::Add),
+              "Export");
+        check(block->FillComplete(columns.owned_map, rows.owned_map),
               "FillComplete");
+        check(block->OptimizeStorage(), "OptimizeStorage");
+        exchange = std::make_unique<EntryExchange>(*local, *block, A.comm);
+        int    *offsets, *indices;
+        double *values;
+        check(local->ExtractCrsDataPointers(offsets, indices, values),
+              "ExtractCrsDataPointers");
+        row_start.assign(offsets, offsets + rows.is_owned.size());
       }
     copy_values(A);
   }
@@ -230,8 +240,8 @@ namespace isochor
             action(row, row, k);
   }
 
-  void
-  TrilinosBlock::make_local_pattern(const SparseSystem &A)
+  std::unique_ptr<Epetra_CrsMatrix>
+  TrilinosBlock::local_pattern(const SparseSystem &A) const
   {
     const std::size_t n_rows = rows.is_owned.size();
     std::vector<int>  length(n_rows, 0), start(n_rows + 1, 0);
@@ -245,7 +255,7 @@ namespace isochor
       column[next[r]++] = c;
     });
 
-    local = std::make_unique<Epetra_CrsMatrix>(
+    auto local = std::make_unique<Epetra_CrsMatrix>(
       Copy, rows.local_map, columns.local_map, length.data(), true);
     const std::vector<double> zeros(
       length.empty() ? 0 : *std::max_element(length.begin(), length.end()), 0.);
@@ -257,33 +267,39 @@ namespace isochor
     check(local->FillComplete(columns.owned_map, rows.owned_map),
           "FillComplete");
     check(local->OptimizeStorage(), "OptimizeStorage");
+    return local;
   }
 
   void
   TrilinosBlock::copy_values(const SparseSystem &A)
   {
+    if (exchange)
+      {
+        std::vector<int> next(row_start);
+        exchange->start();
+        for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t k) {
+          exchange->add(next[r]++, A.values[k]);
+        });
+        exchange->finish();
+        return;
+      }
     int    *offsets, *indices;
     double *values;
-    check(local->ExtractCrsDataPointers(offsets, indices, values),
+    check(block->ExtractCrsDataPointers(offsets, indices, values),
           "ExtractCrsDataPointers");
     std::vector<int> next(offsets, offsets + rows.is_owned.size());
     for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t k) {
       values[next[r]++] = A.values[k];
     });
-
-    if (summed)
-      {
-        check(summed->PutScalar(0.), "PutScalar");
-        check(summed->Export(*local, *to_owners, ::Add), "Export");
-      }
   }
 
   void
   TrilinosBlock::restore_values(SparseSystem &A) const
   {
+    AssertThrow(!exchange, ExcInternalError());
     int    *offsets, *indices;
     double *values;
-    check(local->ExtractCrsDataPointers(offsets, indices, values),
+    check(block->ExtractCrsDataPointers(offsets, indices, values),
           "ExtractCrsDataPointers");
     std::vector<int> next(offsets, offsets + rows.is_owned.size());
     for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t k) {
@@ -294,13 +310,13 @@ namespace isochor
   const Epetra_CrsMatrix &
   TrilinosBlock::matrix() const
   {
-    return summed ? *summed : *local;
+    return *block;
   }
 
   Epetra_CrsMatrix &
   TrilinosBlock::matrix()
   {
-    return summed ? *summed : *local;
+    return *block;
   }
 
   void

@@ -33,7 +33,8 @@ namespace isochor
     void
     copy_values(const SparseSystem &A);
 
-    /** The reverse: give @p A the values that were copied last. */
+    /** The reverse: give @p A the values that were copied last. Only without
+     * other ranks. */
     void
     restore_values(SparseSystem &A) const;
 

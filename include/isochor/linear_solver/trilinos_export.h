@@ -8,10 +8,10 @@
 
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <isochor/linear_solver/entry_exchange.h>
 #include <isochor/linear_solver/sparse_system.h>
 
 #include <Epetra_CrsMatrix.h>
-#include <Epetra_Export.h>
 #include <Epetra_Map.h>
 
 #include <memory>
@@ -102,7 +102,8 @@ namespace isochor
     void
     copy_values(const SparseSystem &A);
 
-    /** The reverse of copy_values(); values of other blocks stay. */
+    /** The reverse of copy_values(); values of other blocks stay. Only without
+     * other ranks, whose contributions can't be told apart. */
     void
     restore_values(SparseSystem &A) const;
 
@@ -124,8 +125,9 @@ namespace isochor
            const TrilinosWrappers::MPI::Vector &src) const;
 
   private:
-    void
-    make_local_pattern(const SparseSystem &A);
+    /** This rank's contribution, without values. */
+    std::unique_ptr<Epetra_CrsMatrix>
+    local_pattern(const SparseSystem &A) const;
 
     /** Call @p action (row, column, index of the value in @p A) for all entries
      * of the block. As the system's rows ascend, a row gets its mirrored
@@ -137,9 +139,12 @@ namespace isochor
 
     const EquationSubset &rows, &columns;
 
-    /** This rank's contributions, and, if there are several ranks, the sum. */
-    std::unique_ptr<Epetra_CrsMatrix> local, summed;
-    std::unique_ptr<Epetra_Export>    to_owners;
+    /** The sum over ranks. */
+    std::unique_ptr<Epetra_CrsMatrix> block;
+    /** If there are several: where this rank's contributions begin by row, and
+     * where they go. */
+    std::vector<int>               row_start;
+    std::unique_ptr<EntryExchange> exchange;
   };
 } // namespace isochor
 
