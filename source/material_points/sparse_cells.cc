@@ -13,6 +13,11 @@ namespace isochor
 {
   namespace
   {
+    /** How many faces away domains are looked for: more cells meet at a vertex
+     * in space. */
+    template <int dim>
+    constexpr unsigned int n_rings = (dim == 2 ? 3 : 5);
+
     template <int dim>
     Point<dim>
     centre_of(const SimplexGeometry<dim> &geometry, const unsigned int cell)
@@ -68,13 +73,11 @@ namespace isochor
     const unsigned int                             cell,
     const std::function<bool(const unsigned int)> &visit)
   {
-    // more cells meet at a vertex in space
-    constexpr unsigned int n_rings = (dim == 2 ? 3 : 5);
     ++n_visits;
     visited[cell] = n_visits;
     queue.assign(1, cell);
     std::size_t begin = 0;
-    for (unsigned int ring = 0; ring <= n_rings; ++ring)
+    for (unsigned int ring = 0; ring <= n_rings<dim>; ++ring)
       {
         const std::size_t end = queue.size();
         for (; begin < end; ++begin)
@@ -82,7 +85,8 @@ namespace isochor
             if (visit(queue[begin]))
               return;
             for (const unsigned int next : geometry.neighbours(queue[begin]))
-              if (ring < n_rings && next != SimplexGeometry<dim>::no_cell &&
+              if (ring < n_rings<dim> &&
+                  next != SimplexGeometry<dim>::no_cell &&
                   visited[next] != n_visits)
                 {
                   visited[next] = n_visits;
@@ -108,15 +112,25 @@ namespace isochor
     for (unsigned int i = 0; i < domains.size(); ++i)
       domains_by_cell[next[domains[i].cell]++] = i;
 
-    std::vector<unsigned char> is_near(geometry.n_cells(), 0);
+    // ring by ring around all of them
+    ++n_visits;
     cells_nearby.clear();
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       if (n_points[cell] > 0)
-        visit_cells_around(cell, [&](const unsigned int near) {
-          if (!std::exchange(is_near[near], 1))
-            cells_nearby.push_back(near);
-          return false;
-        });
+        {
+          visited[cell] = n_visits;
+          cells_nearby.push_back(cell);
+        }
+    std::size_t begin = 0;
+    for (unsigned int ring = 0; ring < n_rings<dim>; ++ring)
+      for (const std::size_t end = cells_nearby.size(); begin < end; ++begin)
+        for (const unsigned int next : geometry.neighbours(cells_nearby[begin]))
+          if (next != SimplexGeometry<dim>::no_cell &&
+              visited[next] != n_visits)
+            {
+              visited[next] = n_visits;
+              cells_nearby.push_back(next);
+            }
     if (Utilities::MPI::n_mpi_processes(comm) > 1)
       Utilities::MPI::sum(n_points, comm, n_points);
   }
