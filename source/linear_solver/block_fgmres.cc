@@ -249,6 +249,7 @@ namespace isochor
       GrowingVectorMemory<DistributedBlockVector>::release_unused_memory();
       give_back_memory();
       multigrid.initialize(K, parameters);
+      give_back_memory(); // a quarter of what is in use
       hierarchy_serves = hierarchy_is_new = true;
     }
 
