@@ -11,6 +11,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <isochor/linear_solver/linear_solver.h>
+#include <isochor/linear_solver/packed_columns.h>
 
 #include <iostream>
 #include <limits>
@@ -142,6 +143,38 @@ namespace
     return ElasticitySystem<2>(MPI_COMM_WORLD, options).A;
   }
 
+  /** A solver may free the values, and must give back the same. */
+  void
+  check_handing_over(const std::string  &what,
+                     LinearSolver       &solver,
+                     const SparseSystem &A)
+  {
+    SparseSystem mine = A;
+    solver.factorise_and_free(mine);
+    check_solve(what, solver, A);
+    if (mine.values.empty())
+      solver.restore_values(mine);
+    report("gives all back",
+           mine.values == A.values && mine.column == A.column,
+           "other numbers");
+  }
+
+  /** The rows of a node have the same columns. */
+  void
+  check_packed_columns(const SparseSystem &A)
+  {
+    SparseSystem mine = A;
+    std::size_t  size;
+    {
+      const PackedColumns packed(mine);
+      size = packed.size();
+    }
+    report("packed columns",
+           mine.column == A.column &&
+             (A.column.empty() || 2 * size < A.column.size()),
+           std::to_string(size) + " of " + std::to_string(A.column.size()));
+  }
+
   void
   check_right_systems(LinearSolver &solver)
   {
@@ -201,6 +234,8 @@ namespace
       ElasticitySystem<3>(MPI_COMM_WORLD, options).A;
     solver.factorise(three_dimensional);
     check_solve("3D", solver, three_dimensional);
+    check_handing_over("handed over", solver, three_dimensional);
+    check_handing_over("handed over, unsymmetric", solver, unsymmetric);
   }
 
   void
@@ -262,6 +297,7 @@ namespace
     ElasticitySystemOptions options;
     options.poisson_ratio = 0.5;
     const SparseSystem A  = make(options);
+    check_packed_columns(A);
     const unsigned int n_pressures =
       (options.n_cells_per_edge + 1) * (options.n_cells_per_edge + 1);
     for (const std::string ordering :

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Time and memory of the linear solvers over the number of equations.
 
-    solvers.py                  # a million equations in 3D need 7 GB
+    solvers.py                  # a million equations in 3D need 5 GB
     solvers.py --quick          # up to 60 000, a minute
     solvers.py --publish        # also doc/benchmarks/results and doc/solvers.md
 
