@@ -8,6 +8,7 @@
 #include <Epetra_Map.h>
 
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace isochor
@@ -51,19 +52,23 @@ namespace isochor
     n_values = sum.NumMyNonzeros();
     target.resize(local.NumMyNonzeros());
 
+    // (RemoteIDList() of Epetra writes numbers that are no ranks where a rank
+    // has no rows.)
+    std::vector<int> end = Utilities::MPI::all_gather(comm, sum.NumMyRows());
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    const auto owner = [&](const int row) {
+      const auto found = std::upper_bound(end.begin(), end.end(), row);
+      AssertThrow(found != end.end(), ExcInternalError());
+      return static_cast<unsigned int>(found - end.begin());
+    };
     const int        n_rows = local.NumMyRows();
-    std::vector<int> owner(n_rows), unused(n_rows);
-    sum.RowMap().RemoteIDList(n_rows,
-                              local.RowMap().MyGlobalElements(),
-                              owner.data(),
-                              unused.data());
     std::vector<int> column_here(local.NumMyCols());
     for (unsigned int c = 0; c < column_here.size(); ++c)
       column_here[c] = sum.ColMap().LID(local.ColMap().GID(c));
 
     // entries of other ranks' rows: which, and the global numbers of their rows
     // and columns
-    std::map<int, std::vector<unsigned int>>                 entries;
+    std::map<unsigned int, std::vector<unsigned int>>        entries;
     std::map<unsigned int, std::vector<std::pair<int, int>>> names;
     for (int r = 0; r < n_rows; ++r)
       {
@@ -74,15 +79,15 @@ namespace isochor
             target[k] = to.find(here, column_here[from.column[k]]);
           else
             {
-              entries[owner[r]].push_back(k);
-              names[owner[r]].emplace_back(row,
-                                           local.ColMap().GID(from.column[k]));
+              entries[owner(row)].push_back(k);
+              names[owner(row)].emplace_back(
+                row, local.ColMap().GID(from.column[k]));
             }
       }
     unsigned int n_to_send = 0;
     for (const auto &of_rank : entries)
       {
-        outgoing.push_back({of_rank.first,
+        outgoing.push_back({static_cast<int>(of_rank.first),
                             n_to_send,
                             {},
                             static_cast<unsigned int>(of_rank.second.size())});

@@ -27,9 +27,9 @@ namespace isochor
   {
   public:
     /** @p local is this rank's contribution, of which only the pattern counts,
-     * @p sum the sum, whose rows have one owner each and whose pattern has
-     * those of all contributions. @p sum has to outlive the object. Both are
-     * filled, storage optimised. Collective. */
+     * @p sum the sum, whose rows are numbered rank by rank and whose pattern
+     * has those of all contributions. @p sum has to outlive the object. Both
+     * are filled, storage optimised. Collective. */
     EntryExchange(const Epetra_CrsMatrix &local,
                   Epetra_CrsMatrix       &sum,
                   const MPI_Comm          comm);
