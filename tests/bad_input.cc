@@ -103,6 +103,12 @@ main(int argc, char **argv)
   const std::string loads = "Boundary conditions", points = "Material points";
 
   test_scene("no mistake", scene(""), 0, {});
+  test_scene("an exception in the middle of a grid of p4est",
+             scene("subsection Grid\nset Type = adaptive\nend\n"
+                   "subsection Adaptive grid\nset Maximum level = 2\n"
+                   "set Cell size = 0.1*(x-2)\nend\n"),
+             1,
+             {"<Adaptive grid/Cell size>", "sizes must be positive"});
   test_scene("the mark of UTF-8", "\xEF\xBB\xBF" + scene(""), 0, {});
 
   test_entry("unknown parameter",

@@ -56,6 +56,26 @@ check(const std::string &quadrature,
               "a cell has " + std::to_string(least));
 }
 
+/** Merging leaves alone what splitting asks for: the numbers of points that
+ * come and go in the last of four steps on a grid that stays. */
+void
+test_rest()
+{
+  const auto problem = test::run_scene<2>(
+    "Grid/Type = adaptive\nGrid/Coarse cells = box\nGrid/Subdivisions = 4, 4\n"
+    "Adaptive grid/Maximum level = 2\n"
+    "Adaptive grid/Cell size = 0.06 + 0.4*y\nMaterial/Poisson ratio = 0.3\n"
+    "Material points/Points per cell = 3\n"
+    "Material points/Least points per cell = 6\n"
+    "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0\n"
+    "Time/Step size = 0.1\nTime/End time = 0.4\n");
+  const Statistics &statistics = problem->last_statistics();
+  test::check("at rest nothing is split and merged again",
+              statistics.get("Points added by splitting") == 0 &&
+                statistics.get("Points removed by merging") == 0,
+              std::to_string(statistics.get("Points added by splitting")));
+}
+
 template <int dim>
 void
 test_dimension(const std::vector<unsigned int> &numbers)
@@ -78,6 +98,7 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_dimension<2>({1, 3, 4, 6, 12});
   test_dimension<3>({1, 4});
+  test_rest();
   // points without domains leave cells empty, else the others prove nothing
   const unsigned int least =
     least_points<2>("points", 3, "Material points/Domains = if needed");

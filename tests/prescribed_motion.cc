@@ -177,6 +177,34 @@ namespace isochor
                                  "Z: reaction history")
 } // namespace isochor
 
+/** A block of 1000 kg whose base is moved on a grid that is refined once around
+ * it: the gap that the penalty leaves is that of the cells before. */
+void
+test_refined_base(const std::string &formulation)
+{
+  reactions.clear();
+  column = "Reaction y on base by boundary points (N)";
+  test::run_scene<2>(
+    "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
+    "Grid/Upper corner = 1, 1.5\nGrid/Subdivisions = 4, 6\n"
+    "Adaptive grid/Maximum level = 2\n"
+    "Adaptive grid/Cell size = if(t > 0.19, 0.06, 0.25)\n"
+    "Material points/Region = (x < 0.5) * (y < 1)\nQuadrature/Type = CPDI\n"
+    "Material/Young modulus = 1e9\nMaterial/Poisson ratio = 0.3\n"
+    "Material/Density = 1000\nDynamics/Inertia = true\n"
+    "Boundary conditions/Surfaces of body = base: bottom\n"
+    "Boundary conditions/Displacement of body = base: x=0, y=0.05*t^3\n"
+    "Newton/Tolerance = 1e-12\nTime/Step size = 0.05\nTime/End time = 0.5\n"
+    "Formulation/Type = " +
+    formulation + '\n');
+  double worst = 0;
+  for (const auto &[time, force] : reactions)
+    test::add_error(worst, test::relative(force, 500 * 0.3 * time));
+  test::check_error("a base on a grid that is refined there, " + formulation,
+                    worst,
+                    0.01);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -202,4 +230,6 @@ main(int argc, char **argv)
   test_block<3>("t^3, 3D, u", "100*t^3", jerk, u + domains, 2e-3);
   test_block<3>("t^3, 3D, u-p", "100*t^3", jerk, mixed + domains, 2e-3);
   test_block<2>("1 - cos, 2D, u", "1 - cos(10*t)", waves, u + domains, 2e-3);
+  test_refined_base("u");
+  test_refined_base("u-p");
 }

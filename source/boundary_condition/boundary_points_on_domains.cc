@@ -62,6 +62,14 @@ namespace isochor
     const auto           nodes  = body.stencil(geometry, part.k, part.q);
     const Tensor<1, dim> area =
       face.area * (measure<dim>(part.corners) / face.area.norm());
+    // In dynamics the size at t = 0, that of the face: the acceleration that a
+    // step starts with contains the force of the penalty at its end of the last
+    // step, which would change with the size of cells while the gap doesn't.
+    const bool   is_dynamic = !body.velocity.empty();
+    const double size =
+      is_dynamic ?
+        std::pow((dim == 2 ? 1 : 2) * face.area.norm(), 1. / (dim - 1)) :
+        cell_size(geometry, cell);
     std::array<double, n_entries> payload{};
     payload[surface_entry]   = face.surface;
     payload[on_domain_entry] = 1 + body.material[part.q];
@@ -90,7 +98,7 @@ namespace isochor
             stencil_gradient.push_back(nodes.gradient[I]);
           }
         stencil_start.push_back(stencil_vertex.size());
-        cell_sizes.push_back(cell_size(geometry, cell));
+        cell_sizes.push_back(size);
       }
   }
 

@@ -11,6 +11,7 @@
 #include <p8est_connectivity.h>
 
 #include <algorithm>
+#include <exception>
 #include <numeric>
 
 namespace isochor
@@ -185,16 +186,21 @@ namespace isochor
   std::vector<Leaf<dim>>
   AdaptiveForest<dim>::refine(const Criterion &is_split) const
   {
-    auto *const forest =
-      Functions<dim>::new_forest(MPI_COMM_SELF,
-                                 connectivity->data,
-                                 0,
-                                 0,
-                                 1,
-                                 0,
-                                 nullptr,
-                                 const_cast<Criterion *>(
-                                   &is_split)); // read by the callback only
+    // no exception must pass through p4est, which would not free its memory
+    std::exception_ptr error;
+    Criterion          guarded = [&](const Leaf<dim> &leaf) {
+      try
+        {
+          return !error && is_split(leaf);
+        }
+      catch (...)
+        {
+          error = std::current_exception();
+          return false;
+        }
+    };
+    auto *const forest = Functions<dim>::new_forest(
+      MPI_COMM_SELF, connectivity->data, 0, 0, 1, 0, nullptr, &guarded);
     const int recursively = 1;
     Functions<dim>::refine(forest, recursively, &refine_callback<dim>, nullptr);
     if constexpr (dim == 2)
@@ -215,6 +221,8 @@ namespace isochor
               tree.quadrants.array + q * tree.quadrants.elem_size)));
       }
     Functions<dim>::destroy(forest);
+    if (error)
+      std::rethrow_exception(error);
     return leaves;
   }
 

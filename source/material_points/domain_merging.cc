@@ -43,9 +43,14 @@ namespace isochor
   PointMerging<dim>::find_middles(const std::vector<PointDomain<dim>> &domains,
                                   std::vector<unsigned int> &is_vetoed) const
   {
-    const MPI_Comm comm       = grid.communicator();
-    const auto     is_willing = [&](const PointDomain<dim> &part) {
-      return part.ancestry > 0 && fits(2 * part.volume, part.cell);
+    const MPI_Comm comm = grid.communicator();
+    // one merger takes at most half of the points of a cell
+    std::vector<unsigned int> n_points(locator.geometry().n_cells(), 0);
+    for (const PointDomain<dim> &domain : domains)
+      ++n_points[domain.cell];
+    const auto is_willing = [&](const PointDomain<dim> &part) {
+      return part.ancestry > 0 && fits(2 * part.volume, part.cell) &&
+             n_points[part.cell] >= 2 * least_points;
     };
     PlaceTable<dim>     own(scale);
     std::vector<double> places;

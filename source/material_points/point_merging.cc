@@ -17,13 +17,15 @@ namespace isochor
                                   const PointLocator<dim>   &locator,
                                   const Materials           &materials,
                                   const double               largest_share,
-                                  const double               tolerance)
+                                  const double               tolerance,
+                                  const unsigned int         least_points)
     : points(points)
     , grid(grid)
     , locator(locator)
     , materials(materials)
     , largest_share(largest_share)
     , tolerance(tolerance)
+    , least_points(least_points)
     , scale(scale_of_places(grid))
   {}
 

@@ -250,7 +250,8 @@ namespace isochor
                                      locator,
                                      materials,
                                      hysteresis * share,
-                                     merging_tolerance)
+                                     merging_tolerance,
+                                     least_points)
                      .merge();
     // parts may still be too large; bounded, since each round divides by
     // four

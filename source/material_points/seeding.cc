@@ -296,8 +296,8 @@ namespace isochor
                     "6 k^2." :
                     "1, 4, 8, 24, 27, 32, 64, ... k^3, 4 k^3, "
                     "24 k^3.") +
-        " Or, with the quadratures 'points' and 'cell-filled' on an adaptive "
-        "grid, set <Material points/Domains = if needed>."));
+        " Or, with the quadratures 'points' and 'cell-filled', set <Material "
+        "points/Domains = if needed>."));
     std::vector<CornerVectors<dim>> domains(simplices.size());
     for (unsigned int q = 0; q < simplices.size(); ++q)
       for (unsigned int c = 0; c <= dim; ++c)

@@ -187,6 +187,16 @@ namespace isochor
     {
       const std::string merging =
         inspect.value({"Material points", "Merge points"});
+      if (!has_domains)
+        inspect.idle({"Material points", "Least points per cell"},
+                     "without <Material points/Domains>");
+      else if (!grid_is_adaptive &&
+               inspect.number({"Material points", "Split at share of cell"}) ==
+                 0)
+        inspect.idle({"Material points", "Least points per cell"},
+                     "with <Grid/Type = " + inspect.value({"Grid", "Type"}) +
+                       "> and without <Material points/Split at share of "
+                       "cell>: no point is split");
       if (needs_domains)
         inspect.idle({"Material points", "Domains"},
                      "with <Quadrature/Type = " +

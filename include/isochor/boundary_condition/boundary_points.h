@@ -140,7 +140,8 @@ namespace isochor
               stencil_gradient.data() + begin};
     }
 
-    /** The size of the cells that point @p b acts on (m), see cell_size(). */
+    /** The size of the cells that point @p b acts on (m), see cell_size(); of a
+     * point on a domain in dynamics, that at t = 0. */
     double
     size_of_cells(const unsigned int b) const
     {

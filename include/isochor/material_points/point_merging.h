@@ -51,13 +51,15 @@ namespace isochor
     static constexpr double straightness = 0.01;
 
     /** The volume of a merged point is at most @p largest_share of that of its
-     * cell. */
+     * cell; domains are left alone where their cell would be left with fewer
+     * than @p least_points. */
     PointMerging(MaterialPoints<dim>       &points,
                  const BackgroundGrid<dim> &grid,
                  const PointLocator<dim>   &locator,
                  const Materials           &materials,
                  const double               largest_share,
-                 const double               tolerance);
+                 const double               tolerance,
+                 const unsigned int         least_points);
 
     /** Merge what can be merged; how many points have vanished, over all ranks.
      * Collective. */
@@ -128,6 +130,7 @@ namespace isochor
     const PointLocator<dim>   &locator;
     const Materials           &materials;
     const double               largest_share, tolerance;
+    const unsigned int         least_points;
     const PlaceScale<dim>      scale;
   };
 } // namespace isochor
