@@ -76,6 +76,38 @@ test_rest()
               std::to_string(statistics.get("Points added by splitting")));
 }
 
+/** A band of small cells passes through a plastic body: the same domains are
+ * bisected on any number of ranks (the other one's test has the same output).
+ */
+void
+test_plastic_body()
+{
+  const auto problem = test::run_scene<2>(
+    "Grid/Type = adaptive\nGrid/Coarse cells = box\nGrid/Subdivisions = 4, 4\n"
+    "Adaptive grid/Maximum level = 3\n"
+    "Adaptive grid/Cell size = 0.02 + 0.3*abs(x - 0.2 - 0.5*t)\n"
+    "Material points/Region = (x < 0.8) * (y < 0.7)\n"
+    "Material points/Points per cell = 3\n"
+    "Material points/Least points per cell = 8\n"
+    "Quadrature/Type = cell-filled\nFormulation/Type = u\n"
+    "Formulation/Geometry = axisymmetric\nMaterial/Model = Mohr-Coulomb\n"
+    "Material/Young modulus = 1e4\nMaterial/Poisson ratio = 0.3\n"
+    "Material/Density = 1000\nMaterial/Mohr-Coulomb/Cohesion = 150\n"
+    "Material/Mohr-Coulomb/Friction angle = 20\n"
+    "Material/Mohr-Coulomb/Dilation angle = 10\n"
+    "Boundary conditions/Displacement = bottom: x=0, y=0; left: x=0\n"
+    "Boundary conditions/Gravity = 0, -0.6*(1 - exp(-10*t))\n"
+    "Newton/Tolerance = 1e-11\nPostprocess/Write energies = always\n"
+    "Time/Step size = 0.1\nTime/End time = 1\n");
+  const Statistics  &statistics = problem->last_statistics();
+  std::ostringstream text;
+  text.precision(6);
+  text << problem->material_points().handler().n_global_particles()
+       << " points, plastic work " << statistics.get("Plastic work (J)")
+       << " J";
+  test::check("a plastic body: " + text.str(), true, "");
+}
+
 template <int dim>
 void
 test_dimension(const std::vector<unsigned int> &numbers)
@@ -99,6 +131,7 @@ main(int argc, char **argv)
   test_dimension<2>({1, 3, 4, 6, 12});
   test_dimension<3>({1, 4});
   test_rest();
+  test_plastic_body();
   // points without domains leave cells empty, else the others prove nothing
   const unsigned int least =
     least_points<2>("points", 3, "Material points/Domains = if needed");

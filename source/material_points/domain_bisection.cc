@@ -37,13 +37,14 @@ namespace isochor
 
 
   template <int dim>
-  DomainBisection<dim>::DomainBisection(
-    std::vector<PointDomain<dim>>                      &&all,
-    const PlaceScale<dim>                               &scale,
-    const MPI_Comm                                       comm,
-    const std::function<bool(const PointDomain<dim> &)> &takes_part)
+  DomainBisection<dim>::DomainBisection(std::vector<PointDomain<dim>> &&all,
+                                        const PlaceScale<dim>          &scale,
+                                        const MPI_Comm                  comm,
+                                        const DomainCondition &takes_part,
+                                        const DomainCondition &may_be_shared)
     : domains(std::move(all))
     , comm(comm)
+    , may_be_shared(may_be_shared)
     , table(scale)
     , is_new(domains.size(), 1)
   {
@@ -51,6 +52,7 @@ namespace isochor
     no_edges.fill(PlaceTable<dim>::none);
     for (const PointDomain<dim> &domain : domains)
       edges_of.push_back(takes_part(domain) ? number_edges(domain) : no_edges);
+    exchange_lengths();
   }
 
 
@@ -66,12 +68,17 @@ namespace isochor
         const Point<dim> middle =
           domain.reference[a] + (domain.reference[b] - domain.reference[a]) / 2;
         edges[e] = table.find_or_add(middle);
+        // lengths that are equal but for rounding have to be equal; domains of
+        // neighbours may differ about it, the longest counts
+        const double length = std::floor(
+          2e4 * std::log2((domain.current[b] - domain.current[a]).norm()) +
+          0.38);
         if (edges[e] < is_marked.size())
-          continue;
-        // lengths that are equal but for rounding have to be equal
-        const double length = (domain.current[b] - domain.current[a]).norm();
-        ranks.push_back(
-          {std::floor(2e4 * std::log2(length) + 0.38), table.key(edges[e])});
+          {
+            ranks[edges[e]].length = std::max(ranks[edges[e]].length, length);
+            continue;
+          }
+        ranks.push_back({length, table.key(edges[e])});
         middles.push_back(middle);
         is_marked.push_back(0);
       }
@@ -130,6 +137,36 @@ namespace isochor
               }
           }
       }
+  }
+
+
+
+  template <int dim>
+  void
+  DomainBisection<dim>::exchange_lengths()
+  {
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return;
+    std::vector<double> values;
+    for (unsigned int i = 0; i < domains.size(); ++i)
+      if (is_new[i] && edges_of[i][0] != PlaceTable<dim>::none &&
+          may_be_shared(domains[i]))
+        for (const unsigned int edge : edges_of[i])
+          {
+            for (unsigned int d = 0; d < dim; ++d)
+              values.push_back(middles[edge][d]);
+            values.push_back(ranks[edge].length);
+          }
+    for (const auto &of_rank : Utilities::MPI::all_gather(comm, values))
+      for (std::size_t i = 0; i < of_rank.size(); i += dim + 1)
+        {
+          Point<dim> middle;
+          for (unsigned int d = 0; d < dim; ++d)
+            middle[d] = of_rank[i + d];
+          const unsigned int edge = table.find(middle);
+          if (edge != PlaceTable<dim>::none)
+            ranks[edge].length = std::max(ranks[edge].length, of_rank[i + dim]);
+        }
   }
 
 
@@ -239,6 +276,7 @@ namespace isochor
     for (unsigned int i = 0; i < all_domains.size(); ++i)
       add_parts(all_domains[i], all_edges[i], false);
     std::fill(is_marked.begin(), is_marked.end(), 0);
+    exchange_lengths();
   }
 
 

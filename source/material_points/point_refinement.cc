@@ -97,13 +97,11 @@ namespace isochor
           shift[d] *= factors[d];
     }
 
-    /** Add cells a few faces away to those for which @p is_near is 1 on any
-     * rank: what is bisected there hardly ever concerns domains further away.
-     */
+    /** Add cells a few faces away to those for which @p is_near is 1: what is
+     * bisected there hardly ever concerns domains further away. */
     template <int dim>
     void
     add_cells_around(const SimplexGeometry<dim> &geometry,
-                     const MPI_Comm              comm,
                      std::vector<unsigned char> &is_near)
     {
       constexpr unsigned int    n_faces = 8;
@@ -117,11 +115,32 @@ namespace isochor
             if (next != SimplexGeometry<dim>::no_cell &&
                 !std::exchange(is_near[next], 1))
               last.push_back(next);
+    }
+
+    /** The cells at most a few faces away from those of other ranks. */
+    template <int dim>
+    std::vector<unsigned char>
+    cells_near_other_ranks(const SimplexGeometry<dim> &geometry,
+                           const MPI_Comm              comm)
+    {
+      std::vector<unsigned char> is_near(geometry.n_cells(), 0);
+      if (Utilities::MPI::n_mpi_processes(comm) == 1)
+        return is_near;
+      const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
+      for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+        is_near[cell] = (geometry.owner(cell) != rank);
+      add_cells_around(geometry, is_near);
+      return is_near;
+    }
+
+    void
+    set_on_all_ranks(std::vector<unsigned char> &flags, const MPI_Comm comm)
+    {
       if (Utilities::MPI::n_mpi_processes(comm) == 1)
         return;
-      std::vector<unsigned int> on_any_rank(is_near.begin(), is_near.end());
-      Utilities::MPI::max(on_any_rank, comm, on_any_rank);
-      std::copy(on_any_rank.begin(), on_any_rank.end(), is_near.begin());
+      std::vector<unsigned int> on_any(flags.begin(), flags.end());
+      Utilities::MPI::max(on_any, comm, on_any);
+      std::copy(on_any.begin(), on_any.end(), flags.begin());
     }
 
     /** Find location and cell of a part of a domain, which knows the location
@@ -360,17 +379,26 @@ namespace isochor
       return std::move(domains);
 
     if (!have_to_fit)
-      add_cells_around(locator.geometry(), comm, is_near);
+      {
+        add_cells_around(locator.geometry(), is_near);
+        set_on_all_ranks(is_near, comm);
+      }
+    const auto is_near_others =
+      cells_near_other_ranks(locator.geometry(), comm);
     std::vector<unsigned int> cell_of_point;
     for (const PointDomain<dim> &domain : domains)
       cell_of_point.push_back(domain.cell);
-    DomainBisection<dim> bisection(std::move(domains),
-                                   scale_of_places(grid),
-                                   comm,
-                                   [&](const PointDomain<dim> &domain) {
-                                     return have_to_fit || is_near[domain.cell];
-                                   });
-    const auto           is_large_in_its_cell = [&](PointDomain<dim> &domain) {
+    DomainBisection<dim> bisection(
+      std::move(domains),
+      scale_of_places(grid),
+      comm,
+      [&](const PointDomain<dim> &domain) {
+        return have_to_fit || is_near[domain.cell];
+      },
+      [&](const PointDomain<dim> &domain) {
+        return is_near_others[domain.cell] != 0;
+      });
+    const auto is_large_in_its_cell = [&](PointDomain<dim> &domain) {
       if (domain.n_halvings > 0)
         locate_part(locator, cell_of_point[domain.point], domain);
       return is_large(domain);

@@ -34,14 +34,18 @@ namespace isochor
   class DomainBisection
   {
   public:
+    using DomainCondition = std::function<bool(const PointDomain<dim> &)>;
+
     /** @p domains of all points of this rank, whose places at t = 0 are told
      * apart by @p scale. Domains for which @p takes_part is false stay whole,
-     * even beside others whose edges are bisected, and cost nothing. */
-    DomainBisection(
-      std::vector<PointDomain<dim>>                      &&domains,
-      const PlaceScale<dim>                               &scale,
-      const MPI_Comm                                       comm,
-      const std::function<bool(const PointDomain<dim> &)> &takes_part);
+     * even beside others whose edges are bisected, and cost nothing; those for
+     * which @p may_be_shared is false share no edge with one of another rank.
+     * Collective. */
+    DomainBisection(std::vector<PointDomain<dim>> &&domains,
+                    const PlaceScale<dim>          &scale,
+                    const MPI_Comm                  comm,
+                    const DomainCondition          &takes_part,
+                    const DomainCondition          &may_be_shared);
 
     /** Says whether a domain is too large, after having found its location and
      * cell, of which it knows those of the whole that it is a part of. */
@@ -91,6 +95,10 @@ namespace isochor
      * marked. Returns what was marked here. */
     void
     close_marks(std::vector<unsigned int> &newly_marked);
+    /** Agree with the other ranks about the lengths of edges of new domains.
+     */
+    void
+    exchange_lengths();
     void
     exchange_marks(std::vector<unsigned int> &newly_marked);
     /** Bisect the longest edges of domains, by number, and what has to be
@@ -107,6 +115,7 @@ namespace isochor
     std::vector<PointDomain<dim>> domains;
     std::vector<Edges>            edges_of; ///< by domain
     const MPI_Comm                comm;
+    const DomainCondition         may_be_shared;
     PlaceTable<dim>               table;   ///< of the edges' middles at t = 0
     std::vector<Point<dim>>       middles; ///< by edge, as the next two
     std::vector<Rank>             ranks;
