@@ -221,6 +221,21 @@ test_flight(const std::string &quadrature)
   test::check_error("no stress in flight", variation_of_stress(points), 1e-8);
 }
 
+/** That the quadrature has integrated over the @p volume (m^dim). */
+template <int dim>
+void
+check_volume(const Statistics &statistics,
+             const double      volume,
+             const double      tolerance)
+{
+  test::check_error("volume in the grid",
+                    std::abs(statistics.get(dim == 2 ?
+                                              "Volume in the grid (m^2)" :
+                                              "Volume in the grid (m^3)") -
+                             volume),
+                    tolerance);
+}
+
 /** Between the points of a stretched block is a gap that is a part of one cell
  * at first, and many cells when the grid has been refined around it. It is
  * integrated all the same: the stress stays homogeneous. */
@@ -253,12 +268,7 @@ test_refined_gap(const std::string &formulation,
                       ", stress",
                     variation_of_stress(problem->material_points()),
                     1e-9);
-  const std::string unit = (dim == 2 ? "(m^2)" : "(m^3)");
-  test::check_error("volume in the grid",
-                    std::abs(problem->last_statistics().get(
-                               "Volume in the grid " + unit) -
-                             1.15),
-                    1e-12);
+  check_volume<dim>(problem->last_statistics(), 1.15, 1e-12);
 }
 
 /** Cells are halved again and again at a wall, or in a corner: the parts of
@@ -292,12 +302,7 @@ test_splitting_at_wall(const std::string &distance)
                     variation_of_stress(problem->material_points()),
                     1e-9);
   // at the start of the last step
-  const std::string unit = (dim == 2 ? "(m^2)" : "(m^3)");
-  test::check_error("volume in the grid",
-                    std::abs(problem->last_statistics().get(
-                               "Volume in the grid " + unit) -
-                             0.91),
-                    1e-9);
+  check_volume<dim>(problem->last_statistics(), 0.91, 1e-9);
 }
 
 int

@@ -7,6 +7,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <isochor/grid/background_grid.h>
+#include <isochor/grid/nearest_cells.h>
 
 #include <algorithm>
 #include <set>
@@ -275,9 +276,7 @@ namespace isochor
                                         const Point<dim>  &x) const
   {
     const SimplexGeometry<dim> &geometry = *cached_geometry;
-    Point<dim>                  start;
-    for (const unsigned int vertex : geometry.vertex_indices(cell))
-      start += geometry.vertices()[vertex] / (dim + 1.);
+    const Point<dim>            start    = cell_centroid(geometry, cell);
 
     // the first face that the line from there meets: where the barycentric
     // coordinate of the opposite vertex vanishes and the others don't exceed 1

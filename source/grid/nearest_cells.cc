@@ -113,6 +113,18 @@ namespace isochor
 
 
   template <int dim>
+  Point<dim>
+  cell_centroid(const SimplexGeometry<dim> &geometry, const unsigned int cell)
+  {
+    Point<dim> sum;
+    for (const unsigned int v : geometry.vertex_indices(cell))
+      sum += geometry.vertices()[v] / (dim + 1.);
+    return sum;
+  }
+
+
+
+  template <int dim>
   double
   cell_size(const SimplexGeometry<dim> &geometry, const unsigned int cell)
   {
@@ -180,8 +192,12 @@ namespace isochor
                       const Point<3> &);
   template double
   cell_size<2>(const SimplexGeometry<2> &, const unsigned int);
+  template Point<2>
+  cell_centroid<2>(const SimplexGeometry<2> &, const unsigned int);
   template double
   cell_size<3>(const SimplexGeometry<3> &, const unsigned int);
+  template Point<3>
+  cell_centroid<3>(const SimplexGeometry<3> &, const unsigned int);
   template std::vector<unsigned int>
   nearest_cells<2>(const SimplexGeometry<2> &,
                    const Point<2> &,

@@ -8,14 +8,12 @@
 #include <deal.II/lac/vector_memory.h>
 
 #include <isochor/linear_solver/linear_solver.h>
-#include <isochor/linear_solver/packed_columns.h>
 #include <isochor/linear_solver/saddle_point_matrix.h>
 
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #ifdef __GLIBC__
 #  include <malloc.h>
 #endif
@@ -130,7 +128,7 @@ namespace isochor
     factorise(const SparseSystem &A) override
     {
       take_matrix(A);
-      build_preconditioner(nullptr);
+      build_preconditioner();
       return set_up;
     }
 
@@ -141,7 +139,7 @@ namespace isochor
       // of several ranks, the blocks hold the sum
       if (Utilities::MPI::n_mpi_processes(A.comm) == 1)
         std::vector<double>().swap(A.values);
-      build_preconditioner(&A);
+      build_preconditioner();
       return set_up;
     }
 
@@ -202,17 +200,11 @@ namespace isochor
       set_up.memory_in_bytes = matrix->memory_consumption();
     }
 
-    /** @p idle_matrix: null, or the matrix, which may be packed meanwhile. */
     void
-    build_preconditioner(SparseSystem *idle_matrix)
+    build_preconditioner()
     {
       if (!hierarchy_serves || slowdown == 1.)
-        {
-          std::optional<PackedColumns> packed;
-          if (idle_matrix != nullptr)
-            packed.emplace(*idle_matrix);
-          build_multigrid();
-        }
+        build_multigrid();
       if (pressures->locally_owned.size() > 0)
         build_block_preconditioner();
       set_up.factorised = true;

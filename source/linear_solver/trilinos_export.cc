@@ -240,6 +240,21 @@ namespace isochor
             action(row, row, k);
   }
 
+  template <typename Action>
+  void
+  TrilinosBlock::for_each_value(const SparseSystem &A,
+                                const Action       &action) const
+  {
+    int    *offsets, *indices;
+    double *values;
+    check(block->ExtractCrsDataPointers(offsets, indices, values),
+          "ExtractCrsDataPointers");
+    std::vector<int> next(offsets, offsets + rows.is_owned.size());
+    for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t k) {
+      action(values[next[r]++], k);
+    });
+  }
+
   std::unique_ptr<Epetra_CrsMatrix>
   TrilinosBlock::local_pattern(const SparseSystem &A) const
   {
@@ -283,13 +298,8 @@ namespace isochor
         exchange->finish();
         return;
       }
-    int    *offsets, *indices;
-    double *values;
-    check(block->ExtractCrsDataPointers(offsets, indices, values),
-          "ExtractCrsDataPointers");
-    std::vector<int> next(offsets, offsets + rows.is_owned.size());
-    for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t k) {
-      values[next[r]++] = A.values[k];
+    for_each_value(A, [&](double &value, const std::size_t k) {
+      value = A.values[k];
     });
   }
 
@@ -297,13 +307,8 @@ namespace isochor
   TrilinosBlock::restore_values(SparseSystem &A) const
   {
     AssertThrow(!exchange, ExcInternalError());
-    int    *offsets, *indices;
-    double *values;
-    check(block->ExtractCrsDataPointers(offsets, indices, values),
-          "ExtractCrsDataPointers");
-    std::vector<int> next(offsets, offsets + rows.is_owned.size());
-    for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t k) {
-      A.values[k] = values[next[r]++];
+    for_each_value(A, [&](const double value, const std::size_t k) {
+      A.values[k] = value;
     });
   }
 

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/grid/mesh_reader.h>
+#include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/body_seeding.h>
 
 #include <array>
@@ -77,9 +78,7 @@ namespace isochor
     std::vector<unsigned int> zone_of(geometry.n_cells(), none);
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       {
-        Point<dim> centroid;
-        for (const unsigned int v : geometry.vertex_indices(cell))
-          centroid += geometry.vertices()[v] / (dim + 1.);
+        const Point<dim> centroid = cell_centroid(geometry, cell);
         if (in_body(centroid, 0.) > 0 &&
             in_groups(geometry.cell_iterator(cell)->material_id(),
                       parameters.groups,

@@ -7,6 +7,7 @@
 #include <isochor/base/disjoint_sets.h>
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
+#include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/point_spacing.h>
 
 #include <algorithm>
@@ -36,16 +37,6 @@ namespace isochor
     /** The part of the points that may change cells with the plain quadrature
      * without a word. */
     constexpr double tolerated_changes = 0.1;
-
-    template <int dim>
-    Point<dim>
-    centroid(const SimplexGeometry<dim> &geometry, const unsigned int cell)
-    {
-      Point<dim> sum;
-      for (const unsigned int v : geometry.vertex_indices(cell))
-        sum += geometry.vertices()[v] / (dim + 1.);
-      return sum;
-    }
 
     /** @p cells, each brought to the rank that owns it. */
     template <int dim>
@@ -401,7 +392,7 @@ namespace isochor
         for (const unsigned int next : geometry.neighbours(cell))
           if (next != SimplexGeometry<dim>::no_cell &&
               seen.insert(next).second &&
-              (inverse * (centroid(geometry, next) - x)).norm() < radius)
+              (inverse * (cell_centroid(geometry, next) - x)).norm() < radius)
             {
               covered.insert(next);
               to_follow.push_back(next);

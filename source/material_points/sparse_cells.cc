@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/sparse_cells.h>
 
 #include <algorithm>
@@ -17,16 +18,6 @@ namespace isochor
      * in space. */
     template <int dim>
     constexpr unsigned int n_rings = (dim == 2 ? 3 : 5);
-
-    template <int dim>
-    Point<dim>
-    centre_of(const SimplexGeometry<dim> &geometry, const unsigned int cell)
-    {
-      Point<dim> centre;
-      for (const unsigned int v : geometry.vertex_indices(cell))
-        centre += geometry.vertices()[v] / (dim + 1.);
-      return centre;
-    }
 
     template <int dim>
     bool
@@ -62,7 +53,6 @@ namespace isochor
     : geometry(geometry)
     , least(least)
     , comm(comm)
-    , visited(geometry.n_cells(), 0)
   {}
 
 
@@ -113,6 +103,7 @@ namespace isochor
       domains_by_cell[next[domains[i].cell]++] = i;
 
     // ring by ring around all of them
+    visited.resize(geometry.n_cells(), 0);
     ++n_visits;
     cells_nearby.clear();
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
@@ -178,7 +169,7 @@ namespace isochor
       if (n_points[cell] == 0)
         {
           const unsigned int i =
-            find_domain(domains, cell, centre_of<dim>(geometry, cell));
+            find_domain(domains, cell, cell_centroid(geometry, cell));
           if (i < domains.size() && is_worth_it(domains[i], cell))
             flags[i] = 1;
         }
@@ -197,7 +188,7 @@ namespace isochor
     for (const unsigned int cell : cells_nearby)
       if (n_points[cell] > 0 && n_points[cell] < least)
         {
-          const Point<dim> centre = centre_of<dim>(geometry, cell);
+          const Point<dim> centre = cell_centroid(geometry, cell);
           for (unsigned int i = 0; i < n_places; ++i)
             {
               const Point<dim> place =

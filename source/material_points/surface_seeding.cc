@@ -7,6 +7,7 @@
 
 #include <isochor/base/plain_message.h>
 #include <isochor/grid/mesh_reader.h>
+#include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/seeding.h>
 #include <isochor/material_points/surface_seeding.h>
 
@@ -235,9 +236,7 @@ namespace isochor
             return;
           }
         // seen from within the cell, as a region may end right at the face
-        Point<dim> middle;
-        for (const unsigned int vertex : geometry.vertex_indices(cell))
-          middle += geometry.vertices()[vertex] / (dim + 1.);
+        const Point<dim> middle = cell_centroid(geometry, cell);
         const typename CoveredPart<dim>::Inside inside =
           [&](const Point<dim> &x) {
             return shape.contains(x + 1e-8 * (middle - x), cell);

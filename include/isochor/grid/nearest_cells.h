@@ -28,6 +28,10 @@ namespace isochor
   double
   cell_size(const SimplexGeometry<dim> &geometry, const unsigned int cell);
 
+  template <int dim>
+  Point<dim>
+  cell_centroid(const SimplexGeometry<dim> &geometry, const unsigned int cell);
+
   /**
    * Of the cells that @p is_candidate accepts, those nearest to @p x, ascending
    * by number: the nearest one and all others that are as near, but for 1e-8 of

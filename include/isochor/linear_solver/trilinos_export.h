@@ -137,6 +137,12 @@ namespace isochor
     void
     for_each_entry(const SparseSystem &A, const Action &action) const;
 
+    /** Call @p action (value, index of the value in @p A) for all entries;
+     * without other ranks. */
+    template <typename Action>
+    void
+    for_each_value(const SparseSystem &A, const Action &action) const;
+
     const EquationSubset &rows, &columns;
 
     /** The sum over ranks. */
