@@ -11,6 +11,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <isochor/linear_solver/linear_solver.h>
+#include <isochor/linear_solver/packed_columns.h>
 
 #include <iostream>
 #include <limits>
@@ -158,6 +159,22 @@ namespace
            "other numbers");
   }
 
+  /** The rows of a node have the same columns. */
+  void
+  check_packed_columns(const SparseSystem &A)
+  {
+    SparseSystem mine = A;
+    std::size_t  size;
+    {
+      const PackedColumns packed(mine);
+      size = packed.size();
+    }
+    report("packed columns",
+           mine.column == A.column &&
+             (A.column.empty() || 2 * size < A.column.size()),
+           std::to_string(size) + " of " + std::to_string(A.column.size()));
+  }
+
   void
   check_right_systems(LinearSolver &solver)
   {
@@ -280,6 +297,7 @@ namespace
     ElasticitySystemOptions options;
     options.poisson_ratio = 0.5;
     const SparseSystem A  = make(options);
+    check_packed_columns(A);
     const unsigned int n_pressures =
       (options.n_cells_per_edge + 1) * (options.n_cells_per_edge + 1);
     for (const std::string ordering :

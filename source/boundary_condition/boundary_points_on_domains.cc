@@ -63,7 +63,7 @@ namespace isochor
     const Tensor<1, dim> area =
       face.area * (measure<dim>(part.corners) / face.area.norm());
     // In dynamics the size at t = 0, that of the face: the acceleration that a
-    // step starts with contains the force of the penalty at its end of the last
+    // step starts with contains the force of the penalty at the end of the last
     // step, which would change with the size of cells while the gap doesn't.
     const bool   is_dynamic = !body.velocity.empty();
     const double size =

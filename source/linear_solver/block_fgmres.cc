@@ -8,12 +8,14 @@
 #include <deal.II/lac/vector_memory.h>
 
 #include <isochor/linear_solver/linear_solver.h>
+#include <isochor/linear_solver/packed_columns.h>
 #include <isochor/linear_solver/saddle_point_matrix.h>
 
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #ifdef __GLIBC__
 #  include <malloc.h>
 #endif
@@ -128,7 +130,7 @@ namespace isochor
     factorise(const SparseSystem &A) override
     {
       take_matrix(A);
-      build_preconditioner();
+      build_preconditioner(nullptr);
       return set_up;
     }
 
@@ -139,7 +141,7 @@ namespace isochor
       // of several ranks, the blocks hold the sum
       if (Utilities::MPI::n_mpi_processes(A.comm) == 1)
         std::vector<double>().swap(A.values);
-      build_preconditioner();
+      build_preconditioner(&A);
       return set_up;
     }
 
@@ -200,11 +202,17 @@ namespace isochor
       set_up.memory_in_bytes = matrix->memory_consumption();
     }
 
+    /** @p idle_matrix: null, or the matrix, which may be packed meanwhile. */
     void
-    build_preconditioner()
+    build_preconditioner(SparseSystem *idle_matrix)
     {
       if (!hierarchy_serves || slowdown == 1.)
-        build_multigrid();
+        {
+          std::optional<PackedColumns> packed;
+          if (idle_matrix != nullptr)
+            packed.emplace(*idle_matrix);
+          build_multigrid();
+        }
       if (pressures->locally_owned.size() > 0)
         build_block_preconditioner();
       set_up.factorised = true;

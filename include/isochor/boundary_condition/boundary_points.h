@@ -141,7 +141,7 @@ namespace isochor
     }
 
     /** The size of the cells that point @p b acts on (m), see cell_size(); of a
-     * point on a domain in dynamics, that at t = 0. */
+     * point on a domain in dynamics, that of its face at t = 0. */
     double
     size_of_cells(const unsigned int b) const
     {
