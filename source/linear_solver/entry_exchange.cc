@@ -38,6 +38,15 @@ namespace isochor
       int    *start, *column;
       double *value;
     };
+
+    bool
+    are_consecutive(const std::vector<unsigned int> &numbers)
+    {
+      for (std::size_t i = 1; i < numbers.size(); ++i)
+        if (numbers[i] != numbers[i - 1] + 1)
+          return false;
+      return true;
+    }
   } // namespace
 
 
@@ -50,7 +59,6 @@ namespace isochor
     const Rows from(local), to(sum);
     values   = to.value;
     n_values = sum.NumMyNonzeros();
-    target.resize(local.NumMyNonzeros());
 
     // (RemoteIDList() of Epetra writes numbers that are no ranks where a rank
     // has no rows.)
@@ -66,23 +74,33 @@ namespace isochor
     for (unsigned int c = 0; c < column_here.size(); ++c)
       column_here[c] = sum.ColMap().LID(local.ColMap().GID(c));
 
-    // entries of other ranks' rows: which, and the global numbers of their rows
-    // and columns
+    // entries of other ranks' rows: their numbers, and the global numbers of
+    // their rows and columns
     std::map<unsigned int, std::vector<unsigned int>>        entries;
     std::map<unsigned int, std::vector<std::pair<int, int>>> names;
+    std::vector<unsigned int>                                places;
     for (int r = 0; r < n_rows; ++r)
       {
         const int row  = local.RowMap().GID(r);
         const int here = sum.RowMap().LID(row);
+        places.clear();
         for (int k = from.start[r]; k < from.start[r + 1]; ++k)
           if (here >= 0)
-            target[k] = to.find(here, column_here[from.column[k]]);
+            places.push_back(to.find(here, column_here[from.column[k]]));
           else
             {
-              entries[owner(row)].push_back(k);
+              entries[owner(row)].push_back(target.size() + places.size());
               names[owner(row)].emplace_back(
                 row, local.ColMap().GID(from.column[k]));
+              places.push_back(0); // is set below
             }
+        if (here >= 0 && are_consecutive(places))
+          {
+            first_entry.push_back(places.empty() ? 0 : places.front());
+            continue;
+          }
+        first_entry.push_back(n_values + target.size());
+        target.insert(target.end(), places.begin(), places.end());
       }
     unsigned int n_to_send = 0;
     for (const auto &of_rank : entries)

@@ -201,11 +201,6 @@ namespace isochor
               "FillComplete");
         check(block->OptimizeStorage(), "OptimizeStorage");
         exchange = std::make_unique<EntryExchange>(*local, *block, A.comm);
-        int    *offsets, *indices;
-        double *values;
-        check(local->ExtractCrsDataPointers(offsets, indices, values),
-              "ExtractCrsDataPointers");
-        row_start.assign(offsets, offsets + rows.is_owned.size());
       }
     copy_values(A);
   }
@@ -290,7 +285,7 @@ namespace isochor
   {
     if (exchange)
       {
-        std::vector<int> next(row_start);
+        std::vector<unsigned int> next(exchange->first_entries());
         exchange->start();
         for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t k) {
           exchange->add(next[r]++, A.values[k]);

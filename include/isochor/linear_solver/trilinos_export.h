@@ -147,9 +147,7 @@ namespace isochor
 
     /** The sum over ranks. */
     std::unique_ptr<Epetra_CrsMatrix> block;
-    /** If there are several: where this rank's contributions begin by row, and
-     * where they go. */
-    std::vector<int>               row_start;
+    /** If there are several: where this rank's contributions go. */
     std::unique_ptr<EntryExchange> exchange;
   };
 } // namespace isochor
