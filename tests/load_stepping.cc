@@ -114,6 +114,37 @@ test_smallest_step()
   test::check("and no further", ended, "");
 }
 
+/** At the start, at the multiples of the interval and at the end, however long
+ * the interval is. */
+void
+test_output()
+{
+  for (const double interval : {0.25, 1e9, 1e-9})
+    {
+      ParameterHandler prm;
+      LoadStepping::declare_parameters(prm);
+      prm.enter_subsection("Time");
+      prm.set("End time", std::min(1., 8 * interval));
+      prm.set("Step size", std::min(0.125, interval));
+      prm.set("Output interval", interval);
+      prm.leave_subsection();
+      LoadStepping time;
+      time.parse_parameters(prm);
+      unsigned int n = time.output_due();
+      while (!time.finished())
+        {
+          time.accept(1);
+          n += time.output_due();
+        }
+      const unsigned int expected =
+        interval > 1 ? 2 : (interval == 0.25 ? 5 : 9);
+      test::check("outputs with an interval of " +
+                    Utilities::to_string(interval),
+                  n == expected,
+                  std::to_string(n));
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -121,4 +152,5 @@ main(int argc, char **argv)
   test_cuts();
   test_failure();
   test_smallest_step();
+  test_output();
 }

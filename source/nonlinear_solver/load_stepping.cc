@@ -169,9 +169,10 @@ namespace isochor
   bool
   LoadStepping::output_due() const
   {
+    // (relative to the interval, if that is meant to be never, any time would
+    // be close to 0)
     return output_interval == 0 || time >= end ||
-           std::abs(time - reached_output * output_interval) <=
-             1e-10 * output_interval;
+           std::abs(time - reached_output * output_interval) <= 1e-10 * time;
   }
 
 
