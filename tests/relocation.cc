@@ -52,12 +52,36 @@ namespace
           const RelocationReport<dim> report = relocate(handler, locator);
           compare_report(report);
           compare(step);
+          if (step % 7 == 0)
+            {
+              order();
+              compare(step);
+            }
         }
       check.require(n_moved > 2000, "too few moves:", n_moved);
       check.require(n_ranks == 1 || n_shipped > 300, "shipped", n_shipped);
     }
 
   private:
+    /** The particles stand one behind the other in memory, and what goes
+     * through them meets them in the order of before. */
+    void
+    order()
+    {
+      const auto ids = [this]() {
+        std::vector<types::particle_index> ids;
+        for (const auto &particle : handler)
+          ids.push_back(particle.get_id());
+        return ids;
+      };
+      const auto before = ids();
+      order_memory(handler, locator);
+      check.require(ids() == before, "order", before.size());
+      unsigned int n = 0;
+      for (const auto &particle : handler)
+        check.require(particle.get_local_index() == n++, "place", n);
+    }
+
     struct Expected
     {
       Point<dim>   location;

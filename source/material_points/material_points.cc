@@ -365,6 +365,15 @@ namespace isochor
   {
     forget_order();
     const RelocationReport<dim> report = isochor::relocate(particles, locator);
+    // laying out anew costs about what out-of-order memory does in a step
+    constexpr double much = 0.25;
+    n_out_of_order += report.n_moved;
+    if (n_out_of_order > much * particles.n_global_particles() &&
+        report.n_lost == 0)
+      {
+        order_memory(particles, locator);
+        n_out_of_order = 0;
+      }
     if (report.n_lost == 0)
       return report.n_moved;
 

@@ -88,6 +88,18 @@ namespace isochor
 
   template <int dim>
   void
+  PointRecords<dim>::reserve(const std::size_t n)
+  {
+    cells.reserve(n);
+    ids.reserve(n);
+    locations.reserve(n);
+    payloads.reserve(n * n_payload);
+  }
+
+
+
+  template <int dim>
+  void
   PointRecords<dim>::push_back(const unsigned int             cell,
                                const types::particle_index    id,
                                const Point<dim>              &location,
@@ -255,6 +267,32 @@ namespace isochor
 
 
 
+  template <int dim>
+  void
+  order_memory(Particles::ParticleHandler<dim> &handler,
+               const PointLocator<dim>         &locator)
+  {
+    constexpr std::size_t most_bytes = 500000000;
+    const unsigned int    n_payload  = handler.n_properties_per_particle();
+    const std::size_t     n          = handler.n_locally_owned_particles();
+    const bool fits = n * (n_payload + dim + 2) * sizeof(double) <= most_bytes;
+    // inserting is collective
+    if (Utilities::MPI::min(fits ? 1 : 0, locator.geometry().communicator()) ==
+        0)
+      return;
+    PointRecords<dim> records(n_payload);
+    records.reserve(n);
+    for (const auto &particle : handler)
+      records.push_back(particle.get_surrounding_cell()->active_cell_index(),
+                        particle.get_id(),
+                        particle.get_location(),
+                        particle.get_properties());
+    handler.clear_particles();
+    insert_particles(handler, locator, records);
+  }
+
+
+
   template struct PointRecords<2>;
   template struct PointRecords<3>;
   template PointRecords<2>
@@ -273,6 +311,10 @@ namespace isochor
   insert_particles<3>(Particles::ParticleHandler<3> &,
                       const PointLocator<3> &,
                       const PointRecords<3> &);
+  template void
+  order_memory<2>(Particles::ParticleHandler<2> &, const PointLocator<2> &);
+  template void
+  order_memory<3>(Particles::ParticleHandler<3> &, const PointLocator<3> &);
   template RelocationReport<2>
   relocate<2>(Particles::ParticleHandler<2> &, const PointLocator<2> &);
   template RelocationReport<3>

@@ -210,6 +210,9 @@ namespace isochor
      * since. */
     std::shared_ptr<const PointSlots> slots;
     std::vector<unsigned int>         cell_start;
+    /** How many have changed cells since memory was in order, see
+     * order_memory(). */
+    types::particle_index n_out_of_order = 0;
   };
 } // namespace isochor
 

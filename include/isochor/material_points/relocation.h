@@ -31,6 +31,10 @@ namespace isochor
     std::size_t
     size() const;
 
+    /** Make room for @p n points in all. */
+    void
+    reserve(const std::size_t n);
+
     /** Append a point. @p values must have n_payload entries. */
     void
     push_back(const unsigned int             cell,
@@ -106,6 +110,19 @@ namespace isochor
   RelocationReport<dim>
   relocate(Particles::ParticleHandler<dim> &handler,
            const PointLocator<dim>         &locator);
+
+  /**
+   * Lay out what @p handler holds anew, in the order in which it goes through
+   * its particles, which stays as it is. Particles that change their cell take
+   * places in memory that others have left, so that after some time each is
+   * somewhere else, and whatever looks at all of them waits for memory. Needs a
+   * copy of all of them for a moment; where this would be too much, nothing is
+   * done. Iterators to particles are invalid afterwards. Collective.
+   */
+  template <int dim>
+  void
+  order_memory(Particles::ParticleHandler<dim> &handler,
+               const PointLocator<dim>         &locator);
 } // namespace isochor
 
 #endif
