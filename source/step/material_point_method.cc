@@ -168,14 +168,14 @@ namespace isochor
                               grid_to_points.energy(),
                               statistics);
       equilibrium.remember_motion();
+      if (!scene.has_inertia())
+        failure_report.remember(step, unknowns, drive());
       for (auto &condition : scene.boundary_conditions)
         condition->advance(step, unknowns);
       setup.advance(step, unknowns);
       // on a grid that is kept nothing drifts
       if (setup.reset().due())
         grid_to_points.project_volume(step, scene.points);
-      if (!scene.has_inertia())
-        failure_report.remember(step, unknowns);
       warn_if_nothing_moves(scene, newton, unknowns);
       scene.time.accept(newton.n_factorisations);
     }

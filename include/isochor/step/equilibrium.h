@@ -81,6 +81,12 @@ namespace isochor
     {
       return external_force.l2_norm() > 0;
     }
+    /** By how much the loads change in the step (N): the sum over nodes and
+     * components of the change of their forces on the body as it is at the
+     * start of the step, which hardly depends on the grid, as shape functions
+     * are not negative. 0 if that is rounding. Collective. */
+    double
+    change_of_loads() const;
     const NodalField &
     nodal_unknowns() const
     {
