@@ -113,6 +113,28 @@ namespace isochor
       const NodalField                                           &unknowns,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       PointArrays<dim>                                           &points);
+    /**
+     * In a trial: whether one-sided walls start smoothly to push a body at
+     * rest. What they hold then has to start as they do, as what is prescribed:
+     * let_walls_lead(). Which nodes that are is for a trial before to find out,
+     * in which nodes at such walls are held with the acceleration that the wall
+     * has at the end of the first step. Collective.
+     */
+    bool
+    walls_start_smoothly(const StepContext<dim> &step) const;
+    /** In trials: from now on what one-sided walls hold starts with them, or
+     * no longer. Nodes have to be constrained anew. */
+    void
+    let_walls_lead(const bool lead)
+    {
+      walls_lead = lead;
+      prescribed = false;
+    }
+    bool
+    do_walls_lead() const
+    {
+      return walls_lead;
+    }
     /** Whether the equations are those of a trial. */
     bool
     in_trial() const
@@ -180,7 +202,7 @@ namespace isochor
       const NodalConstraints                                     &constraints);
 
     /** The increments of a trial: those of the prescribed motion in
-     * @p constraints. */
+     * @p constraints. Collective. */
     void
     set_trial_increments(const StepContext<dim> &step,
                          NodalConstraints       &constraints) const;
@@ -293,6 +315,7 @@ namespace isochor
     double                          kept_part     = 0; ///< η
     bool                            from_stresses = false;
     bool                            by_stresses   = false; ///< in this step
+    bool                            walls_lead    = false; ///< in trials
 
     MassMatrix<dim> mass;
     /** All with dim components per node. Σ_p m_p N_I v_p and M a_n; the
@@ -302,13 +325,24 @@ namespace isochor
       new_acceleration;
     /** Prescribed entries, of local nodes. */
     std::vector<unsigned char> held;
-    /** An entry that a one-sided wall holds, with the wall's motion at the end
-     * of the step and what it would start with. */
+    /** The motion of a one-sided wall over the step, by what the scheme follows
+     * it with at the start and at the end: what the next step is to start with
+     * if the wall goes on like this. */
+    struct WallMotion
+    {
+      MotionAtStart motion;
+      double        acceleration_at_start, velocity_at_end, acceleration_at_end;
+    };
+    WallMotion
+    wall_motion(const MotionAtStart &motion, const double dt) const;
+    /** The acceleration that points at the wall carry from the step. */
+    double
+    carried_acceleration(const WallMotion &wall) const;
+    /** An entry that a one-sided wall holds. */
     struct Stopped
     {
-      unsigned int  entry;
-      MotionAtStart at_end;
-      double        acceleration_at_start;
+      unsigned int entry;
+      WallMotion   wall;
     };
     std::vector<Stopped> stopped;
     /** What walls held at the end of the last step: their force on the body is
@@ -327,7 +361,7 @@ namespace isochor
     struct StoppedAlong
     {
       std::vector<std::pair<unsigned int, double>> direction;
-      MotionAtStart                                at_end;
+      WallMotion                                   wall;
     };
     std::vector<StoppedAlong> stopped_along;
     /** Of velocities and accelerations. */

@@ -124,9 +124,10 @@ namespace isochor
     predict();
     void
     start_from_rest();
-    /** The first step from its start, with other equations. */
+    /** The first step from its start, with other equations; @p with_contact:
+     * with the nodes in contact that were found. */
     void
-    start_again();
+    start_again(const bool with_contact = false);
     void
     compute_residual_floor();
     void
