@@ -81,8 +81,8 @@ namespace isochor
           const unsigned int  entry = node * nc + d, i = node * dim + d;
           const unsigned char how     = constraints.constrained[entry];
           const bool          at_wall = (how == NodalConstraints::in_contact);
-          held[i] =
-            (how == NodalConstraints::prescribed) || (at_wall && walls_lead);
+          held[i]                     = (how == NodalConstraints::prescribed) ||
+                    (at_wall && trial.walls_lead);
           if (!held[i] && !at_wall)
             continue;
           const MotionAtStart motion =
@@ -227,7 +227,7 @@ namespace isochor
     if (part > 0 && constraints.equations.empty())
       return constraints; // nothing but prescribed unknowns
     contact = constraints;
-    if (!walls_lead)
+    if (!trial.walls_lead)
       constraints.drop_contact();
     constraints.ties = ties;
     constraints.resolve(step.n_components);
@@ -306,7 +306,8 @@ namespace isochor
   {
     stopped_along.clear();
     const NodalConstraints &start = constraints[0];
-    for (unsigned int k = 0; !walls_lead && k < start.equations.size(); ++k)
+    for (unsigned int k = 0; !trial.walls_lead && k < start.equations.size();
+         ++k)
       {
         const auto &equation = start.equations[k];
         if (equation.how != NodalConstraints::in_contact)
@@ -385,17 +386,17 @@ namespace isochor
   {
     const unsigned int nc        = step.n_components;
     const auto         increment = [this](const unsigned int i) {
-      return trial_size * (velocity.local_element(i) +
-                           trial_size / 2 * acceleration.local_element(i));
+      return trial.size * (velocity.local_element(i) +
+                           trial.size / 2 * acceleration.local_element(i));
     };
     for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
       for (unsigned int d = 0; d < dim; ++d)
         if (constraints.constrained[node * nc + d])
           constraints.increment[node * nc + d] = increment(node * dim + d);
     // what tells whether a wall pushes
-    const bool judges  = !walls_lead && walls_start_smoothly(step);
+    const bool judges  = !trial.walls_lead && walls_start_smoothly(step);
     const auto by_wall = [&](const WallMotion &wall) {
-      return trial_size * trial_size / 2 *
+      return trial.size * trial.size / 2 *
              wall.motion.after(step.step_size()).acceleration;
     };
     for (unsigned int i = 0; judges && i < stopped.size(); ++i)

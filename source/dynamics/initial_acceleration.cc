@@ -17,7 +17,7 @@ namespace isochor
     const double                                                trial_step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
   {
-    trial_size = trial_step;
+    trial.size = trial_step;
     for (const auto &condition : conditions)
       condition->set_trial(step,
                            trial_step,
@@ -32,7 +32,7 @@ namespace isochor
     const StepContext<dim>                                     &step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
   {
-    trial_size = 0;
+    trial.size = 0;
     for (const auto &condition : conditions)
       condition->set_trial(step, 0., {});
   }
@@ -57,10 +57,10 @@ namespace isochor
     finish_step(step, unknowns);
     // the body is at rest, but its nodes have started with the walls: this is
     // to reach the points, too, as the first step starts with what they bring
-    if (walls_lead)
+    if (trial.walls_lead)
       for (unsigned int i = 0; i < step.nodes.n_local() * dim; ++i)
         new_acceleration.local_element(i) +=
-          2 / trial_size * velocity.local_element(i);
+          2 / trial.size * velocity.local_element(i);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
@@ -72,7 +72,7 @@ namespace isochor
               .second;
           points.acceleration[q] += a / 2;
           if (impulse)
-            points.velocity[q] += trial_size / 4 * a;
+            points.velocity[q] += trial.size / 4 * a;
         }
   }
 

@@ -127,19 +127,19 @@ namespace isochor
     void
     let_walls_lead(const bool lead)
     {
-      walls_lead = lead;
-      prescribed = false;
+      trial.walls_lead = lead;
+      prescribed       = false;
     }
     bool
     do_walls_lead() const
     {
-      return walls_lead;
+      return trial.walls_lead;
     }
     /** Whether the equations are those of a trial. */
     bool
     in_trial() const
     {
-      return trial_size != 0;
+      return trial.size != 0;
     }
     /** Back to the equations of a step. */
     void
@@ -210,7 +210,7 @@ namespace isochor
     double
     step_size(const StepContext<dim> &step) const
     {
-      return in_trial() ? trial_size : step.step_size();
+      return in_trial() ? trial.size : step.step_size();
     }
     const TimeIntegrator &
     scheme() const
@@ -309,13 +309,18 @@ namespace isochor
     void
     stop_at_walls();
 
+    struct Trial
+    {
+      double size       = 0;     ///< 0: there is none
+      bool   walls_lead = false; ///< see let_walls_lead()
+    };
+
     std::unique_ptr<TimeIntegrator> integrator;
     const NewmarkFamily             trial_integrator{0.5, 1., 0.};
-    double                          trial_size    = 0;
+    Trial                           trial;
     double                          kept_part     = 0; ///< η
     bool                            from_stresses = false;
     bool                            by_stresses   = false; ///< in this step
-    bool                            walls_lead    = false; ///< in trials
 
     MassMatrix<dim> mass;
     /** All with dim components per node. Σ_p m_p N_I v_p and M a_n; the
