@@ -269,6 +269,60 @@ test_all_pushed(const std::string  &what,
                    settings);
 }
 
+/** Whether a run of the block says that the motion of @p condition jumps at the
+ * time @p t (empty: none does). */
+void
+test_jump(const std::string &conditions,
+          const std::string &condition,
+          const std::string &t)
+{
+  column = "Mass (kg)"; // which there is in all scenes
+  std::ostringstream    messages;
+  std::streambuf *const original = std::cerr.rdbuf(messages.rdbuf());
+  test::run_scene<2>("Material/Young modulus = 1e10\nMaterial/Density = 1\n"
+                     "Dynamics/Inertia = true\nTime/Step size = 0.005\n"
+                     "Time/End time = 0.05\nGrid/Upper corner = 1, 0.5\n"
+                     "Grid/Subdivisions = 4, 2\n" +
+                     std::string(test::keep_grid) +
+                     "Boundary conditions/Displacement = bottom: y=0; top: "
+                     "y=0" +
+                     conditions + "\n");
+  std::cerr.rdbuf(original);
+  // the first rank speaks
+  const std::string message =
+    Utilities::MPI::broadcast(MPI_COMM_WORLD,
+                              test::one_line(messages.str()),
+                              0);
+  const bool jumps = message.find("prescribes jumps") != std::string::npos;
+  test::check("a jump of " + conditions.substr(conditions.rfind(':') + 2),
+              t.empty() ? !jumps :
+                          message.find("<Boundary conditions/" + condition +
+                                       "> prescribes jumps at t = " + t +
+                                       ".") != std::string::npos,
+              message);
+}
+
+void
+test_jumps()
+{
+  const std::string start = "\nBoundary conditions/";
+  test_jump("; right: x=max(0,t-0.02)", "Displacement", "0.02");
+  test_jump("; right: x=max(0,t-0.0223)", "Displacement", "0.0223");
+  test_jump(start + "Rigid sides = right: y=0, rotation=0, x=min(t,0.0301)",
+            "Rigid sides",
+            "0.0301");
+  test_jump(start + "Walls = left: n >= max(0,t-0.0249)", "Walls", "0.0249");
+  test_jump(start + "Surfaces of body = tip: right" + start +
+              "Displacement of body = tip: x=max(0,t-0.0211)",
+            "Displacement of body",
+            "0.0211");
+  for (const std::string smooth : {"t",
+                                   "100*max(0,t-0.0223)^2",
+                                   "1-cos(300*t)",
+                                   "1e-6*(t+1e-3*sin(100*t))"})
+    test_jump("; right: x=" + smooth, "", "");
+}
+
 int
 main(int argc, char **argv)
 {
@@ -313,6 +367,7 @@ main(int argc, char **argv)
                  "\nBoundary conditions/Walls = left: n>=-100*t^3",
                  rest,
                  u + domains);
+  test_jumps();
   test_refined_base("u");
   test_refined_base("u-p");
 }
