@@ -96,6 +96,45 @@ test_entry(const std::string              &what,
              words);
 }
 
+/** Of two entries of one name one was ignored. */
+void
+test_names_given_twice(const std::string &loads)
+{
+  const std::string pressures =
+    "Pressure on body = s: 1; s: 2\nset Surfaces of body = s: left";
+  const std::vector<std::array<std::string, 3>> cases = {
+    {{loads, "Surfaces of body = s: left; s: right", "<s>"}},
+    {{loads, "Traction = left: 1, 0; left: 0, 1", "<left>"}},
+    {{loads, pressures, "<s>"}},
+    {{loads, "Walls = left: n = 0; left: n >= 0", "<left>"}},
+    {{loads, "Rigid sides = top: x = 0; top: y = 0", "<top>"}},
+    {{loads,
+      "Rigid sides = top: centre = (0, 0), x = 0, centre = (1, 1)",
+      "<centre>"}},
+    {{loads, "Periodic sides = left: right; left: right, x = t", "<right>"}},
+    {{"Postprocess", "Exact stress = xx: 0; xx: x", "<xx>"}},
+    {{"Adaptive grid",
+      "Cell size at boundaries = left: 0.1; left: 0.2",
+      "<left>"}}};
+  for (const auto &c : cases)
+    test_entry("a name given twice: " + c[1].substr(0, c[1].find('\n')),
+               c[0],
+               c[1],
+               {c[0], c[2], "twice"});
+  std::ofstream("groups.msh") << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                                 "$PhysicalNames\n2\n1 1 \"base\"\n1 2 "
+                                 "\"base\"\n$EndPhysicalNames\n$Nodes\n3\n"
+                                 "1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n"
+                                 "$Elements\n3\n1 1 2 1 1 1 2\n"
+                                 "2 1 2 2 2 2 3\n3 2 2 0 1 1 2 3\n"
+                                 "$EndElements\n";
+  test_scene("two physical groups of one name",
+             scene("subsection Grid\nset Type = gmsh\nset File = groups.msh\n"
+                   "end\n"),
+             1,
+             {"groups.msh", "two physical groups <base>"});
+}
+
 int
 main(int argc, char **argv)
 {
@@ -190,7 +229,22 @@ main(int argc, char **argv)
   test_entry("no such rule",
              points,
              "Points per cell = 5",
-             {"5 material points", "Choose 1, 3, 4, 6"});
+             {"Points per cell", "into 5 equal parts", "Choose 1, 3, 4, 6, 9"});
+  const std::string five = "subsection Material points\n"
+                           "set Points per cell = 5\nend\n";
+  test_scene("no such division on an adaptive grid",
+             scene(five + "subsection Grid\nset Type = adaptive\nend\n"
+                          "subsection Quadrature\nset Type = points\nend\n"),
+             1,
+             {"Points per cell", "into 5 equal parts", "Choose 1, 3, 4, 6, 9"});
+  test_scene("no such rule for points without domains",
+             scene(five + "subsection Quadrature\nset Type = points\nend\n"),
+             1,
+             {"5 material points", "Points per cell", "Choose 1, 3, 4, 6, 7"});
+  test_entry("no such rule in a zone",
+             points,
+             "Points per cell in zones = 7: x > 0.5",
+             {"per cell in zones", "into 7 equal parts", "Choose 1, 3, 4, 6"});
   test_entry("missing body mesh",
              points,
              "Body mesh = none.msh",
@@ -212,6 +266,7 @@ main(int argc, char **argv)
              "Postprocess",
              "Reactions = roof",
              {"roof", "top", "Postprocess/Reactions"});
+  test_names_given_twice(loads);
   test_entry("wrong component",
              loads,
              "Displacement = bottom: z = 0",

@@ -301,11 +301,68 @@ namespace
 
 
 
+/** Bodies that are as stiff as ever, but faster than at first. */
+namespace
+{
+  void
+  test_false_alarms()
+  {
+    const std::string elastic =
+      "Grid/Subdivisions = 4, 4\nMaterial/Young modulus = 1e6\n"
+      "Material/Poisson ratio = 0.3\nTime/Step size = 0.05\n"
+      "Boundary conditions/Displacement = bottom: x = 0, y = 0";
+    const auto expect_quiet = [](const std::string &what) {
+      test::check(what,
+                  warnings.find("the body gives way") == std::string::npos,
+                  warnings);
+    };
+    const auto run = [&](const std::string &what, const std::string &settings) {
+      const std::string message = failure(elastic + settings);
+      test::check(what + ": to the end", message.empty(), message);
+      expect_quiet(what);
+    };
+    run("a body at rest but for rounding",
+        "; top: y = if(t < 0.3, 1e-17*t, 1e-17)\n"
+        "Boundary conditions/Surfaces of body = side: right\n"
+        "Boundary conditions/Traction on body = side: if(t < 0.49, 1e-13*t, "
+        "10*t), 0\n");
+    run("a smooth motion of a boundary", "; top: y = -0.01*t^3\n");
+    run("a smooth motion of a surface of the body",
+        "\nBoundary conditions/Surfaces of body = roof: top\n"
+        "Boundary conditions/Displacement of body = roof: x=0, y=-0.01*t^3\n");
+    run("a smooth motion of a rigid side",
+        "\nBoundary conditions/Rigid sides = top: y=-0.01*t^3, x=0, "
+        "rotation=0\n");
+    run("a load that grows as t^2",
+        "\nBoundary conditions/Traction = top: 0, -1e4*t^2\n");
+    run("a weight that grows as t^3",
+        "\nBoundary conditions/Gravity = 0, -10*t^3\n"
+        "Material/Density = 1000\n");
+    run("a pressure that grows as t^2",
+        "\nBoundary conditions/Surfaces of body = roof: top\n"
+        "Boundary conditions/Pressure on body = roof: 1e4*t^2\n");
+    // what flows is found, however its load grows
+    failure(block + "Boundary conditions/Traction on body =\n"
+                    "Boundary conditions/Surfaces of body =\n"
+                    "Boundary conditions/Gravity = 0, 4*t^2\n"
+                    "Time/Step size = 0.01\n"
+                    "Time/Minimum step size = 0.0003\n");
+    const double since = number_after("Since t = ", warnings);
+    test::check("a weight that grows as t^2 beyond the limit load",
+                since * since > 0.5 && since * since < 1 &&
+                  warnings.find("displacement per load") != std::string::npos,
+                warnings);
+  }
+} // namespace
+
+
+
 int
 main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_limit_loads();
+  test_false_alarms();
   test_others();
   test_reset();
   test_sides();

@@ -205,6 +205,124 @@ test_refined_base(const std::string &formulation)
                     0.01);
 }
 
+/** A stiff block on a grid that is kept, pushed by what @p conditions say from
+ * its end @p side, needs its mass times @p acceleration(t). */
+template <int dim, typename Acceleration>
+void
+test_pushed(const std::string  &what,
+            const std::string  &side,
+            const std::string  &conditions,
+            const Acceleration &acceleration,
+            const std::string  &settings)
+{
+  const bool solid = (dim == 3);
+  reactions.clear();
+  column = "Reaction x on " + side + " (N)";
+  test::run_scene<dim>(
+    "Material/Young modulus = 1e10\nMaterial/Density = 1\n"
+    "Dynamics/Inertia = true\nTime/Step size = 0.005\n"
+    "Time/End time = 0.05\nPostprocess/Reactions = " +
+    side + "\nGrid/Upper corner = 1, 0.5" + (solid ? ", 0.5" : "") +
+    "\nGrid/Subdivisions = " + (solid ? "4, 2, 2" : "8, 4") + "\n" +
+    test::keep_grid + settings +
+    "Boundary conditions/Displacement = bottom: y=0; top: y=0" +
+    (solid ? "; front: z=0; back: z=0" : "") + conditions + "\n");
+  double worst = 0;
+  for (const auto &[time, force] : reactions)
+    test::add_error(worst,
+                    std::abs(force -
+                             (solid ? 0.25 : 0.5) * acceleration(time)) /
+                      (1e-8 + std::abs(acceleration(time))));
+  test::check(what + ": all steps",
+              reactions.size() >= 10,
+              std::to_string(reactions.size()));
+  test::check_error(what, worst, 1e-3);
+}
+
+/** What pushes otherwise than held nodes: sides of rigid bodies, and one-sided
+ * walls, along axes and by normals. */
+template <int dim, typename Acceleration>
+void
+test_all_pushed(const std::string  &what,
+                const std::string  &u,
+                const Acceleration &acceleration,
+                const std::string  &settings)
+{
+  const std::string rigid =
+    "\nBoundary conditions/Rigid sides = right: y=0, x=" + u;
+  test_pushed<dim>(what + ", rigid side",
+                   "right",
+                   rigid + (dim == 2 ? ", rotation=0" :
+                                       ", z=0, rotation x=0, rotation y=0, "
+                                       "rotation z=0"),
+                   acceleration,
+                   settings);
+  test_pushed<dim>(what + ", one-sided boundary",
+                   "left",
+                   "; left: x>=" + u,
+                   acceleration,
+                   settings);
+  test_pushed<dim>(what + ", one-sided wall",
+                   "left",
+                   "\nBoundary conditions/Walls = left: n>=" + u,
+                   acceleration,
+                   settings);
+}
+
+/** Whether a run of the block says that the motion of @p condition jumps at the
+ * time @p t (empty: none does). */
+void
+test_jump(const std::string &conditions,
+          const std::string &condition,
+          const std::string &t)
+{
+  column = "Mass (kg)"; // which there is in all scenes
+  std::ostringstream    messages;
+  std::streambuf *const original = std::cerr.rdbuf(messages.rdbuf());
+  test::run_scene<2>("Material/Young modulus = 1e10\nMaterial/Density = 1\n"
+                     "Dynamics/Inertia = true\nTime/Step size = 0.005\n"
+                     "Time/End time = 0.05\nGrid/Upper corner = 1, 0.5\n"
+                     "Grid/Subdivisions = 4, 2\n" +
+                     std::string(test::keep_grid) +
+                     "Boundary conditions/Displacement = bottom: y=0; top: "
+                     "y=0" +
+                     conditions + "\n");
+  std::cerr.rdbuf(original);
+  // the first rank speaks
+  const std::string message =
+    Utilities::MPI::broadcast(MPI_COMM_WORLD,
+                              test::one_line(messages.str()),
+                              0);
+  const bool jumps = message.find("prescribes jumps") != std::string::npos;
+  test::check("a jump of " + conditions.substr(conditions.rfind(':') + 2),
+              t.empty() ? !jumps :
+                          message.find("<Boundary conditions/" + condition +
+                                       "> prescribes jumps at t = " + t +
+                                       ".") != std::string::npos,
+              message);
+}
+
+void
+test_jumps()
+{
+  const std::string start = "\nBoundary conditions/";
+  test_jump("; right: x=max(0,t-0.02)", "Displacement", "0.02");
+  test_jump("; right: x=max(0,t-0.0223)", "Displacement", "0.0223");
+  test_jump(start + "Rigid sides = right: y=0, rotation=0, x=min(t,0.0301)",
+            "Rigid sides",
+            "0.0301");
+  test_jump(start + "Walls = left: n >= max(0,t-0.0249)", "Walls", "0.0249");
+  test_jump(start + "Surfaces of body = tip: right" + start +
+              "Displacement of body = tip: x=max(0,t-0.0211)",
+            "Displacement of body",
+            "0.0211");
+  for (const std::string smooth : {"t",
+                                   "100*max(0,t-0.0223)^2",
+                                   "1-cos(300*t)",
+                                   "1e-6*(t+1e-3*sin(100*t))"})
+    test_jump("; right: x=" + smooth, "", "");
+}
+
 int
 main(int argc, char **argv)
 {
@@ -230,6 +348,26 @@ main(int argc, char **argv)
   test_block<3>("t^3, 3D, u", "100*t^3", jerk, u + domains, 2e-3);
   test_block<3>("t^3, 3D, u-p", "100*t^3", jerk, mixed + domains, 2e-3);
   test_block<2>("1 - cos, 2D, u", "1 - cos(10*t)", waves, u + domains, 2e-3);
+  test_all_pushed<2>("t^3, 2D, u", "100*t^3", jerk, u + domains);
+  test_all_pushed<2>("t^3, 2D, u-p", "100*t^3", jerk, mixed + domains);
+  test_all_pushed<2>("t^3, 2D, cell-filled",
+                     "100*t^3",
+                     jerk,
+                     u + "Quadrature/Type = cell-filled\n");
+  test_all_pushed<3>("t^3, 3D, u", "100*t^3", jerk, u + domains);
+  test_all_pushed<2>(
+    "t^2, 2D, u", "10*t^2", [](const double) { return 20.; }, u + domains);
+  test_all_pushed<2>("1 - cos, 2D, u", "1 - cos(10*t)", waves, u + domains);
+  // a wall that leaves takes nothing along
+  const auto rest = [](const double) { return 0.; };
+  test_pushed<2>(
+    "a boundary that leaves", "left", "; left: x>=-100*t^3", rest, u + domains);
+  test_pushed<2>("a wall that leaves",
+                 "left",
+                 "\nBoundary conditions/Walls = left: n>=-100*t^3",
+                 rest,
+                 u + domains);
+  test_jumps();
   test_refined_base("u");
   test_refined_base("u-p");
 }

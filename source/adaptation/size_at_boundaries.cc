@@ -36,7 +36,7 @@ namespace isochor
     parse_parameters(ParameterHandler &prm) override
     {
       for (const auto &entry :
-           split_named_list(prm.get("Cell size at boundaries"), name))
+           split_list_of_unique_names(prm.get("Cell size at boundaries"), name))
         {
           places.push_back(
             {entry.first, Utilities::string_to_double(entry.second), {}});

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <set>
 #include <sstream>
 
 namespace isochor
@@ -249,6 +250,21 @@ namespace isochor
         pairs.emplace_back(Utilities::trim(item.substr(0, colon)),
                            Utilities::trim(item.substr(colon + 1)));
       }
+    return pairs;
+  }
+
+
+
+  std::vector<std::pair<std::string, std::string>>
+  split_list_of_unique_names(const std::string &list,
+                             const std::string &parameter)
+  {
+    const auto            pairs = split_named_list(list, parameter);
+    std::set<std::string> names;
+    for (const auto &entry : pairs)
+      AssertThrow(names.insert(entry.first).second,
+                  ExcMessage("The parameter <" + parameter + "> names <" +
+                             entry.first + "> twice."));
     return pairs;
   }
 

@@ -74,6 +74,12 @@ namespace isochor
           Pair pair;
           pair.first  = entry.first;
           pair.second = items[0];
+          for (const Pair &other : pairs)
+            AssertThrow(other.second != pair.second,
+                        ExcMessage("The parameter <" + parameter() +
+                                   "> names <" + pair.second +
+                                   "> twice as the second side of a pair, "
+                                   "which follows the first one."));
           for (unsigned int i = 1; i < items.size(); ++i)
             parse_item(items[i], pair);
           pairs.push_back(std::move(pair));

@@ -53,6 +53,10 @@ namespace isochor
       equals == std::string::npos ? "" : item.substr(equals + 1);
     if (left == "centre" && equals != std::string::npos)
       {
+        AssertThrow(!has_centre,
+                    ExcMessage(std::string("The parameter <") + parameter +
+                               "> names the <centre> of <" + boundary +
+                               "> twice."));
         set_centre(right);
         return;
       }

@@ -72,15 +72,8 @@ namespace isochor
     parse_parameters(ParameterHandler &prm) override
     {
       for (const auto &entry :
-           split_named_list(prm.get("Rigid sides"), parameter()))
-        {
-          for (const auto &side : sides)
-            AssertThrow(side.name() != entry.first,
-                        ExcMessage("The parameter <" + parameter() +
-                                   "> has two entries for the boundary <" +
-                                   entry.first + ">."));
-          sides.emplace_back(entry.first, entry.second, parameter());
-        }
+           split_list_of_unique_names(prm.get("Rigid sides"), parameter()))
+        sides.emplace_back(entry.first, entry.second, parameter());
     }
 
     void

@@ -86,7 +86,7 @@ namespace isochor
   {
     const std::string name = section + "/Surfaces of body";
     for (const auto &entry :
-         split_named_list(prm.get("Surfaces of body"), name))
+         split_list_of_unique_names(prm.get("Surfaces of body"), name))
       {
         SurfaceCondition<dim> surface;
         surface.place.name      = entry.first;
@@ -134,7 +134,8 @@ namespace isochor
   SurfaceConditions<dim>::parse_tractions(ParameterHandler &prm)
   {
     const std::string name = section + "/Traction";
-    for (const auto &entry : split_named_list(prm.get("Traction"), name))
+    for (const auto &entry :
+         split_list_of_unique_names(prm.get("Traction"), name))
       {
         SurfaceCondition<dim> surface;
         surface.place.name             = entry.first;
@@ -146,12 +147,6 @@ namespace isochor
                     ExcMessage("The parameter <" + name + "> needs " +
                                std::to_string(dim) + " components on <" +
                                entry.first + ">."));
-        for (const auto &other : surfaces)
-          AssertThrow(other.place.parameter != name ||
-                        other.place.name != entry.first,
-                      ExcMessage("The parameter <" + name +
-                                 "> names the boundary <" + entry.first +
-                                 "> twice."));
         surfaces.push_back(surface);
       }
   }
@@ -166,7 +161,8 @@ namespace isochor
       {
         const std::string name    = section + "/" + parameter;
         const bool        is_dead = parameter == "Traction on body";
-        for (const auto &entry : split_named_list(prm.get(parameter), name))
+        for (const auto &entry :
+             split_list_of_unique_names(prm.get(parameter), name))
           {
             auto      &surface  = find_surface(entry.first, parameter);
             auto      &load     = is_dead ? surface.traction : surface.pressure;
@@ -177,10 +173,6 @@ namespace isochor
                         ExcMessage("The parameter <" + name + "> needs " +
                                    std::to_string(dim) + " components on <" +
                                    entry.first + ">."));
-            AssertThrow(load.empty(),
-                        ExcMessage("The parameter <" + name +
-                                   "> names the surface <" + entry.first +
-                                   "> twice."));
             for (const auto &formula : formulas)
               load.emplace_back(formula, name);
           }

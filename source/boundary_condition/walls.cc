@@ -59,7 +59,8 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm) override
     {
-      for (const auto &entry : split_named_list(prm.get("Walls"), parameter()))
+      for (const auto &entry :
+           split_list_of_unique_names(prm.get("Walls"), parameter()))
         {
           const std::string &item   = entry.second;
           const auto         equals = item.find('=');
@@ -73,11 +74,6 @@ namespace isochor
                                  "> of the parameter <" + parameter() +
                                  "> must have the form <boundary: n = formula> "
                                  "or <boundary: n >= formula>."));
-          for (const Wall &wall : walls)
-            AssertThrow(wall.boundary != entry.first,
-                        ExcMessage("The parameter <" + parameter() +
-                                   "> has two entries for the boundary <" +
-                                   entry.first + ">."));
           walls.push_back(
             {entry.first,
              one_sided,

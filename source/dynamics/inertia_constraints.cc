@@ -79,9 +79,11 @@ namespace isochor
       for (unsigned int d = 0; d < dim; ++d)
         {
           const unsigned int  entry = node * nc + d, i = node * dim + d;
-          const unsigned char how = constraints.constrained[entry];
-          held[i]                 = (how == NodalConstraints::prescribed);
-          if (!held[i] && how != NodalConstraints::in_contact)
+          const unsigned char how     = constraints.constrained[entry];
+          const bool          at_wall = (how == NodalConstraints::in_contact);
+          held[i]                     = (how == NodalConstraints::prescribed) ||
+                    (at_wall && trial.walls_lead);
+          if (!held[i] && !at_wall)
             continue;
           const MotionAtStart motion =
             motion_of_step({{at[0].increment[entry],
@@ -90,7 +92,7 @@ namespace isochor
                              at[3].increment[entry]}},
                            dt);
           if (!held[i])
-            stopped.push_back({i, motion.after(dt), smooth.of(motion).second});
+            stopped.push_back({i, wall_motion(motion, dt)});
           else if (node < step.nodes.n_owned())
             std::tie(velocity.local_element(i), acceleration.local_element(i)) =
               smooth.of(motion);
@@ -132,7 +134,8 @@ namespace isochor
         {
           held[node.entry] = 1;
           if (node.entry < step.nodes.n_owned() * dim)
-            acceleration.local_element(node.entry) = node.acceleration_at_start;
+            acceleration.local_element(node.entry) =
+              node.wall.acceleration_at_start;
         }
     project(
       step, force, followers, given_acceleration, acceleration, by_stresses);
@@ -224,7 +227,8 @@ namespace isochor
     if (part > 0 && constraints.equations.empty())
       return constraints; // nothing but prescribed unknowns
     contact = constraints;
-    constraints.drop_contact();
+    if (!trial.walls_lead)
+      constraints.drop_contact();
     constraints.ties = ties;
     constraints.resolve(step.n_components);
     return constraints;
@@ -302,24 +306,51 @@ namespace isochor
   {
     stopped_along.clear();
     const NodalConstraints &start = constraints[0];
-    for (unsigned int k = 0; k < start.equations.size(); ++k)
+    for (unsigned int k = 0; !trial.walls_lead && k < start.equations.size();
+         ++k)
       {
         const auto &equation = start.equations[k];
         if (equation.how != NodalConstraints::in_contact)
           continue;
         StoppedAlong wall;
-        wall.at_end = motion_of_step({{equation.value,
+        wall.wall =
+          wall_motion(motion_of_step({{equation.value,
                                        constraints[1].equations[k].value,
                                        constraints[2].equations[k].value,
                                        constraints[3].equations[k].value}},
-                                     dt)
-                        .after(dt);
+                                     dt),
+                      dt);
         for (std::size_t i = equation.first; i < equation.last; ++i)
           wall.direction.emplace_back(start.entry[i] / n_components * dim +
                                         start.entry[i] % n_components,
                                       start.coefficient[i]);
         stopped_along.push_back(wall);
       }
+  }
+
+
+
+  template <int dim>
+  typename InertiaTerm<dim>::WallMotion
+  InertiaTerm<dim>::wall_motion(const MotionAtStart &motion,
+                                const double         dt) const
+  {
+    const SmoothStart smooth = integrator->smooth_start(dt);
+    const auto        end    = smooth.of(motion.after(dt));
+    return {motion, smooth.of(motion).second, end.first, end.second};
+  }
+
+
+
+  template <int dim>
+  double
+  InertiaTerm<dim>::carried_acceleration(const WallMotion &wall) const
+  {
+    return from_stresses && !in_trial() ?
+             wall.acceleration_at_end -
+               integrator->inertial_acceleration(wall.acceleration_at_start,
+                                                 wall.acceleration_at_end) :
+             wall.acceleration_at_end;
   }
 
 
@@ -341,10 +372,8 @@ namespace isochor
       };
     for (const StoppedAlong &wall : stopped_along)
       {
-        set(wall, new_velocity, wall.at_end.velocity);
-        set(wall,
-            new_acceleration,
-            from_stresses && !in_trial() ? 0. : wall.at_end.acceleration);
+        set(wall, new_velocity, wall.wall.velocity_at_end);
+        set(wall, new_acceleration, carried_acceleration(wall.wall));
       }
   }
 
@@ -357,15 +386,28 @@ namespace isochor
   {
     const unsigned int nc        = step.n_components;
     const auto         increment = [this](const unsigned int i) {
-      return trial_size * (velocity.local_element(i) +
-                           trial_size / 2 * acceleration.local_element(i));
+      return trial.size * (velocity.local_element(i) +
+                           trial.size / 2 * acceleration.local_element(i));
     };
     for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
       for (unsigned int d = 0; d < dim; ++d)
         if (constraints.constrained[node * nc + d])
           constraints.increment[node * nc + d] = increment(node * dim + d);
+    // what tells whether a wall pushes
+    const bool judges  = !trial.walls_lead && walls_start_smoothly(step);
+    const auto by_wall = [&](const WallMotion &wall) {
+      return trial.size * trial.size / 2 *
+             wall.motion.after(step.step_size()).acceleration;
+    };
+    for (unsigned int i = 0; judges && i < stopped.size(); ++i)
+      {
+        const unsigned int entry = stopped[i].entry;
+        constraints.increment[entry / dim * nc + entry % dim] =
+          by_wall(stopped[i].wall);
+      }
     if (constraints.equations.empty())
       return;
+    unsigned int n_walls = 0;
     for (auto &equation : constraints.equations)
       {
         // an equation has displacements or pressures, not both
@@ -376,6 +418,9 @@ namespace isochor
           equation.value += constraints.coefficient[i] *
                             increment(constraints.entry[i] / nc * dim +
                                       constraints.entry[i] % nc);
+        if (judges && equation.how == NodalConstraints::in_contact &&
+            n_walls < stopped_along.size())
+          equation.value = by_wall(stopped_along[n_walls++].wall);
       }
     constraints.resolve(nc);
   }
@@ -394,6 +439,8 @@ namespace isochor
                                        NodalConstraints &) const;
   template void
   InertiaTerm<2>::stop_at_walls();
+  template double
+  InertiaTerm<2>::carried_acceleration(const WallMotion &) const;
   template void
   InertiaTerm<3>::prescribe(
     const StepContext<3> &,
@@ -406,4 +453,6 @@ namespace isochor
                                        NodalConstraints &) const;
   template void
   InertiaTerm<3>::stop_at_walls();
+  template double
+  InertiaTerm<3>::carried_acceleration(const WallMotion &) const;
 } // namespace isochor

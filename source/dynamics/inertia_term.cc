@@ -197,7 +197,7 @@ namespace isochor
     if (changed || !prescribed)
       prescribe(whole_step, conditions, constraints);
     if (in_trial())
-      set_trial_increments(step, constraints);
+      set_trial_increments(whole_step, constraints);
   }
 
 
@@ -305,9 +305,9 @@ namespace isochor
         }
     for (const Stopped &node : stopped)
       {
-        new_velocity.local_element(node.entry) = node.at_end.velocity;
+        new_velocity.local_element(node.entry) = node.wall.velocity_at_end;
         new_acceleration.local_element(node.entry) =
-          from_stresses && !in_trial() ? 0. : node.at_end.acceleration;
+          carried_acceleration(node.wall);
       }
     stop_at_walls();
   }

@@ -17,7 +17,7 @@ namespace isochor
     const double                                                trial_step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
   {
-    trial_size = trial_step;
+    trial.size = trial_step;
     for (const auto &condition : conditions)
       condition->set_trial(step,
                            trial_step,
@@ -32,7 +32,7 @@ namespace isochor
     const StepContext<dim>                                     &step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
   {
-    trial_size = 0;
+    trial.size = 0;
     for (const auto &condition : conditions)
       condition->set_trial(step, 0., {});
   }
@@ -55,6 +55,12 @@ namespace isochor
       starts_suddenly(step) ||
       Utilities::MPI::max(by_surface, step.grid.communicator()) != 0;
     finish_step(step, unknowns);
+    // the body is at rest, but its nodes have started with the walls: this is
+    // to reach the points, too, as the first step starts with what they bring
+    if (trial.walls_lead)
+      for (unsigned int i = 0; i < step.nodes.n_local() * dim; ++i)
+        new_acceleration.local_element(i) +=
+          2 / trial.size * velocity.local_element(i);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
@@ -66,8 +72,31 @@ namespace isochor
               .second;
           points.acceleration[q] += a / 2;
           if (impulse)
-            points.velocity[q] += trial_size / 4 * a;
+            points.velocity[q] += trial.size / 4 * a;
         }
+  }
+
+
+
+  template <int dim>
+  bool
+  InertiaTerm<dim>::walls_start_smoothly(const StepContext<dim> &step) const
+  {
+    constexpr double small  = 0.01; // what four places leave of none
+    double           sudden = 0, change = 0;
+    const auto       look = [&](const WallMotion &wall) {
+      const MotionAtStart end = wall.motion.after(step.step_size());
+      sudden = std::max(sudden, std::abs(wall.motion.velocity));
+      change = std::max(change, std::abs(end.velocity - wall.motion.velocity));
+    };
+    for (const Stopped &node : stopped)
+      look(node.wall);
+    for (const StoppedAlong &wall : stopped_along)
+      look(wall.wall);
+    const MPI_Comm comm = step.grid.communicator();
+    change              = Utilities::MPI::max(change, comm);
+    return change > 0 && momentum.linfty_norm() == 0. &&
+           Utilities::MPI::max(sudden, comm) <= small * change;
   }
 
 
@@ -91,11 +120,18 @@ namespace isochor
                                       momentum.local_element(i)));
       }
     for (unsigned int k = 0; k < given_velocity.size(); ++k)
-      if (const unsigned int i = followers.entry[k];
-          i < step.nodes.n_owned() * dim && given_velocity[k] != 0.)
-        impulse = std::max(impulse,
-                           std::abs(product.local_element(i) -
-                                    momentum.local_element(i)));
+      {
+        // also by what it follows, as the nodes of a rigid side do
+        const double prescribed_velocity =
+          given_velocity[k] + followers.sum(k, [&](const unsigned int entry) {
+            return held[entry] ? velocity.local_element(entry) : 0.;
+          });
+        if (const unsigned int i = followers.entry[k];
+            i < step.nodes.n_owned() * dim && prescribed_velocity != 0.)
+          impulse = std::max(impulse,
+                             std::abs(product.local_element(i) -
+                                      momentum.local_element(i)));
+      }
     const MPI_Comm comm = step.grid.communicator();
     return Utilities::MPI::max(impulse, comm) >
            1e-8 * Utilities::MPI::max(scale, comm);
@@ -119,6 +155,8 @@ namespace isochor
     const std::vector<std::unique_ptr<BoundaryCondition<2>>> &,
     PointArrays<2> &);
   template bool
+  InertiaTerm<2>::walls_start_smoothly(const StepContext<2> &) const;
+  template bool
   InertiaTerm<2>::starts_suddenly(const StepContext<2> &) const;
   template void
   InertiaTerm<3>::start_trial(
@@ -135,6 +173,8 @@ namespace isochor
     const NodalField &,
     const std::vector<std::unique_ptr<BoundaryCondition<3>>> &,
     PointArrays<3> &);
+  template bool
+  InertiaTerm<3>::walls_start_smoothly(const StepContext<3> &) const;
   template bool
   InertiaTerm<3>::starts_suddenly(const StepContext<3> &) const;
 } // namespace isochor

@@ -166,7 +166,9 @@ namespace isochor
 
     /** The names of the physical groups of dimension @p group_dim. */
     std::map<std::string, unsigned int>
-    read_physical_names(std::istream &file, const int group_dim)
+    read_physical_names(std::istream      &file,
+                        const int          group_dim,
+                        const std::string &subject)
     {
       std::map<std::string, unsigned int> names;
       if (!find_section(file, "$PhysicalNames"))
@@ -181,8 +183,14 @@ namespace isochor
           file >> d >> id;
           std::getline(file, line);
           const auto first = line.find('"'), last = line.rfind('"');
-          if (d == group_dim && first != std::string::npos)
-            names[line.substr(first + 1, last - first - 1)] = id;
+          if (d != group_dim || first == std::string::npos)
+            continue;
+          const std::string name = line.substr(first + 1, last - first - 1);
+          AssertThrow(names.emplace(name, id).second,
+                      ExcMessage(subject + "has two physical groups <" + name +
+                                 "> of " + std::to_string(d) +
+                                 " dimensions. Give them names of their own, "
+                                 "or make them one."));
         }
       return names;
     }
@@ -238,9 +246,9 @@ namespace isochor
     check_elements(element_types(file, version), dim, cells, name);
 
     MeshGroups groups;
-    for (const auto &group : read_physical_names(file, dim - 1))
+    for (const auto &group : read_physical_names(file, dim - 1, name))
       groups.faces[group.first] = group.second;
-    for (const auto &group : read_physical_names(file, dim))
+    for (const auto &group : read_physical_names(file, dim, name))
       groups.cells[group.first] = group.second;
 
     file.clear();

@@ -85,13 +85,19 @@ namespace isochor
     parameters.material_zones  = prm.get("Materials in zones");
     prm.leave_subsection();
     check_combinations();
-    // fail now and not after an hour of meshing
-    if (parameters.points_per_cell > 0 &&
-        !can_be_tiled<dim>(parameters.points_per_cell))
-      material_point_rule<dim>(parameters.points_per_cell);
     Expression<dim>(parameters.region,
                     "Material points/Region",
                     FormulaVariables::space);
+  }
+
+
+
+  template <int dim>
+  void
+  BodySeeding<dim>::check_numbers(const bool with_domains) const
+  {
+    if (!(parameters.lattice_spacing > 0))
+      create_zones(with_domains);
   }
 
 

@@ -214,7 +214,7 @@ namespace isochor
 
   template <int dim>
   Quadrature<dim>
-  material_point_rule(const unsigned int n_points)
+  material_point_rule(const unsigned int n_points, const std::string &subject)
   {
     if (const unsigned int k = subdivisions<dim>(n_points))
       return centroid_rule<dim>(subdivide<dim>(k));
@@ -246,7 +246,7 @@ namespace isochor
       }
     AssertThrow(false,
                 ExcMessage("There is no rule with " + std::to_string(n_points) +
-                           " material points per cell. Choose " +
+                           " " + subject + ". Choose " +
                            (dim == 2 ?
                               "1, 3, 4, 6, 7, 9, 12, 15, 16, 25, ... k^2." :
                               "1, 4, 8, 14, 27, 35, 64, ... k^3.")));
@@ -307,23 +307,10 @@ namespace isochor
 
 
 
-  template <int dim>
-  bool
-  can_be_tiled(const unsigned int n_points)
-  {
-    return !tile<dim>(n_points).empty();
-  }
-
-
-
-  template bool
-  can_be_tiled<2>(const unsigned int);
-  template bool
-  can_be_tiled<3>(const unsigned int);
   template Quadrature<2>
-  material_point_rule<2>(const unsigned int);
+  material_point_rule<2>(const unsigned int, const std::string &);
   template Quadrature<3>
-  material_point_rule<3>(const unsigned int);
+  material_point_rule<3>(const unsigned int, const std::string &);
   template std::vector<std::array<Point<2>, 3>>
   box_simplices<2>();
   template std::vector<std::array<Point<3>, 4>>

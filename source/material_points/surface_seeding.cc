@@ -35,7 +35,10 @@ namespace isochor
     if constexpr (dim == 2)
       return QGauss<1>(n_points);
     else
-      return material_point_rule<dim - 1>(n_points);
+      return material_point_rule<dim - 1>(
+        n_points,
+        "boundary points per face (<Boundary conditions/Boundary points per "
+        "face>)");
   }
 
 

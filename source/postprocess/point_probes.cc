@@ -38,7 +38,8 @@ namespace isochor
     parse_parameters(ParameterHandler &prm) override
     {
       const std::string name = this->parameter("Point probes");
-      for (const auto &entry : split_named_list(prm.get("Point probes"), name))
+      for (const auto &entry :
+           split_list_of_unique_names(prm.get("Point probes"), name))
         {
           const auto x =
             Utilities::string_to_double(split_formulas(entry.second, name));
@@ -51,11 +52,6 @@ namespace isochor
           for (unsigned int d = 0; d < dim; ++d)
             probe.location[d] = x[d];
           probe.origin = probe.location;
-          for (const Probe &other : probes)
-            AssertThrow(other.name != probe.name,
-                        ExcMessage("The parameter <" + name +
-                                   "> names the probe <" + probe.name +
-                                   "> twice."));
           probes.push_back(probe);
         }
     }

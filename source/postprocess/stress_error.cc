@@ -41,7 +41,8 @@ namespace isochor
       const std::string                 name = this->parameter("Exact stress");
       const std::array<const char *, 6> components = {
         {"xx", "yy", "zz", "xy", "xz", "yz"}};
-      for (const auto &entry : split_named_list(prm.get("Exact stress"), name))
+      for (const auto &entry :
+           split_list_of_unique_names(prm.get("Exact stress"), name))
         {
           const auto end   = components.begin() + n_symmetric_components<dim>;
           const auto found = std::find(components.begin(), end, entry.first);

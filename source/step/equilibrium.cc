@@ -143,7 +143,7 @@ namespace isochor
 
   template <int dim>
   void
-  Equilibrium<dim>::start_again()
+  Equilibrium<dim>::start_again(const bool with_contact)
   {
     for (unsigned int i = 0;
          i < setup.active_nodes().n_local() * scene.n_components;
@@ -151,7 +151,11 @@ namespace isochor
       if (i % scene.n_components < dim)
         unknowns.local_element(i) = 0.;
     set_external_force();
-    start_contact(false);
+    if (!with_contact)
+      for (const auto &condition : scene.boundary_conditions)
+        condition->start_contact();
+    constrain_nodes();
+    lay_out_system(false);
   }
 
 

@@ -118,6 +118,36 @@ namespace isochor
 
 
   template <int dim>
+  double
+  Equilibrium<dim>::change_of_loads() const
+  {
+    constexpr double       rounding = 1e-10;
+    const StepContext<dim> end      = setup.context();
+    StepContext<dim>       start    = end;
+    start.time                      = end.old_time;
+    const auto loads_in             = [&](const StepContext<dim> &step) {
+      NodalField loads, rest;
+      setup.active_nodes().initialize(loads, scene.n_components);
+      setup.active_nodes().initialize(rest, scene.n_components);
+      for (const auto &condition : scene.boundary_conditions)
+        {
+          condition->add_external_force(step, loads);
+          condition->add_boundary_force(step, rest, loads);
+        }
+      loads.compress(VectorOperation::add);
+      return loads;
+    };
+    NodalField   change = loads_in(end);
+    const double all    = change.l1_norm();
+    if (end.old_time > 0) // nothing has been applied at t = 0
+      change -= loads_in(start);
+    const double size = change.l1_norm();
+    return size > rounding * all ? size : 0.;
+  }
+
+
+
+  template <int dim>
   EvaluationStatus
   Equilibrium<dim>::assemble_terms(const StepContext<dim> &step,
                                    const bool              with_matrix)
@@ -189,6 +219,10 @@ namespace isochor
 
   template ResidualNorms
   Equilibrium<2>::assemble(const bool);
+  template double
+  Equilibrium<2>::change_of_loads() const;
   template ResidualNorms
   Equilibrium<3>::assemble(const bool);
+  template double
+  Equilibrium<3>::change_of_loads() const;
 } // namespace isochor

@@ -61,9 +61,15 @@ namespace isochor
     for (const double trial : {step.step_size(), -step.step_size()})
       {
         inertia.start_trial(step, trial, conditions);
-        start_again();
+        start_again(inertia.do_walls_lead());
         at_start = true;
         report   = trial > 0 ? solve_with_contact() : find_root(false);
+        if (report.converged && trial > 0 && inertia.walls_start_smoothly(step))
+          {
+            inertia.let_walls_lead(true);
+            start_again(true);
+            report.continue_with(find_root(false));
+          }
         if (report.converged && trial > 0)
           settle_weight(report);
         if (report.converged)
@@ -73,8 +79,11 @@ namespace isochor
                                setup.point_arrays());
         inertia.end_trial(step, conditions);
         if (!report.converged)
-          return report;
+          break;
       }
+    inertia.let_walls_lead(false);
+    if (!report.converged)
+      return report;
     inertia.start_step(setup.context(),
                        scene.boundary_conditions,
                        scene.points,

@@ -6,6 +6,7 @@
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
+#include <isochor/grid/nearest_cells.h>
 #include <isochor/postprocess/grid_fields.h>
 #include <isochor/postprocess/point_fields.h>
 #include <isochor/step/failure_report.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace isochor
@@ -106,6 +108,57 @@ namespace isochor
 
 
 
+    /** The largest displacement of the step (m) on this rank. */
+    template <int dim>
+    double
+    largest_displacement(const StepContext<dim> &step,
+                         const NodalField       &unknowns)
+    {
+      double largest = 0;
+      for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+        {
+          double square = 0;
+          for (unsigned int a = 0; a < dim; ++a)
+            square +=
+              std::pow(unknowns.local_element(node * step.n_components + a), 2);
+          // also of what is no number
+          if (!(square <= largest))
+            largest = square;
+        }
+      return std::sqrt(largest);
+    }
+
+
+
+    /** The size of the smallest cell of this rank that holds points (m). */
+    template <int dim>
+    double
+    smallest_cell(const StepContext<dim> &step)
+    {
+      double smallest = std::numeric_limits<double>::max();
+      for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+        smallest =
+          std::min(smallest,
+                   cell_size(step.grid.geometry(), step.points.cell[k]));
+      return smallest;
+    }
+
+
+
+    /** What is prescribed in a step (m), on this rank. */
+    double
+    largest_prescribed(const NodalConstraints &constraints)
+    {
+      double largest = 0;
+      for (const double increment : constraints.increment)
+        largest = std::max(largest, std::abs(increment));
+      for (const double value : constraints.followers.value)
+        largest = std::max(largest, std::abs(value));
+      return largest;
+    }
+
+
+
     /** The number of pressure equations over all ranks. */
     long
     n_pressures(const SparseSystem &matrix)
@@ -122,20 +175,66 @@ namespace isochor
 
   template <int dim>
   double
-  FailureReport<dim>::speed(const StepContext<dim> &step,
-                            const NodalField       &unknowns)
+  FailureReport<dim>::Softness::growth(const Softness &stiffest) const
   {
-    double largest = 0;
-    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
-      {
-        double square = 0;
-        for (unsigned int a = 0; a < dim; ++a)
-          square +=
-            std::pow(unknowns.local_element(node * step.n_components + a), 2);
-        largest = std::max(largest, square);
-      }
-    return std::sqrt(Utilities::MPI::max(largest, step.grid.communicator())) /
-           step.step_size();
+    if (!(per_time > 0) || !(stiffest.per_time > 0))
+      return -1;
+    const double by_time = per_time / stiffest.per_time;
+    return per_load > 0 && stiffest.per_load > 0 ?
+             std::min(by_time, per_load / stiffest.per_load) :
+             by_time;
+  }
+
+
+
+  template <int dim>
+  std::string
+  FailureReport<dim>::Softness::measure(const Softness &stiffest) const
+  {
+    return per_load > 0 && stiffest.per_load > 0 ? "load" : "time";
+  }
+
+
+
+  template <int dim>
+  void
+  FailureReport<dim>::Softness::take_smaller(const Softness &other)
+  {
+    const auto take = [](double &mine, const double theirs) {
+      if (theirs > 0)
+        mine = mine > 0 ? std::min(mine, theirs) : theirs;
+    };
+    take(per_time, other.per_time);
+    take(per_load, other.per_load);
+  }
+
+
+
+  template <int dim>
+  typename FailureReport<dim>::Softness
+  FailureReport<dim>::softness(const StepContext<dim> &step,
+                               const NodalField       &unknowns,
+                               const Drive            &drive)
+  {
+    const MPI_Comm comm = step.grid.communicator();
+    const double   u =
+      Utilities::MPI::max(largest_displacement(step, unknowns), comm);
+    const double h = Utilities::MPI::min(smallest_cell(step), comm);
+    const double told =
+      Utilities::MPI::max(largest_prescribed(drive.constraints), comm);
+    const bool dragged =
+      Utilities::MPI::max(static_cast<int>(drive.dragged), comm) != 0;
+    // what holds a node in place may be rounding, and a body at rest moves by
+    // what Newton's method leaves
+    constexpr double negligible = 0.01, rounding = 1e-9;
+    Softness         result;
+    if (!std::isfinite(u) || u < rounding * h || told > negligible * u ||
+        dragged)
+      return result;
+    result.per_time = u / step.step_size();
+    if (drive.change_of_loads > 0)
+      result.per_load = u / drive.change_of_loads;
+    return result;
   }
 
 
@@ -143,12 +242,13 @@ namespace isochor
   template <int dim>
   void
   FailureReport<dim>::remember(const StepContext<dim> &step,
-                               const NodalField       &unknowns)
+                               const NodalField       &unknowns,
+                               const Drive            &drive)
   {
-    last_speed = speed(step, unknowns);
-    if (last_speed > 0)
-      slowest = slowest > 0 ? std::min(slowest, last_speed) : last_speed;
-    if (!(last_speed > large_growth * slowest))
+    last = softness(step, unknowns, drive);
+    stiffest.take_smaller(last);
+    const double growth = last.growth(stiffest);
+    if (!(growth > large_growth))
       {
         soft_since = -1;
         n_soft     = 0;
@@ -159,10 +259,9 @@ namespace isochor
     if (++n_soft == many_steps)
       step.warnings.add(
         "the body gives way",
-        "Since t = " + rounded(soft_since) +
-          " the displacement per time is more than " + rounded(large_growth) +
-          " times that of the slowest step so far (" +
-          rounded(last_speed / slowest) +
+        "Since t = " + rounded(soft_since) + " the displacement per " +
+          last.measure(stiffest) + " is more than " + rounded(large_growth) +
+          " times that of the stiffest step so far (" + rounded(growth) +
           " times at t = " + rounded(step.time) +
           "). If loads drive the body, they are beyond what it can carry as it "
           "is: it flows or falls, and without inertia its speed means nothing. "
@@ -209,9 +308,13 @@ namespace isochor
   std::string
   FailureReport<dim>::Evidence::text() const
   {
-    std::string text = "the displacement per load was " + rounded(growth) +
-                       " times that of the stiffest step in the last step "
-                       "that converged";
+    std::string text =
+      growth < 0 ?
+        "displacements say nothing of it, as the body rests or is "
+        "moved by what is prescribed" :
+        "the displacement per " + measure + " was " + rounded(growth) +
+          " times that of the stiffest step in the last step "
+          "that converged";
     if (soft_since >= 0)
       text += " (more than " + rounded(large_growth) +
               " times since t = " + rounded(soft_since) + ")";
@@ -237,26 +340,13 @@ namespace isochor
   {
     const MPI_Comm comm = failure.step.grid.communicator();
     Evidence       evidence;
-    // where displacements are prescribed, a node moves as far as it is told;
-    // what holds a node in place may be rounding
-    constexpr double negligible = 0.01;
-    double           prescribed = 0;
-    for (const double increment : failure.constraints.increment)
-      prescribed = std::max(prescribed, std::abs(increment));
-    for (const double value : failure.constraints.followers.value)
-      prescribed = std::max(prescribed, std::abs(value));
-    const double trial = speed(failure.step, failure.unknowns);
-    const bool   driven =
-      Utilities::MPI::max(prescribed, comm) >
-        negligible * trial * failure.step.step_size() ||
-      Utilities::MPI::max(static_cast<int>(failure.dragged), comm) != 0;
-    if (slowest > 0)
-      {
-        evidence.growth     = last_speed / slowest;
-        evidence.soft_since = soft_since;
-        if (!driven && std::isfinite(trial))
-          evidence.growth_of_trial = trial / slowest;
-      }
+    // an iterate moves as far as it is told where displacements are prescribed
+    const Softness trial =
+      softness(failure.step, failure.unknowns, failure.drive);
+    evidence.growth          = last.growth(stiffest);
+    evidence.soft_since      = soft_since;
+    evidence.growth_of_trial = trial.growth(stiffest);
+    evidence.measure         = last.measure(stiffest);
     evidence.plastic_share =
       isochor::plastic_share(failure.points, failure.step.kernel, comm);
     if (failure.solver.knows_pivots)

@@ -5,6 +5,7 @@
 // The algorithm. What surrounds it, parameters, files and what is written to
 // the terminal, is in material_point_method_interface.cc.
 #include <isochor/base/plain_message.h>
+#include <isochor/dynamics/sudden_motions.h>
 #include <isochor/step/material_point_method.h>
 #include <isochor/step/scene_checks.h>
 
@@ -168,14 +169,17 @@ namespace isochor
                               grid_to_points.energy(),
                               statistics);
       equilibrium.remember_motion();
+      if (!scene.has_inertia())
+        failure_report.remember(step, unknowns, drive());
+      else
+        for (const auto &condition : scene.boundary_conditions)
+          warn_of_sudden_motion(step, *condition);
       for (auto &condition : scene.boundary_conditions)
         condition->advance(step, unknowns);
       setup.advance(step, unknowns);
       // on a grid that is kept nothing drifts
       if (setup.reset().due())
         grid_to_points.project_volume(step, scene.points);
-      if (!scene.has_inertia())
-        failure_report.remember(step, unknowns);
       warn_if_nothing_moves(scene, newton, unknowns);
       scene.time.accept(newton.n_factorisations);
     }

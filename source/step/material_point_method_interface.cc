@@ -133,14 +133,10 @@ namespace isochor
   std::string
   MaterialPointMethod<dim>::explain_failure(const NewtonReport &newton)
   {
-    const StepContext<dim> step    = setup.context();
-    bool                   dragged = false;
-    bool                   loaded  = equilibrium.has_dead_loads();
+    const StepContext<dim> step   = setup.context();
+    bool                   loaded = equilibrium.has_dead_loads();
     for (const auto &condition : scene.boundary_conditions)
-      {
-        dragged = dragged || condition->moves_body(step);
-        loaded  = loaded || condition->assembles_load(step);
-      }
+      loaded = loaded || condition->assembles_load(step);
     return failure_report.explain({step,
                                    equilibrium.nodal_unknowns(),
                                    equilibrium.mixed_system(),
@@ -148,12 +144,26 @@ namespace isochor
                                    scene.time,
                                    newton,
                                    equilibrium.linear().report(),
-                                   equilibrium.nodal_constraints(),
-                                   dragged,
+                                   drive(),
                                    loaded,
                                    scene.has_inertia(),
                                    scene.quadrature->forces_jump(),
                                    output_directory});
+  }
+
+
+
+  template <int dim>
+  typename FailureReport<dim>::Drive
+  MaterialPointMethod<dim>::drive() const
+  {
+    const StepContext<dim> step    = setup.context();
+    bool                   dragged = false;
+    for (const auto &condition : scene.boundary_conditions)
+      dragged = dragged || condition->moves_body(step);
+    return {equilibrium.nodal_constraints(),
+            dragged,
+            equilibrium.change_of_loads()};
   }
 
 

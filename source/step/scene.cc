@@ -202,6 +202,7 @@ namespace isochor
     prm.enter_subsection("Material points");
     domains = prm.get("Domains");
     prm.leave_subsection();
+    points.check_numbers(points_have_domains());
     parse_formulation(prm);
     parse_materials(prm);
     parse_plugins(prm);

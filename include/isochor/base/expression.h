@@ -90,6 +90,13 @@ namespace isochor
    */
   std::vector<std::pair<std::string, std::string>>
   split_named_list(const std::string &list, const std::string &parameter);
+
+  /** The same of a list in which each name stands for something of its own:
+   * throws if there are two entries of one name, of which one would be ignored.
+   */
+  std::vector<std::pair<std::string, std::string>>
+  split_list_of_unique_names(const std::string &list,
+                             const std::string &parameter);
 } // namespace isochor
 
 #endif

@@ -113,11 +113,33 @@ namespace isochor
       const NodalField                                           &unknowns,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       PointArrays<dim>                                           &points);
+    /**
+     * In a trial: whether one-sided walls start smoothly to push a body at
+     * rest. What they hold then has to start as they do, as what is prescribed:
+     * let_walls_lead(). Which nodes that are is for a trial before to find out,
+     * in which nodes at such walls are held with the acceleration that the wall
+     * has at the end of the first step. Collective.
+     */
+    bool
+    walls_start_smoothly(const StepContext<dim> &step) const;
+    /** In trials: from now on what one-sided walls hold starts with them, or
+     * no longer. Nodes have to be constrained anew. */
+    void
+    let_walls_lead(const bool lead)
+    {
+      trial.walls_lead = lead;
+      prescribed       = false;
+    }
+    bool
+    do_walls_lead() const
+    {
+      return trial.walls_lead;
+    }
     /** Whether the equations are those of a trial. */
     bool
     in_trial() const
     {
-      return trial_size != 0;
+      return trial.size != 0;
     }
     /** Back to the equations of a step. */
     void
@@ -180,7 +202,7 @@ namespace isochor
       const NodalConstraints                                     &constraints);
 
     /** The increments of a trial: those of the prescribed motion in
-     * @p constraints. */
+     * @p constraints. Collective. */
     void
     set_trial_increments(const StepContext<dim> &step,
                          NodalConstraints       &constraints) const;
@@ -188,7 +210,7 @@ namespace isochor
     double
     step_size(const StepContext<dim> &step) const
     {
-      return in_trial() ? trial_size : step.step_size();
+      return in_trial() ? trial.size : step.step_size();
     }
     const TimeIntegrator &
     scheme() const
@@ -287,9 +309,15 @@ namespace isochor
     void
     stop_at_walls();
 
+    struct Trial
+    {
+      double size       = 0;     ///< 0: there is none
+      bool   walls_lead = false; ///< see let_walls_lead()
+    };
+
     std::unique_ptr<TimeIntegrator> integrator;
     const NewmarkFamily             trial_integrator{0.5, 1., 0.};
-    double                          trial_size    = 0;
+    Trial                           trial;
     double                          kept_part     = 0; ///< η
     bool                            from_stresses = false;
     bool                            by_stresses   = false; ///< in this step
@@ -302,13 +330,24 @@ namespace isochor
       new_acceleration;
     /** Prescribed entries, of local nodes. */
     std::vector<unsigned char> held;
-    /** An entry that a one-sided wall holds, with the wall's motion at the end
-     * of the step and what it would start with. */
+    /** The motion of a one-sided wall over the step, by what the scheme follows
+     * it with at the start and at the end: what the next step is to start with
+     * if the wall goes on like this. */
+    struct WallMotion
+    {
+      MotionAtStart motion;
+      double        acceleration_at_start, velocity_at_end, acceleration_at_end;
+    };
+    WallMotion
+    wall_motion(const MotionAtStart &motion, const double dt) const;
+    /** The acceleration that points at the wall carry from the step. */
+    double
+    carried_acceleration(const WallMotion &wall) const;
+    /** An entry that a one-sided wall holds. */
     struct Stopped
     {
-      unsigned int  entry;
-      MotionAtStart at_end;
-      double        acceleration_at_start;
+      unsigned int entry;
+      WallMotion   wall;
     };
     std::vector<Stopped> stopped;
     /** What walls held at the end of the last step: their force on the body is
@@ -327,7 +366,7 @@ namespace isochor
     struct StoppedAlong
     {
       std::vector<std::pair<unsigned int, double>> direction;
-      MotionAtStart                                at_end;
+      WallMotion                                   wall;
     };
     std::vector<StoppedAlong> stopped_along;
     /** Of velocities and accelerations. */

@@ -45,6 +45,11 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm);
 
+    /** Throw now, and not after an hour of meshing, if there is no way to seed
+     * as many points per cell as are asked for. */
+    void
+    check_numbers(const bool with_domains) const;
+
     /** All points of the body, the same on all ranks, with simplex domains if
      * @p with_domains. Throws if none lies in the @p grid. */
     std::vector<Seed<dim>>

@@ -106,6 +106,13 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm);
 
+    /** See BodySeeding::check_numbers(). */
+    void
+    check_numbers(const bool with_domains) const
+    {
+      seeding.check_numbers(with_domains);
+    }
+
     /** Fill the body with points. Throws if none lies in the grid. */
     void
     seed(const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,

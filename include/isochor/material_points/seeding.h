@@ -25,11 +25,16 @@ namespace isochor
    *    Int. J. Numer. Meth. Eng. 21 (1985) 1129-1148;
    *  - 3D, 4: the symmetric rule of degree 2;
    *  - every other count for which deal.II has a simplex rule.
-   * Throws otherwise, naming the counts there are.
+   * Throws otherwise, naming the counts there are; @p subject says of what, and
+   * which parameter tells.
    */
   template <int dim>
   Quadrature<dim>
-  material_point_rule(const unsigned int n_points);
+  material_point_rule(
+    const unsigned int n_points,
+    const std::string &subject =
+      "material points per cell (<Material points/Points per cell> or <Points "
+      "per cell in zones>)");
 
   /** The corners of a simplex relative to its centroid. */
   template <int dim>
@@ -124,11 +129,6 @@ namespace isochor
   template <int dim>
   PointsWithDomains<dim>
   material_points_with_domains(const unsigned int n_points);
-
-  /** Whether there is a tiling for material_points_with_domains(). */
-  template <int dim>
-  bool
-  can_be_tiled(const unsigned int n_points);
 } // namespace isochor
 
 #endif

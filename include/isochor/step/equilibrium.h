@@ -81,6 +81,12 @@ namespace isochor
     {
       return external_force.l2_norm() > 0;
     }
+    /** By how much the loads change in the step (N): the sum over nodes and
+     * components of the change of their forces on the body as it is at the
+     * start of the step, which hardly depends on the grid, as shape functions
+     * are not negative. 0 if that is rounding. Collective. */
+    double
+    change_of_loads() const;
     const NodalField &
     nodal_unknowns() const
     {
@@ -118,9 +124,10 @@ namespace isochor
     predict();
     void
     start_from_rest();
-    /** The first step from its start, with other equations. */
+    /** The first step from its start, with other equations; @p with_contact:
+     * with the nodes in contact that were found. */
     void
-    start_again();
+    start_again(const bool with_contact = false);
     void
     compute_residual_floor();
     void

@@ -24,6 +24,17 @@ namespace isochor
   class FailureReport
   {
   public:
+    /** What moves the body in a step. */
+    struct Drive
+    {
+      const NodalConstraints &constraints;
+      /** Whether boundary points drag the body. */
+      bool dragged;
+      /** By how much the loads change (N), see Equilibrium::change_of_loads().
+       */
+      double change_of_loads;
+    };
+
     /** The state of the step that failed. */
     struct Failure
     {
@@ -34,9 +45,7 @@ namespace isochor
       const LoadStepping        &time;
       const NewtonReport        &newton;
       const LinearSolverReport  &solver;
-      const NodalConstraints    &constraints;
-      /** Whether boundary points drag the body. */
-      bool dragged;
+      const Drive                drive;
       /** Whether loads act, not displacements only. */
       bool loaded;
       bool dynamic;
@@ -47,9 +56,12 @@ namespace isochor
 
     /** A step without inertia has converged: remember how fast it moved the
      * body, and warn if that is much faster than before for several steps.
-     * Collective. */
+     * Steps say nothing in which the body rests but for rounding, or is moved
+     * by what is prescribed. Collective. */
     void
-    remember(const StepContext<dim> &step, const NodalField &unknowns);
+    remember(const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             const Drive            &drive);
 
     /** Write the files and return the message: no smaller step is allowed, and
      * none of those tried has a solution. Collective. */
@@ -64,14 +76,34 @@ namespace isochor
                  const std::string         &directory);
 
   private:
+    /** The largest displacement of a step per time (m/s) and per change of the
+     * loads (m/N); negative if that says nothing of the stiffness. */
+    struct Softness
+    {
+      double per_time = -1, per_load = -1;
+
+      /** How much softer it is than the @p stiffest step: the smaller of both
+       * ratios, as loads may be faster than the time, and points that change
+       * cells move a body whose loads rest. Negative if that isn't known. */
+      double
+      growth(const Softness &stiffest) const;
+      /** "load" or "time". */
+      std::string
+      measure(const Softness &stiffest) const;
+      /** The smaller values of both. */
+      void
+      take_smaller(const Softness &other);
+    };
+
     /** What is known of the loss of stiffness. */
     struct Evidence
     {
-      /** Largest displacement per time in the last step that converged and in
-       * the last iterate of the one that failed, against the slowest step so
-       * far. The latter is negative where displacements are prescribed: then
-       * an iterate moves as far as it is told. */
-      double growth = 1, growth_of_trial = -1;
+      /** Softness of the last step that converged and of the last iterate of
+       * the one that failed, against the stiffest step so far; negative if it
+       * isn't known. */
+      double growth = -1, growth_of_trial = -1;
+      /** Per what the displacement is measured. */
+      std::string measure = "load";
       /** Since when the growth has been large; negative if it isn't. */
       double soft_since = -1;
       /** Share of the volume whose plastic strain isn't 0, negative if no
@@ -99,14 +131,16 @@ namespace isochor
     static std::string
     write_files(const Failure &failure);
 
-    /** The largest displacement per time. Collective. */
-    static double
-    speed(const StepContext<dim> &step, const NodalField &unknowns);
+    /** Collective. */
+    static Softness
+    softness(const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             const Drive            &drive);
 
-    /** In the step that converged last and in the slowest one (m/s). */
-    double last_speed = 0, slowest = 0;
+    /** Of the step that converged last, and the least of all. */
+    Softness last, stiffest;
     /** The start of the first of the steps up to the last one that were all
-     * much faster than the slowest; negative if that one wasn't. */
+     * much softer than the stiffest; negative if that one wasn't. */
     double       soft_since = -1;
     unsigned int n_soft     = 0; ///< their number
   };

@@ -91,6 +91,9 @@ namespace isochor
     /** Why no smaller step is tried: the message for the user. */
     std::string
     explain_failure(const NewtonReport &newton);
+    /** What moves the body in this step. Collective. */
+    typename FailureReport<dim>::Drive
+    drive() const;
 
     void
     initialisation_phase();
