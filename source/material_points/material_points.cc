@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace isochor
 {
@@ -361,10 +362,12 @@ namespace isochor
 
   template <int dim>
   types::particle_index
-  MaterialPoints<dim>::relocate(const PointLocator<dim> &locator)
+  MaterialPoints<dim>::relocate(const PointLocator<dim>          &locator,
+                                const std::vector<unsigned char> &is_concerned)
   {
     forget_order();
-    const RelocationReport<dim> report = isochor::relocate(particles, locator);
+    const RelocationReport<dim> report =
+      isochor::relocate(particles, locator, is_concerned);
     if (report.n_lost == 0)
       return report.n_moved;
 
@@ -425,6 +428,7 @@ namespace isochor
     forget_order();
     const unsigned int n_properties = particles.n_properties_per_particle();
     PointRecords<dim>  records(n_properties);
+    records.reserve(keep_points ? particles.n_locally_owned_particles() : 0);
     if (keep_points)
       for (const auto &particle : particles)
         records.push_back(particle.get_surrounding_cell()->active_cell_index(),
@@ -448,7 +452,9 @@ namespace isochor
     std::size_t n_shipped;
     insert_particles(particles,
                      locator,
-                     exchange_points(records, grid.geometry(), n_shipped));
+                     exchange_points(std::move(records),
+                                     grid.geometry(),
+                                     n_shipped));
   }
 
 
