@@ -48,6 +48,11 @@ namespace isochor
     , is_new(domains.size(), 1)
   {
     edges_of.reserve(domains.size());
+    // an edge is shared by two in the plane, by about six in space
+    const std::size_t n_edges_expected = 2 * domains.size();
+    ranks.reserve(n_edges_expected);
+    middles.reserve(n_edges_expected);
+    is_marked.reserve(n_edges_expected);
     for (const PointDomain<dim> &domain : domains)
       edges_of.push_back(number_edges(domain));
     exchange_lengths();

@@ -17,24 +17,30 @@ namespace isochor
 {
   namespace
   {
-    /** Add cells a few faces away to those for which @p is_near is 1: what is
-     * bisected there hardly ever concerns domains further away. */
+    /** How many faces domains that take part in a bisection are away from what
+     * is large, at most: what is bisected there hardly ever concerns domains
+     * further away. */
+    constexpr unsigned int most_faces = 8;
+
+    /** By cell: how many faces it is away from those that are 0 already, at
+     * most most_faces + 1, which the others hold. */
     template <int dim>
     void
-    add_cells_around(const SimplexGeometry<dim> &geometry,
-                     std::vector<unsigned char> &is_near)
+    count_faces(const SimplexGeometry<dim> &geometry,
+                std::vector<unsigned int>  &distances)
     {
-      constexpr unsigned int    n_faces = 8;
       std::vector<unsigned int> last;
       for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-        if (is_near[cell])
+        if (distances[cell] == 0)
           last.push_back(cell);
-      for (unsigned int i = 0; i < n_faces; ++i)
+      for (unsigned int i = 1; i <= most_faces; ++i)
         for (const unsigned int cell : std::exchange(last, {}))
           for (const unsigned int next : geometry.neighbours(cell))
-            if (next != SimplexGeometry<dim>::no_cell &&
-                !std::exchange(is_near[next], 1))
-              last.push_back(next);
+            if (next != SimplexGeometry<dim>::no_cell && distances[next] > i)
+              {
+                distances[next] = i;
+                last.push_back(next);
+              }
     }
 
     /** The cells at most a few faces away from those of other ranks. */
@@ -46,21 +52,15 @@ namespace isochor
       std::vector<unsigned char> is_near(geometry.n_cells(), 0);
       if (Utilities::MPI::n_mpi_processes(comm) == 1)
         return is_near;
-      const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
+      const unsigned int        rank = Utilities::MPI::this_mpi_process(comm);
+      std::vector<unsigned int> distances(geometry.n_cells(), most_faces + 1);
       for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-        is_near[cell] = (geometry.owner(cell) != rank);
-      add_cells_around(geometry, is_near);
+        if (geometry.owner(cell) != rank)
+          distances[cell] = 0;
+      count_faces(geometry, distances);
+      for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+        is_near[cell] = (distances[cell] <= most_faces);
       return is_near;
-    }
-
-    void
-    set_on_all_ranks(std::vector<unsigned char> &flags, const MPI_Comm comm)
-    {
-      if (Utilities::MPI::n_mpi_processes(comm) == 1)
-        return;
-      std::vector<unsigned int> on_any(flags.begin(), flags.end());
-      Utilities::MPI::max(on_any, comm, on_any);
-      std::copy(on_any.begin(), on_any.end(), flags.begin());
     }
 
     /** Find location and cell of a part of a domain, which knows the location
@@ -125,6 +125,53 @@ namespace isochor
         asked.push_back(flags[place]);
       return asked;
     }
+
+    /** The parts of those of the @p domains, in cells that are near, that are
+     * bisected: until none is large and no cell sparse. Collective. */
+    template <int dim>
+    std::vector<PointDomain<dim>>
+    bisect_near(const std::vector<PointDomain<dim>>                  &domains,
+                const std::vector<unsigned char>                     &is_near,
+                const typename DomainBisection<dim>::DomainCondition &is_large,
+                const PointLocator<dim>                              &locator,
+                const PlaceScale<dim>                                &scale,
+                SparseCells<dim>                                     &sparse,
+                const MPI_Comm                                        comm)
+    {
+      std::vector<PointDomain<dim>> taking_part;
+      taking_part.reserve(
+        std::count_if(domains.begin(), domains.end(), [&](const auto &domain) {
+          return is_near[domain.cell] != 0;
+        }));
+      for (const PointDomain<dim> &domain : domains)
+        if (is_near[domain.cell])
+          taking_part.push_back(domain);
+      const auto is_near_others =
+        cells_near_other_ranks(locator.geometry(), comm);
+      DomainBisection<dim> bisection(std::move(taking_part),
+                                     scale,
+                                     comm,
+                                     [&](const PointDomain<dim> &domain) {
+                                       return is_near_others[domain.cell] != 0;
+                                     });
+      const auto is_large_in_its_cell = [&](PointDomain<dim> &domain) {
+        if (domain.n_halvings > 0)
+          locate_part(locator, domains[domain.point].cell, domain);
+        return is_large(domain);
+      };
+      bisection.bisect(is_large_in_its_cell);
+      constexpr unsigned int most_rounds = 12;
+      for (unsigned int round = 0; round < most_rounds; ++round)
+        if (!bisection.bisect(
+              find_sparse_parts(sparse, domains, is_near, bisection.parts()),
+              is_large_in_its_cell))
+          break;
+      std::vector<PointDomain<dim>> parts;
+      for (const PointDomain<dim> &part : bisection.parts())
+        if (part.n_halvings > 0)
+          parts.push_back(part);
+      return parts;
+    }
   } // namespace
 
 
@@ -141,55 +188,50 @@ namespace isochor
     const auto     is_large = [&](const PointDomain<dim> &domain) {
       return domain.volume > share * locator.geometry().measure(domain.cell);
     };
-    SparseCells<dim>           sparse(locator.geometry(), least_points, comm);
-    const auto                 asked = sparse.find_domains(pointers(domains));
-    std::vector<unsigned char> is_near(locator.geometry().n_cells(), 0);
-    bool                       is_any = false;
+    SparseCells<dim>          sparse(locator.geometry(), least_points, comm);
+    const auto                asked = sparse.find_domains(pointers(domains));
+    std::vector<unsigned int> distances(locator.geometry().n_cells(),
+                                        most_faces + 1);
+    bool                      is_any = false;
     for (unsigned int i = 0; i < domains.size(); ++i)
       if (asked[i] || is_large(domains[i]))
         {
-          is_near[domains[i].cell] = 1;
-          is_any                   = true;
+          distances[domains[i].cell] = 0;
+          is_any                     = true;
         }
     if (!Utilities::MPI::logical_or(is_any, comm))
       return {};
-
-    if (have_to_fit)
-      std::fill(is_near.begin(), is_near.end(), 1);
-    else
-      {
-        add_cells_around(locator.geometry(), is_near);
-        set_on_all_ranks(is_near, comm);
-      }
-    std::vector<PointDomain<dim>> taking_part;
-    for (const PointDomain<dim> &domain : domains)
-      if (is_near[domain.cell])
-        taking_part.push_back(domain);
-    const auto is_near_others =
-      cells_near_other_ranks(locator.geometry(), comm);
-    DomainBisection<dim> bisection(std::move(taking_part),
-                                   scale_of_places(grid),
-                                   comm,
-                                   [&](const PointDomain<dim> &domain) {
-                                     return is_near_others[domain.cell] != 0;
-                                   });
-    const auto           is_large_in_its_cell = [&](PointDomain<dim> &domain) {
-      if (domain.n_halvings > 0)
-        locate_part(locator, domains[domain.point].cell, domain);
-      return is_large(domain);
+    std::vector<unsigned char> is_near(distances.size(), 1);
+    const auto                 bisect = [&]() {
+      return bisect_near<dim>(domains,
+                              is_near,
+                              is_large,
+                              locator,
+                              scale_of_places(grid),
+                              sparse,
+                              comm);
     };
-    bisection.bisect(is_large_in_its_cell);
-    constexpr unsigned int most_rounds = 12;
-    for (unsigned int round = 0; round < most_rounds; ++round)
-      if (!bisection.bisect(
-            find_sparse_parts(sparse, domains, is_near, bisection.parts()),
-            is_large_in_its_cell))
-        break;
-    std::vector<PointDomain<dim>> parts;
-    for (const PointDomain<dim> &part : bisection.parts())
-      if (part.n_halvings > 0)
-        parts.push_back(part);
-    return parts;
+    if (have_to_fit)
+      return bisect();
+    count_faces(locator.geometry(), distances);
+    if (Utilities::MPI::n_mpi_processes(comm) > 1)
+      Utilities::MPI::min(distances, comm, distances);
+    const auto set_near = [&](const unsigned int n_faces) {
+      for (unsigned int cell = 0; cell < distances.size(); ++cell)
+        is_near[cell] = (distances[cell] <= n_faces);
+    };
+    // mostly nothing far away is bisected, so that half of the cells are enough
+    constexpr unsigned int few_faces = most_faces / 2, margin = 2;
+    set_near(few_faces);
+    const auto parts = bisect();
+    const bool is_enough =
+      std::none_of(parts.begin(), parts.end(), [&](const auto &part) {
+        return distances[domains[part.point].cell] + margin > few_faces;
+      });
+    if (!Utilities::MPI::logical_or(!is_enough, comm))
+      return parts;
+    set_near(most_faces);
+    return bisect();
   }
 
 
