@@ -220,10 +220,10 @@ namespace isochor
       for (unsigned int cell = 0; cell < distances.size(); ++cell)
         is_near[cell] = (distances[cell] <= n_faces);
     };
-    // mostly nothing far away is bisected, so that half of the cells are enough
-    constexpr unsigned int few_faces = most_faces / 2, margin = 2;
+    // mostly nothing far away is bisected, so that fewer cells do
+    constexpr unsigned int few_faces = 5, margin = 2;
     set_near(few_faces);
-    const auto parts = bisect();
+    auto       parts = bisect();
     const bool is_enough =
       std::none_of(parts.begin(), parts.end(), [&](const auto &part) {
         return distances[domains[part.point].cell] + margin > few_faces;

@@ -127,7 +127,7 @@ namespace isochor
 
   template <int dim>
   PointRecords<dim>
-  exchange_points(PointRecords<dim>         &&records,
+  exchange_points(PointRecords<dim>           records,
                   const SimplexGeometry<dim> &geometry,
                   std::size_t                &n_shipped)
   {
@@ -283,11 +283,11 @@ namespace isochor
   template struct PointRecords<2>;
   template struct PointRecords<3>;
   template PointRecords<2>
-  exchange_points<2>(PointRecords<2> &&,
+  exchange_points<2>(PointRecords<2>,
                      const SimplexGeometry<2> &,
                      std::size_t &);
   template PointRecords<3>
-  exchange_points<3>(PointRecords<3> &&,
+  exchange_points<3>(PointRecords<3>,
                      const SimplexGeometry<3> &,
                      std::size_t &);
   template void

@@ -65,7 +65,7 @@ namespace isochor
    */
   template <int dim>
   PointRecords<dim>
-  exchange_points(PointRecords<dim>         &&records,
+  exchange_points(PointRecords<dim>           records,
                   const SimplexGeometry<dim> &geometry,
                   std::size_t                &n_shipped);
 
