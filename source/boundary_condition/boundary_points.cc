@@ -13,6 +13,7 @@
 #include <limits>
 #include <numeric>
 #include <sstream>
+#include <utility>
 
 namespace isochor
 {
@@ -182,8 +183,8 @@ namespace isochor
           records.cells[b] = find_cells(b, candidates).front();
         std::size_t n_shipped;
         // in an order that does not depend on how the points came here
-        records =
-          sorted_by_id(exchange_points(records, grid.geometry(), n_shipped));
+        records = sorted_by_id(
+          exchange_points(std::move(records), grid.geometry(), n_shipped));
       }
     for (unsigned int b = 0; b < size(); ++b)
       {

@@ -40,7 +40,6 @@ namespace isochor
   DomainBisection<dim>::DomainBisection(std::vector<PointDomain<dim>> &&all,
                                         const PlaceScale<dim>          &scale,
                                         const MPI_Comm                  comm,
-                                        const DomainCondition &takes_part,
                                         const DomainCondition &may_be_shared)
     : domains(std::move(all))
     , comm(comm)
@@ -48,10 +47,14 @@ namespace isochor
     , table(scale)
     , is_new(domains.size(), 1)
   {
-    Edges no_edges;
-    no_edges.fill(PlaceTable<dim>::none);
+    edges_of.reserve(domains.size());
+    // an edge is shared by two in the plane, by about six in space
+    const std::size_t n_edges_expected = 2 * domains.size();
+    ranks.reserve(n_edges_expected);
+    middles.reserve(n_edges_expected);
+    is_marked.reserve(n_edges_expected);
     for (const PointDomain<dim> &domain : domains)
-      edges_of.push_back(takes_part(domain) ? number_edges(domain) : no_edges);
+      edges_of.push_back(number_edges(domain));
     exchange_lengths();
   }
 
@@ -113,7 +116,7 @@ namespace isochor
         for (const Edges &edges : edges_of)
           {
             if (std::none_of(edges.begin(), edges.end(), [&](const auto edge) {
-                  return edge != PlaceTable<dim>::none && is_marked[edge];
+                  return is_marked[edge] != 0;
                 }))
               continue;
             // the whole, then the triangle without corner c; in the plane
@@ -149,8 +152,7 @@ namespace isochor
       return;
     std::vector<double> values;
     for (unsigned int i = 0; i < domains.size(); ++i)
-      if (is_new[i] && edges_of[i][0] != PlaceTable<dim>::none &&
-          may_be_shared(domains[i]))
+      if (is_new[i] && may_be_shared(domains[i]))
         for (const unsigned int edge : edges_of[i])
           {
             for (unsigned int d = 0; d < dim; ++d)
@@ -273,6 +275,8 @@ namespace isochor
     domains.clear();
     edges_of.clear();
     is_new.clear();
+    domains.reserve(all_domains.size());
+    edges_of.reserve(all_edges.size());
     for (unsigned int i = 0; i < all_domains.size(); ++i)
       add_parts(all_domains[i], all_edges[i], false);
     std::fill(is_marked.begin(), is_marked.end(), 0);
@@ -288,7 +292,7 @@ namespace isochor
                                   const bool              is_part)
   {
     const unsigned int edge = longest(edges, [&](const unsigned int e) {
-      return edges[e] != PlaceTable<dim>::none && is_marked[edges[e]] != 0;
+      return is_marked[edges[e]] != 0;
     });
     if (edge == n_edges)
       {

@@ -5,6 +5,7 @@
 // The members of PointMerging that are about domains.
 #include <deal.II/base/mpi.h>
 
+#include <isochor/material_points/place_filter.h>
 #include <isochor/material_points/point_merging.h>
 
 #include <algorithm>
@@ -34,66 +35,115 @@ namespace isochor
         (part.reference[middle<dim>] - part.reference[end<dim>]);
       return centroid<dim>(corners);
     }
-  } // namespace
 
+    template <int dim>
+    void
+    add_places(const typename PointDomain<dim>::Corners &corners,
+               std::vector<double>                      &places)
+    {
+      for (const Point<dim> &corner : corners)
+        for (unsigned int d = 0; d < dim; ++d)
+          places.push_back(corner[d]);
+    }
 
-
-  template <int dim>
-  PlaceTable<dim>
-  PointMerging<dim>::find_middles(const std::vector<PointDomain<dim>> &domains,
-                                  std::vector<unsigned int> &is_vetoed) const
-  {
-    const MPI_Comm comm = grid.communicator();
-    // one merger takes at most half of the points of a cell
-    std::vector<unsigned int> n_points(locator.geometry().n_cells(), 0);
-    for (const PointDomain<dim> &domain : domains)
-      ++n_points[domain.cell];
-    const auto is_willing = [&](const PointDomain<dim> &part) {
-      return part.ancestry > 0 && fits(2 * part.volume, part.cell) &&
-             n_points[part.cell] >= 2 * least_points;
-    };
-    PlaceTable<dim>     own(scale);
-    std::vector<double> places;
-    for (const PointDomain<dim> &domain : domains)
-      if (is_willing(domain))
-        {
-          const unsigned int before = own.size();
-          if (own.find_or_add(domain.reference[middle<dim>]) == before)
-            for (unsigned int d = 0; d < dim; ++d)
-              places.push_back(domain.reference[middle<dim>][d]);
-        }
-    PlaceTable<dim> all(scale);
-    if (Utilities::MPI::n_mpi_processes(comm) == 1)
-      all = std::move(own);
-    else
+    /** Add the @p places of all ranks, coordinates one after the other. */
+    template <int dim>
+    void
+    add_of_all_ranks(const std::vector<double> &places,
+                     const MPI_Comm             comm,
+                     PlaceTable<dim>           &table)
+    {
       for (const auto &of_rank : Utilities::MPI::all_gather(comm, places))
         for (std::size_t i = 0; i < of_rank.size(); i += dim)
           {
             Point<dim> place;
             for (unsigned int d = 0; d < dim; ++d)
               place[d] = of_rank[i + d];
-            all.find_or_add(place);
+            table.find_or_add(place);
           }
-    is_vetoed.assign(all.size(), 0);
-    if (all.size() == 0)
-      return all;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  PointMerging<dim>::find_changes(const std::vector<PointDomain<dim>> &domains)
+  {
+    std::vector<unsigned int> n_now(locator.geometry().n_cells(), 0);
     for (const PointDomain<dim> &domain : domains)
+      ++n_now[domain.cell];
+    const std::vector<unsigned int> n_before = std::exchange(n_points, n_now);
+    if (n_before.empty())
+      return;
+    std::vector<double> places = std::exchange(corners_of_merged, {});
+    for (const PointDomain<dim> &domain : domains)
+      if (n_now[domain.cell] > n_before[domain.cell])
+        add_places<dim>(domain.reference, places);
+    changed_places.emplace(scale);
+    add_of_all_ranks(places, grid.communicator(), *changed_places);
+  }
+
+
+
+  template <int dim>
+  bool
+  PointMerging<dim>::is_willing(const PointDomain<dim> &part) const
+  {
+    // one merger takes at most half of the points of a cell
+    return part.ancestry > 0 && fits(2 * part.volume, part.cell) &&
+           n_points[part.cell] >= 2 * least_points;
+  }
+
+
+
+  template <int dim>
+  PlaceTable<dim>
+  PointMerging<dim>::find_middles(const std::vector<PointDomain<dim>> &domains,
+                                  std::vector<unsigned int>           &willing,
+                                  std::vector<unsigned int> &is_vetoed) const
+  {
+    const MPI_Comm             comm = grid.communicator();
+    std::vector<double>        places;
+    std::vector<unsigned char> is_own_willing(domains.size(), 0);
+    for (unsigned int i = 0; i < domains.size(); ++i)
+      if (is_willing(domains[i]))
+        {
+          is_own_willing[i]       = 1;
+          const Point<dim> &place = domains[i].reference[middle<dim>];
+          if (changed_places &&
+              changed_places->find(place) == PlaceTable<dim>::none)
+            continue;
+          willing.push_back(i);
+          for (unsigned int d = 0; d < dim; ++d)
+            places.push_back(place[d]);
+        }
+    PlaceTable<dim> middles(scale);
+    add_of_all_ranks(places, comm, middles);
+    is_vetoed.assign(middles.size(), 0);
+    if (middles.size() == 0)
+      return middles;
+    const PlaceFilter<dim> filter(middles, scale);
+    for (unsigned int i = 0; i < domains.size(); ++i)
       for (unsigned int c = 0; c <= dim; ++c)
         {
-          const unsigned int number = all.find(domain.reference[c]);
-          if (number != PlaceTable<dim>::none &&
-              !(c == middle<dim> && is_willing(domain)))
+          const Point<dim> &corner = domains[i].reference[c];
+          if ((c == middle<dim> && is_own_willing[i]) ||
+              !filter.may_contain(corner))
+            continue;
+          const unsigned int number = middles.find(corner);
+          if (number != PlaceTable<dim>::none)
             is_vetoed[number] = 1;
         }
     Utilities::MPI::max(is_vetoed, comm, is_vetoed);
-    return all;
+    return middles;
   }
 
 
 
   template <int dim>
   void
-  PointMerging<dim>::exchange_parts(std::vector<Part> &parts) const
+  PointMerging<dim>::exchange_parts(std::vector<Part> &parts)
   {
     const MPI_Comm comm = grid.communicator();
     if (Utilities::MPI::n_mpi_processes(comm) == 1)
@@ -110,15 +160,15 @@ namespace isochor
         values.push_back(part.domain.volume);
         values.push_back(part.domain.ancestry);
         values.insert(values.end(),
-                      part.properties.begin(),
-                      part.properties.end());
+                      part.properties,
+                      part.properties + points.layout().n_properties);
       }
     parts.clear();
-    const auto         all  = Utilities::MPI::all_gather(comm, values);
+    received                = Utilities::MPI::all_gather(comm, values);
     const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
-    for (unsigned int r = 0; r < all.size(); ++r)
-      for (const double *value = all[r].data();
-           r != rank && value != all[r].data() + all[r].size();)
+    for (unsigned int r = 0; r < received.size(); ++r)
+      for (const double *value = received[r].data();
+           r != rank && value != received[r].data() + received[r].size();)
         {
           Part part;
           for (unsigned int c = 0; c <= dim; ++c)
@@ -129,7 +179,7 @@ namespace isochor
               }
           part.domain.volume   = *value++;
           part.domain.ancestry = *value++;
-          part.properties.assign(value, value + points.layout().n_properties);
+          part.properties      = value;
           value += points.layout().n_properties;
           parts.push_back(part);
         }
@@ -140,6 +190,7 @@ namespace isochor
   template <int dim>
   std::vector<typename PointMerging<dim>::Pair>
   PointMerging<dim>::find_pairs(const std::vector<PointDomain<dim>> &domains,
+                                const std::vector<unsigned int>     &willing,
                                 const PlaceTable<dim>               &middles,
                                 const std::vector<unsigned int>     &is_vetoed)
   {
@@ -155,19 +206,21 @@ namespace isochor
       pairs[i].parts[kept < lost ? 0 : 1]          = part;
       pairs[i].parts[kept < lost ? 0 : 1].is_there = true;
     };
-    auto particle = points.handler().begin();
-    for (unsigned int i = 0; i < domains.size(); ++i, ++particle)
+    auto         particle = points.handler().begin();
+    unsigned int point    = 0;
+    for (const unsigned int i : willing)
       {
-        const unsigned int number = middles.find(domains[i].reference[dim]);
-        if (domains[i].ancestry == 0 || number == PlaceTable<dim>::none ||
-            is_vetoed[number])
+        const unsigned int number =
+          middles.find(domains[i].reference[middle<dim>]);
+        if (is_vetoed[number])
           continue;
+        for (; point < i; ++point)
+          ++particle;
         Part part;
-        part.domain       = domains[i];
-        const auto values = particle->get_properties();
-        part.properties.assign(values.begin(), values.end());
-        part.particle = particle;
-        part.is_own   = true;
+        part.domain     = domains[i];
+        part.properties = particle->get_properties().data();
+        part.particle   = particle;
+        part.is_own     = true;
         add(part, number);
       }
     std::vector<Part> others;
@@ -179,7 +232,7 @@ namespace isochor
     for (const Part &part : others)
       if (!part.is_own && wholes.find(centroid_of_whole<dim>(part.domain)) !=
                             PlaceTable<dim>::none)
-        add(part, middles.find(part.domain.reference[dim]));
+        add(part, middles.find(part.domain.reference[middle<dim>]));
     return pairs;
   }
 
@@ -197,7 +250,8 @@ namespace isochor
     const Point<dim> a = first.domain.current[end<dim>],
                      b = second.domain.current[end<dim>],
                      m = first.domain.current[middle<dim>];
-    if (!((m - (a + (b - a) / 2)).norm() <= straightness * (b - a).norm()))
+    if (!((m - (a + (b - a) / 2)).norm() <= straightness * (b - a).norm()) ||
+        !are_alike(first.properties, second.properties))
       return false;
 
     const auto [kept, lost] = Ancestry<dim>::last(first.domain.ancestry);
@@ -219,8 +273,6 @@ namespace isochor
           is[d][c]  = whole.current[c + 1][d] - whole.current[0][d];
         }
     const Tensor<2, dim> F = is * invert(was);
-    if (!are_alike(first.properties, second.properties))
-      return false;
     add_state(first.properties, second.properties, F, pair.properties);
     whole.volume     = pair.properties[points.layout().volume] * determinant(F);
     whole.location   = centroid<dim>(whole.current);
@@ -238,16 +290,18 @@ namespace isochor
   {
     const MPI_Comm            comm    = grid.communicator();
     const auto                domains = point_domains(points);
-    std::vector<unsigned int> is_vetoed;
-    const PlaceTable<dim>     middles = find_middles(domains, is_vetoed);
+    std::vector<unsigned int> willing, is_vetoed;
+    find_changes(domains);
+    const PlaceTable<dim> middles = find_middles(domains, willing, is_vetoed);
     if (middles.size() == 0)
       return 0;
-    std::vector<Pair> pairs = find_pairs(domains, middles, is_vetoed);
+    std::vector<Pair> pairs = find_pairs(domains, willing, middles, is_vetoed);
     // the parts around a middle together or none of them
     for (Pair &pair : pairs)
       if (!unite(pair))
         is_vetoed[pair.middle] = 1;
     Utilities::MPI::max(is_vetoed, comm, is_vetoed);
+    is_concerned.assign(locator.geometry().n_cells(), 0);
     std::vector<Particles::ParticleIterator<dim>> vanishing;
     for (Pair &pair : pairs)
       {
@@ -260,25 +314,20 @@ namespace isochor
                       pair.properties.end(),
                       first.particle->get_properties().begin());
             first.particle->set_location(pair.whole.location);
+            add_places<dim>(pair.whole.reference, corners_of_merged);
+            is_concerned[first.domain.cell] = 1;
           }
         if (second.is_own)
           vanishing.push_back(second.particle);
       }
     points.handler().remove_particles(vanishing);
-    points.handler().update_cached_numbers();
     return vanishing.size();
   }
 
 
 
-  template PlaceTable<2>
-  PointMerging<2>::find_middles(const std::vector<PointDomain<2>> &,
-                                std::vector<unsigned int> &) const;
   template types::particle_index
   PointMerging<2>::merge_domains();
-  template PlaceTable<3>
-  PointMerging<3>::find_middles(const std::vector<PointDomain<3>> &,
-                                std::vector<unsigned int> &) const;
   template types::particle_index
   PointMerging<3>::merge_domains();
 } // namespace isochor

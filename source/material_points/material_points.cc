@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace isochor
 {
@@ -361,21 +362,23 @@ namespace isochor
 
   template <int dim>
   types::particle_index
-  MaterialPoints<dim>::relocate(const PointLocator<dim> &locator)
+  MaterialPoints<dim>::relocate(const PointLocator<dim>          &locator,
+                                const std::vector<unsigned char> &is_concerned)
   {
     forget_order();
-    const RelocationReport<dim> report = isochor::relocate(particles, locator);
-    // laying out anew costs about what out-of-order memory does in a step
-    constexpr double much = 0.25;
-    n_out_of_order += report.n_moved;
-    if (n_out_of_order > much * particles.n_global_particles() &&
-        report.n_lost == 0)
-      {
-        order_memory(particles, locator);
-        n_out_of_order = 0;
-      }
+    const RelocationReport<dim> report =
+      isochor::relocate(particles, locator, is_concerned);
     if (report.n_lost == 0)
-      return report.n_moved;
+      {
+        // laying out anew costs about what disorder does in a step
+        n_out_of_order += report.n_moved;
+        if (n_out_of_order > particles.n_global_particles() / 4)
+          {
+            order_memory(particles, locator);
+            n_out_of_order = 0;
+          }
+        return report.n_moved;
+      }
 
     constexpr std::size_t               most = 3; // places to list
     std::string                         places;
@@ -434,6 +437,7 @@ namespace isochor
     forget_order();
     const unsigned int n_properties = particles.n_properties_per_particle();
     PointRecords<dim>  records(n_properties);
+    records.reserve(keep_points ? particles.n_locally_owned_particles() : 0);
     if (keep_points)
       for (const auto &particle : particles)
         records.push_back(particle.get_surrounding_cell()->active_cell_index(),
@@ -457,7 +461,9 @@ namespace isochor
     std::size_t n_shipped;
     insert_particles(particles,
                      locator,
-                     exchange_points(records, grid.geometry(), n_shipped));
+                     exchange_points(std::move(records),
+                                     grid.geometry(),
+                                     n_shipped));
   }
 
 
@@ -476,15 +482,6 @@ namespace isochor
   MaterialPoints<dim>::handler() const
   {
     return particles;
-  }
-
-
-
-  template <int dim>
-  const PointLayout &
-  MaterialPoints<dim>::layout() const
-  {
-    return point_layout;
   }
 
 

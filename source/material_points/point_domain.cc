@@ -41,9 +41,10 @@ namespace isochor
               corners[c + 1][d] = values[l.domain + c * dim + d];
               corners[0][d] -= corners[c + 1][d];
             }
-        PointDomain<dim> domain;
-        domain.location      = particle.get_location();
-        Point<dim> reference = domain.location;
+        domains.emplace_back();
+        PointDomain<dim> &domain = domains.back();
+        domain.location          = particle.get_location();
+        Point<dim> reference     = domain.location;
         for (unsigned int d = 0; d < dim; ++d)
           reference[d] -= values[l.displacement + d];
         for (unsigned int c = 0; c <= dim; ++c)
@@ -53,10 +54,9 @@ namespace isochor
           }
         domain.volume = values[l.volume] * determinant(F);
         domain.cell   = particle.get_surrounding_cell()->active_cell_index();
-        domain.point  = domains.size();
+        domain.point  = domains.size() - 1;
         if (l.with_ancestry)
           domain.ancestry = values[l.ancestry];
-        domains.push_back(domain);
       }
     return domains;
   }

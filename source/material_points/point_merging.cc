@@ -46,7 +46,7 @@ namespace isochor
         if (n == 0)
           return sum;
         sum += n;
-        points.relocate(locator);
+        points.relocate(locator, is_concerned);
       }
   }
 
@@ -63,12 +63,11 @@ namespace isochor
 
   template <int dim>
   bool
-  PointMerging<dim>::are_alike(const std::vector<double> &first,
-                               const std::vector<double> &second) const
+  PointMerging<dim>::are_alike(const double *first, const double *second) const
   {
     constexpr double rounding = 1e-6;
-    const auto F = deformation_gradient<dim>(first.data(), points.layout()),
-               G = deformation_gradient<dim>(second.data(), points.layout());
+    const auto       F    = deformation_gradient<dim>(first, points.layout()),
+               G          = deformation_gradient<dim>(second, points.layout());
     Tensor<2, dim> strain = transpose(F) * F;
     for (unsigned int d = 0; d < dim; ++d)
       strain[d][d] -= 1;
@@ -79,18 +78,18 @@ namespace isochor
 
   template <int dim>
   void
-  PointMerging<dim>::add_state(const std::vector<double> &first,
-                               const std::vector<double> &second,
-                               const Tensor<2, dim>      &F,
-                               std::vector<double>       &properties) const
+  PointMerging<dim>::add_state(const double         *first,
+                               const double         *second,
+                               const Tensor<2, dim> &F,
+                               std::vector<double>  &properties) const
   {
     const PointLayout &l = points.layout();
     // shares of masses and of current volumes
     const double mass = first[l.mass] + second[l.mass],
                  m    = mass > 0 ? second[l.mass] / mass : 0.5;
-    const auto volume = [&](const std::vector<double> &values) {
+    const auto volume = [&](const double *values) {
       return values[l.volume] *
-             determinant(deformation_gradient<dim>(values.data(), l));
+             determinant(deformation_gradient<dim>(values, l));
     };
     const double v = volume(second) / (volume(first) + volume(second));
     const auto   mean =
@@ -98,7 +97,7 @@ namespace isochor
         for (unsigned int i = begin; i < begin + n; ++i)
           properties[i] = (1 - share) * first[i] + share * second[i];
       };
-    properties           = first;
+    properties.assign(first, first + l.n_properties);
     properties[l.volume] = first[l.volume] + second[l.volume];
     properties[l.mass]   = mass;
     mean(l.displacement, dim, m);
@@ -116,10 +115,9 @@ namespace isochor
       {
         const MaterialModel<dim> &material =
           *materials[static_cast<unsigned int>(first[l.material])];
-        std::vector<double> a(first.begin() + l.history,
-                              first.begin() + l.history + l.n_history),
-          b(second.begin() + l.history,
-            second.begin() + l.history + l.n_history);
+        std::vector<double> a(first + l.history,
+                              first + l.history + l.n_history),
+          b(second + l.history, second + l.history + l.n_history);
         material.to_mean_values(a.data());
         material.to_mean_values(b.data());
         for (unsigned int i = 0; i < l.n_history; ++i)
@@ -199,7 +197,7 @@ namespace isochor
              fits_around(x[l.volume] * determinant(F) +
                            y[l.volume] * determinant(G),
                          cell) &&
-             are_alike({x.begin(), x.end()}, {y.begin(), y.end()});
+             are_alike(x.data(), y.data());
     };
     for (auto particle = points.handler().begin();
          particle != points.handler().end();)
@@ -230,7 +228,6 @@ namespace isochor
           }
       }
     points.handler().remove_particles(vanishing);
-    points.handler().update_cached_numbers();
     return vanishing.size();
   }
 
@@ -255,7 +252,7 @@ namespace isochor
     Tensor<2, dim> mean    = (1 - s) * F + s * G;
     mean *= std::pow(J / determinant(mean), 1. / dim);
     std::vector<double> properties;
-    add_state(first, second, mean, properties);
+    add_state(first.data(), second.data(), mean, properties);
     properties[l.ancestry] = std::min(first[l.ancestry], second[l.ancestry]);
     const double     m     = first[l.mass] + second[l.mass] > 0 ?
                                second[l.mass] / (first[l.mass] + second[l.mass]) :

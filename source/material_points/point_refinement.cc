@@ -5,14 +5,11 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
-#include <isochor/material_points/domain_bisection.h>
 #include <isochor/material_points/point_refinement.h>
-#include <isochor/material_points/sparse_cells.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace isochor
 {
@@ -97,75 +94,6 @@ namespace isochor
           shift[d] *= factors[d];
     }
 
-    /** Add cells a few faces away to those for which @p is_near is 1: what is
-     * bisected there hardly ever concerns domains further away. */
-    template <int dim>
-    void
-    add_cells_around(const SimplexGeometry<dim> &geometry,
-                     std::vector<unsigned char> &is_near)
-    {
-      constexpr unsigned int    n_faces = 8;
-      std::vector<unsigned int> last;
-      for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-        if (is_near[cell])
-          last.push_back(cell);
-      for (unsigned int i = 0; i < n_faces; ++i)
-        for (const unsigned int cell : std::exchange(last, {}))
-          for (const unsigned int next : geometry.neighbours(cell))
-            if (next != SimplexGeometry<dim>::no_cell &&
-                !std::exchange(is_near[next], 1))
-              last.push_back(next);
-    }
-
-    /** The cells at most a few faces away from those of other ranks. */
-    template <int dim>
-    std::vector<unsigned char>
-    cells_near_other_ranks(const SimplexGeometry<dim> &geometry,
-                           const MPI_Comm              comm)
-    {
-      std::vector<unsigned char> is_near(geometry.n_cells(), 0);
-      if (Utilities::MPI::n_mpi_processes(comm) == 1)
-        return is_near;
-      const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
-      for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-        is_near[cell] = (geometry.owner(cell) != rank);
-      add_cells_around(geometry, is_near);
-      return is_near;
-    }
-
-    void
-    set_on_all_ranks(std::vector<unsigned char> &flags, const MPI_Comm comm)
-    {
-      if (Utilities::MPI::n_mpi_processes(comm) == 1)
-        return;
-      std::vector<unsigned int> on_any(flags.begin(), flags.end());
-      Utilities::MPI::max(on_any, comm, on_any);
-      std::copy(on_any.begin(), on_any.end(), flags.begin());
-    }
-
-    /** Find location and cell of a part of a domain, which knows the location
-     * of the whole. A part whose centroid is outside of the grid stays behind.
-     * On a face between cells the answer depends on @p cell, that of the point
-     * as it was: MaterialPoints::relocate() will begin there, too. */
-    template <int dim>
-    void
-    locate_part(const PointLocator<dim> &locator,
-                const unsigned int       cell,
-                PointDomain<dim>        &part)
-    {
-      const Point<dim>     of_whole = part.location;
-      const Tensor<1, dim> shift    = centroid<dim>(part.current) - of_whole;
-      for (double factor = 1; factor > 1e-3; factor *= 0.75)
-        {
-          const Point<dim> x     = of_whole + factor * shift;
-          const auto       place = locator.locate(x, cell);
-          if (!place.found)
-            continue;
-          part.location = x;
-          part.cell     = place.cell;
-          return;
-        }
-    }
   } // namespace
 
 
@@ -283,8 +211,7 @@ namespace isochor
         if (n == 0)
           break;
         n_added += n;
-        insert(points, grid, parts);
-        points.relocate(locator);
+        insert(points, grid, locator, parts);
       }
   }
 
@@ -355,115 +282,10 @@ namespace isochor
 
 
   template <int dim>
-  std::vector<PointDomain<dim>>
-  PointRefinement<dim>::bisect_domains(std::vector<PointDomain<dim>> &&domains,
-                                       const BackgroundGrid<dim>      &grid,
-                                       const PointLocator<dim>        &locator,
-                                       const double share) const
-  {
-    const MPI_Comm comm     = grid.communicator();
-    const auto     is_large = [&](const PointDomain<dim> &domain) {
-      return domain.volume > share * locator.geometry().measure(domain.cell);
-    };
-    SparseCells<dim>           sparse(locator.geometry(), least_points, comm);
-    const auto                 asked = sparse.find_domains(domains);
-    std::vector<unsigned char> is_near(locator.geometry().n_cells(), 0);
-    bool                       is_any = false;
-    for (unsigned int i = 0; i < domains.size(); ++i)
-      if (asked[i] || is_large(domains[i]))
-        {
-          is_near[domains[i].cell] = 1;
-          is_any                   = true;
-        }
-    if (!Utilities::MPI::logical_or(is_any, comm))
-      return std::move(domains);
-
-    if (!have_to_fit)
-      {
-        add_cells_around(locator.geometry(), is_near);
-        set_on_all_ranks(is_near, comm);
-      }
-    const auto is_near_others =
-      cells_near_other_ranks(locator.geometry(), comm);
-    std::vector<unsigned int> cell_of_point;
-    for (const PointDomain<dim> &domain : domains)
-      cell_of_point.push_back(domain.cell);
-    DomainBisection<dim> bisection(
-      std::move(domains),
-      scale_of_places(grid),
-      comm,
-      [&](const PointDomain<dim> &domain) {
-        return have_to_fit || is_near[domain.cell];
-      },
-      [&](const PointDomain<dim> &domain) {
-        return is_near_others[domain.cell] != 0;
-      });
-    const auto is_large_in_its_cell = [&](PointDomain<dim> &domain) {
-      if (domain.n_halvings > 0)
-        locate_part(locator, cell_of_point[domain.point], domain);
-      return is_large(domain);
-    };
-    bisection.bisect(is_large_in_its_cell);
-    constexpr unsigned int most_rounds = 12;
-    for (unsigned int round = 0; round < most_rounds; ++round)
-      if (!bisection.bisect(sparse.find_domains(bisection.parts()),
-                            is_large_in_its_cell))
-        break;
-    return bisection.parts();
-  }
-
-
-
-  template <int dim>
-  std::vector<typename PointRefinement<dim>::NewPoint>
-  PointRefinement<dim>::split_domains(MaterialPoints<dim>       &points,
-                                      const BackgroundGrid<dim> &grid,
-                                      const PointLocator<dim>   &locator,
-                                      const double               share) const
-  {
-    const auto parts =
-      bisect_domains(point_domains(points), grid, locator, share);
-    std::vector<NewPoint> added;
-    // the parts of a point follow each other; the first is what remains of
-    // it
-    auto                particle = points.handler().begin();
-    unsigned int        point    = 0;
-    std::vector<double> whole;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      {
-        const bool is_first = (i == 0 || parts[i].point != parts[i - 1].point);
-        for (; point < parts[i].point; ++point)
-          ++particle;
-        if (parts[i].n_halvings == 0)
-          continue;
-        const auto values = particle->get_properties();
-        if (is_first)
-          whole.assign(values.begin(), values.end());
-        std::vector<double> part   = whole;
-        const double        factor = std::ldexp(1., -int(parts[i].n_halvings));
-        part[points.layout().volume] *= factor;
-        part[points.layout().mass] *= factor;
-        store_domain<dim>(parts[i], points.layout(), make_array_view(part));
-        if (!is_first)
-          {
-            added.push_back(
-              {particle->get_surrounding_cell()->active_cell_index(),
-               parts[i].location,
-               part});
-            continue;
-          }
-        std::copy(part.begin(), part.end(), values.begin());
-        particle->set_location(parts[i].location);
-      }
-    return added;
-  }
-
-
-
-  template <int dim>
   void
   PointRefinement<dim>::insert(MaterialPoints<dim>         &points,
                                const BackgroundGrid<dim>   &grid,
+                               const PointLocator<dim>     &locator,
                                const std::vector<NewPoint> &parts) const
   {
     types::particle_index id =
@@ -471,8 +293,10 @@ namespace isochor
       exclusive_and_total_sum(parts.size(), grid.communicator()).first;
 
     // into the cell of the old point; the place may be in another one
+    std::vector<unsigned char> is_concerned(grid.geometry().n_cells(), 0);
     for (const NewPoint &part : parts)
       {
+        is_concerned[part.cell]        = 1;
         std::vector<double> properties = part.properties;
         points.handler().insert_particle(
           part.location,
@@ -483,6 +307,7 @@ namespace isochor
           make_array_view(properties));
       }
     points.handler().update_cached_numbers();
+    points.relocate(locator, is_concerned);
   }
 
 

@@ -7,8 +7,10 @@
 
 #include <isochor/material_points/relocation.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
+#include <utility>
 
 namespace isochor
 {
@@ -125,27 +127,33 @@ namespace isochor
 
   template <int dim>
   PointRecords<dim>
-  exchange_points(const PointRecords<dim>    &records,
+  exchange_points(PointRecords<dim>           records,
                   const SimplexGeometry<dim> &geometry,
                   std::size_t                &n_shipped)
   {
     const MPI_Comm     comm    = geometry.communicator();
     const unsigned int my_rank = Utilities::MPI::this_mpi_process(comm);
 
+    const auto is_own = [&](const unsigned int cell) {
+      return geometry.owner(cell) == my_rank;
+    };
     PointRecords<dim>                           owned(records.n_payload);
     std::map<unsigned int, std::vector<double>> messages;
     n_shipped = 0;
+    // as they are, on one rank always
+    if (std::all_of(records.cells.begin(), records.cells.end(), is_own))
+      std::swap(owned, records);
     for (std::size_t i = 0; i < records.size(); ++i)
       {
-        const unsigned int owner = geometry.owner(records.cells[i]);
-        if (owner == my_rank)
+        if (is_own(records.cells[i]))
           owned.push_back(records.cells[i],
                           records.ids[i],
                           records.locations[i],
                           records.payload(i));
         else
           {
-            std::vector<double> &message = messages[owner];
+            std::vector<double> &message =
+              messages[geometry.owner(records.cells[i])];
             if (message.empty())
               message.push_back(records.n_payload);
             pack(records, i, message);
@@ -166,10 +174,11 @@ namespace isochor
      * the handler. */
     template <int dim>
     void
-    detach_moved_particles(Particles::ParticleHandler<dim> &handler,
-                           const PointLocator<dim>         &locator,
-                           PointRecords<dim>               &moved,
-                           PointRecords<dim>               &lost)
+    detach_moved_particles(Particles::ParticleHandler<dim>  &handler,
+                           const PointLocator<dim>          &locator,
+                           const std::vector<unsigned char> &is_concerned,
+                           PointRecords<dim>                &moved,
+                           PointRecords<dim>                &lost)
     {
       std::vector<typename Particles::ParticleHandler<dim>::particle_iterator>
         leaving;
@@ -178,6 +187,8 @@ namespace isochor
         {
           const unsigned int old_cell =
             particle->get_surrounding_cell()->active_cell_index();
+          if (!is_concerned.empty() && !is_concerned[old_cell])
+            continue;
           const auto result =
             locator.locate(particle->get_location(), old_cell);
           if (result.cell == old_cell)
@@ -230,8 +241,9 @@ namespace isochor
 
   template <int dim>
   RelocationReport<dim>
-  relocate(Particles::ParticleHandler<dim> &handler,
-           const PointLocator<dim>         &locator)
+  relocate(Particles::ParticleHandler<dim>  &handler,
+           const PointLocator<dim>          &locator,
+           const std::vector<unsigned char> &is_concerned)
   {
     const SimplexGeometry<dim> &geometry  = locator.geometry();
     const unsigned int          n_payload = handler.n_properties_per_particle();
@@ -240,15 +252,16 @@ namespace isochor
     RelocationReport<dim> report;
     PointRecords<dim>     moved(n_payload);
     report.lost = PointRecords<dim>(n_payload);
-    detach_moved_particles(handler, locator, moved, report.lost);
+    detach_moved_particles(handler, locator, is_concerned, moved, report.lost);
 
-    std::size_t n_shipped;
+    const std::size_t n_moved = moved.size();
+    std::size_t       n_shipped;
     insert_particles(handler,
                      locator,
-                     exchange_points(moved, geometry, n_shipped));
+                     exchange_points(std::move(moved), geometry, n_shipped));
 
     const std::vector<std::uint64_t> local = {n_previous,
-                                              moved.size(),
+                                              n_moved,
                                               n_shipped,
                                               report.lost.size()};
     std::vector<std::uint64_t>       global(local.size());
@@ -296,11 +309,11 @@ namespace isochor
   template struct PointRecords<2>;
   template struct PointRecords<3>;
   template PointRecords<2>
-  exchange_points<2>(const PointRecords<2> &,
+  exchange_points<2>(PointRecords<2>,
                      const SimplexGeometry<2> &,
                      std::size_t &);
   template PointRecords<3>
-  exchange_points<3>(const PointRecords<3> &,
+  exchange_points<3>(PointRecords<3>,
                      const SimplexGeometry<3> &,
                      std::size_t &);
   template void
@@ -316,7 +329,11 @@ namespace isochor
   template void
   order_memory<3>(Particles::ParticleHandler<3> &, const PointLocator<3> &);
   template RelocationReport<2>
-  relocate<2>(Particles::ParticleHandler<2> &, const PointLocator<2> &);
+  relocate<2>(Particles::ParticleHandler<2> &,
+              const PointLocator<2> &,
+              const std::vector<unsigned char> &);
   template RelocationReport<3>
-  relocate<3>(Particles::ParticleHandler<3> &, const PointLocator<3> &);
+  relocate<3>(Particles::ParticleHandler<3> &,
+              const PointLocator<3> &,
+              const std::vector<unsigned char> &);
 } // namespace isochor

@@ -23,6 +23,20 @@ namespace isochor
     bool
     covers(const PointDomain<dim> &domain, const Point<dim> &x)
     {
+      // most are far from it
+      constexpr double margin = 1e-6;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          double lower = domain.current[0][d], upper = lower;
+          for (unsigned int c = 1; c <= dim; ++c)
+            {
+              lower = std::min(lower, domain.current[c][d]);
+              upper = std::max(upper, domain.current[c][d]);
+            }
+          const double slack = margin * (upper - lower);
+          if (x[d] < lower - slack || x[d] > upper + slack)
+            return false;
+        }
       Tensor<2, dim> edges;
       for (unsigned int c = 0; c < dim; ++c)
         for (unsigned int d = 0; d < dim; ++d)
@@ -90,17 +104,17 @@ namespace isochor
 
   template <int dim>
   void
-  SparseCells<dim>::collect_cells(const std::vector<PointDomain<dim>> &domains)
+  SparseCells<dim>::collect_cells(const Domains &domains)
   {
     first.assign(geometry.n_cells() + 1, 0);
-    for (const PointDomain<dim> &domain : domains)
-      ++first[domain.cell + 1];
+    for (const PointDomain<dim> *domain : domains)
+      ++first[domain->cell + 1];
     n_points.assign(first.begin() + 1, first.end());
     std::partial_sum(first.begin(), first.end(), first.begin());
     domains_by_cell.resize(domains.size());
     std::vector<unsigned int> next(first.begin(), first.end() - 1);
     for (unsigned int i = 0; i < domains.size(); ++i)
-      domains_by_cell[next[domains[i].cell]++] = i;
+      domains_by_cell[next[domains[i]->cell]++] = i;
 
     // ring by ring around all of them
     visited.resize(geometry.n_cells(), 0);
@@ -130,14 +144,14 @@ namespace isochor
 
   template <int dim>
   unsigned int
-  SparseCells<dim>::find_domain(const std::vector<PointDomain<dim>> &domains,
-                                const unsigned int                   cell,
-                                const Point<dim>                    &x)
+  SparseCells<dim>::find_domain(const Domains     &domains,
+                                const unsigned int cell,
+                                const Point<dim>  &x)
   {
     unsigned int found = domains.size();
     visit_cells_around(cell, [&](const unsigned int near) {
       for (unsigned int i = first[near]; i < first[near + 1]; ++i)
-        if (covers<dim>(domains[domains_by_cell[i]], x))
+        if (covers<dim>(*domains[domains_by_cell[i]], x))
           {
             found = domains_by_cell[i];
             return true;
@@ -161,16 +175,15 @@ namespace isochor
 
   template <int dim>
   void
-  SparseCells<dim>::fill_empty_cells(
-    const std::vector<PointDomain<dim>> &domains,
-    std::vector<unsigned char>          &flags)
+  SparseCells<dim>::fill_empty_cells(const Domains              &domains,
+                                     std::vector<unsigned char> &flags)
   {
     for (const unsigned int cell : cells_nearby)
       if (n_points[cell] == 0)
         {
           const unsigned int i =
             find_domain(domains, cell, cell_centroid(geometry, cell));
-          if (i < domains.size() && is_worth_it(domains[i], cell))
+          if (i < domains.size() && is_worth_it(*domains[i], cell))
             flags[i] = 1;
         }
   }
@@ -179,9 +192,8 @@ namespace isochor
 
   template <int dim>
   void
-  SparseCells<dim>::fill_sparse_cells(
-    const std::vector<PointDomain<dim>> &domains,
-    std::vector<unsigned char>          &flags)
+  SparseCells<dim>::fill_sparse_cells(const Domains              &domains,
+                                      std::vector<unsigned char> &flags)
   {
     // what domains of any rank cover
     std::vector<unsigned int> is_covered(geometry.n_cells() * n_places, 0);
@@ -203,8 +215,8 @@ namespace isochor
             }
         }
     std::vector<double> largest(geometry.n_cells(), 0.);
-    for (const PointDomain<dim> &domain : domains)
-      largest[domain.cell] = std::max(largest[domain.cell], domain.volume);
+    for (const PointDomain<dim> *domain : domains)
+      largest[domain->cell] = std::max(largest[domain->cell], domain->volume);
     if (Utilities::MPI::n_mpi_processes(comm) > 1)
       {
         Utilities::MPI::max(is_covered, comm, is_covered);
@@ -213,15 +225,15 @@ namespace isochor
     constexpr double equal = 1 - 1e-6; // but for rounding
     for (unsigned int i = 0; i < domains.size(); ++i)
       {
-        const unsigned int cell   = domains[i].cell;
+        const unsigned int cell   = domains[i]->cell;
         const auto         places = is_covered.begin() + cell * n_places;
         if (std::all_of(places,
                         places + n_places,
                         [](const unsigned int covered) {
                           return covered == 1;
                         }) &&
-            domains[i].volume > equal * largest[cell] &&
-            is_worth_it(domains[i], cell))
+            domains[i]->volume > equal * largest[cell] &&
+            is_worth_it(*domains[i], cell))
           flags[i] = 1;
       }
   }
@@ -230,7 +242,7 @@ namespace isochor
 
   template <int dim>
   std::vector<unsigned char>
-  SparseCells<dim>::find_domains(const std::vector<PointDomain<dim>> &domains)
+  SparseCells<dim>::find_domains(const Domains &domains)
   {
     std::vector<unsigned char> flags(domains.size(), 0);
     if (least == 0)

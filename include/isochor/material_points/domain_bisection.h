@@ -36,15 +36,13 @@ namespace isochor
   public:
     using DomainCondition = std::function<bool(const PointDomain<dim> &)>;
 
-    /** @p domains of all points of this rank, whose places at t = 0 are told
-     * apart by @p scale. Domains for which @p takes_part is false stay whole,
-     * even beside others whose edges are bisected, and cost nothing; those for
-     * which @p may_be_shared is false share no edge with one of another rank.
-     * Collective. */
+    /** @p domains of the points of this rank that take part; others stay
+     * whole, even beside these. Their places at t = 0 are told apart by
+     * @p scale; those for which @p may_be_shared is false share no edge with
+     * one of another rank. Collective. */
     DomainBisection(std::vector<PointDomain<dim>> &&domains,
                     const PlaceScale<dim>          &scale,
                     const MPI_Comm                  comm,
-                    const DomainCondition          &takes_part,
                     const DomainCondition          &may_be_shared);
 
     /** Says whether a domain is too large, after having found its location and
@@ -61,6 +59,7 @@ namespace isochor
     bool
     bisect(const std::vector<unsigned char> &asked, const IsLarge &is_large);
 
+    /** In the order of the domains that they come from. */
     const std::vector<PointDomain<dim>> &
     parts() const
     {

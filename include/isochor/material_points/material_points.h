@@ -182,16 +182,22 @@ namespace isochor
 
     /** Bring every point to the cell and rank where it now lies.
      * @throws ExcPointsLeftGrid if points left the grid, saying where; they are
-     * then kept in the cells they were in. Collective. */
+     * then kept in the cells they were in. Points of cells for which
+     * @p is_concerned is 0 have not moved since this was called last; empty:
+     * all may have. Collective. */
     types::particle_index
-    relocate(const PointLocator<dim> &locator);
+    relocate(const PointLocator<dim>          &locator,
+             const std::vector<unsigned char> &is_concerned = {});
 
     Particles::ParticleHandler<dim> &
     handler();
     const Particles::ParticleHandler<dim> &
     handler() const;
     const PointLayout &
-    layout() const;
+    layout() const
+    {
+      return point_layout;
+    }
 
   private:
     /** Order the points by cell: find slots and cell_start. Returns the

@@ -116,6 +116,16 @@ namespace isochor
      * the same number, or at least not all at its ends. */
     static constexpr double offset = 0.381966;
 
+    /** As == of the arrays, which calls a function to compare bytes. */
+    static bool
+    are_same(const Key &a, const Key &b)
+    {
+      bool same = true;
+      for (unsigned int d = 0; d < dim; ++d)
+        same = same && a[d] == b[d];
+      return same;
+    }
+
     /** The slot that holds the number of @p key, or the empty one where it
      * belongs: the first of these from that of its hash on. (Linear probing; a
      * std::unordered_map took twice the time of all that uses the table.) */
@@ -130,7 +140,7 @@ namespace isochor
         }
       const std::size_t mask = slots.size() - 1;
       std::size_t       slot = hash & mask;
-      while (slots[slot] != none && keys[slots[slot]] != key)
+      while (slots[slot] != none && !are_same(keys[slots[slot]], key))
         slot = (slot + 1) & mask;
       return slot;
     }

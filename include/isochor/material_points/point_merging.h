@@ -12,6 +12,7 @@
 #include <isochor/material_points/point_locator.h>
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -71,7 +72,7 @@ namespace isochor
     struct Part
     {
       PointDomain<dim>                 domain;
-      std::vector<double>              properties;
+      const double                    *properties = nullptr;
       Particles::ParticleIterator<dim> particle; ///< if it is of this rank
       bool                             is_own   = false;
       bool                             is_there = false;
@@ -100,30 +101,40 @@ namespace isochor
      * them is not to be split again. */
     bool
     fits_around(const double volume, const unsigned int cell) const;
+    /** Count the points of cells, and find what has changed since the last
+     * round: corners of what was merged, and those of domains in cells that
+     * have more points now. */
+    void
+    find_changes(const std::vector<PointDomain<dim>> &domains);
+    bool
+    is_willing(const PointDomain<dim> &part) const;
     /** The middles of edges that may vanish if it is for the parts around them;
-     * the same on all ranks. */
+     * the same on all ranks. Adds the own parts that are willing, by the
+     * place in @p domains. */
     PlaceTable<dim>
     find_middles(const std::vector<PointDomain<dim>> &domains,
+                 std::vector<unsigned int>           &willing,
                  std::vector<unsigned int>           &is_vetoed) const;
+    /** Of the parts that are @p willing. */
     std::vector<Pair>
     find_pairs(const std::vector<PointDomain<dim>> &domains,
+               const std::vector<unsigned int>     &willing,
                const PlaceTable<dim>               &middles,
                const std::vector<unsigned int>     &is_vetoed);
     /** Bring parts to ranks that have the other one. */
     void
-    exchange_parts(std::vector<Part> &parts) const;
+    exchange_parts(std::vector<Part> &parts);
     /** Make the whole; whether it is as it should be. */
     bool
     unite(Pair &pair) const;
     bool
-    are_alike(const std::vector<double> &first,
-              const std::vector<double> &second) const;
-    /** The state of two points; @p properties are those of the first. */
+    are_alike(const double *first, const double *second) const;
+    /** The state of two points; else @p properties are those of the first. */
     void
-    add_state(const std::vector<double> &first,
-              const std::vector<double> &second,
-              const Tensor<2, dim>      &F,
-              std::vector<double>       &properties) const;
+    add_state(const double         *first,
+              const double         *second,
+              const Tensor<2, dim> &F,
+              std::vector<double>  &properties) const;
 
     MaterialPoints<dim>       &points;
     const BackgroundGrid<dim> &grid;
@@ -132,6 +143,19 @@ namespace isochor
     const double               largest_share, tolerance;
     const unsigned int         least_points;
     const PlaceScale<dim>      scale;
+    /** By cell, the own ones in this round. */
+    std::vector<unsigned int> n_points;
+    /** Corners at t = 0 of what this rank has merged in the last round. */
+    std::vector<double> corners_of_merged;
+    /** What find_changes() has found, the same on all ranks: where nothing
+     * has changed nothing that could not be merged can be now. None in the
+     * first round, in which all is looked at. */
+    std::optional<PlaceTable<dim>> changed_places;
+    /** By cell: whether points in it have been merged in this round; empty if
+     * that isn't known. */
+    std::vector<unsigned char> is_concerned;
+    /** What exchange_parts() brought, to which parts point. */
+    std::vector<std::vector<double>> received;
   };
 } // namespace isochor
 

@@ -98,15 +98,19 @@ namespace isochor
                   const BackgroundGrid<dim> &grid,
                   const PointLocator<dim>   &locator,
                   const double               share) const;
-    /** The @p domains of all points, or halves of them. Collective. */
+    /** The parts of those of the @p domains of all points that have been
+     * bisected, in their order. Collective. */
     std::vector<PointDomain<dim>>
-    bisect_domains(std::vector<PointDomain<dim>> &&domains,
-                   const BackgroundGrid<dim>      &grid,
-                   const PointLocator<dim>        &locator,
-                   const double                    share) const;
+    bisect_domains(const std::vector<PointDomain<dim>> &domains,
+                   const BackgroundGrid<dim>           &grid,
+                   const PointLocator<dim>             &locator,
+                   const double                         share) const;
+    /** Insert @p parts and bring them, and what they were split from, to their
+     * cells. Collective. */
     void
     insert(MaterialPoints<dim>         &points,
            const BackgroundGrid<dim>   &grid,
+           const PointLocator<dim>     &locator,
            const std::vector<NewPoint> &parts) const;
 
     /** Of a point in its cell; 0: any. */

@@ -65,7 +65,7 @@ namespace isochor
    */
   template <int dim>
   PointRecords<dim>
-  exchange_points(const PointRecords<dim>    &records,
+  exchange_points(PointRecords<dim>           records,
                   const SimplexGeometry<dim> &geometry,
                   std::size_t                &n_shipped);
 
@@ -102,14 +102,17 @@ namespace isochor
    * takes simplices for cubes. Iterators to particles and ghost particles are
    * invalid afterwards.
    *
+   * @param is_concerned By cell: 0 if all particles in it are as this left
+   * them, so that they need not be looked at. Empty: look at all.
    * @throws ExcMessage if the count over all ranks, lost points included, is
    * not conserved, or a rank disagrees with the sender on where a point is
    * (which means that the grids differ).
    */
   template <int dim>
   RelocationReport<dim>
-  relocate(Particles::ParticleHandler<dim> &handler,
-           const PointLocator<dim>         &locator);
+  relocate(Particles::ParticleHandler<dim>  &handler,
+           const PointLocator<dim>          &locator,
+           const std::vector<unsigned char> &is_concerned = {});
 
   /**
    * Lay out what @p handler holds anew, in the order in which it goes through

@@ -29,6 +29,8 @@ namespace isochor
   class SparseCells
   {
   public:
+    using Domains = std::vector<const PointDomain<dim> *>;
+
     /** Cells should have @p least points; 0: any number. @p geometry is of the
      * whole grid, on each rank. */
     SparseCells(const SimplexGeometry<dim> &geometry,
@@ -38,7 +40,7 @@ namespace isochor
     /** By domain: whether it should be bisected. @p domains are those of the
      * points of this rank, in any order. Collective. */
     std::vector<unsigned char>
-    find_domains(const std::vector<PointDomain<dim>> &domains);
+    find_domains(const Domains &domains);
 
   private:
     /** A domain less than this part of the share of a point of its cell is
@@ -48,7 +50,7 @@ namespace isochor
 
     /** Count points, and collect cells that hold or are near to own ones. */
     void
-    collect_cells(const std::vector<PointDomain<dim>> &domains);
+    collect_cells(const Domains &domains);
     /** Call @p visit with the cells a few faces from @p cell, itself
      * among them, until it returns true. */
     void
@@ -57,19 +59,18 @@ namespace isochor
     /** The own domain that covers @p x, in or near @p cell; domains.size() if
      * none does. */
     unsigned int
-    find_domain(const std::vector<PointDomain<dim>> &domains,
-                const unsigned int                   cell,
-                const Point<dim>                    &x);
+    find_domain(const Domains     &domains,
+                const unsigned int cell,
+                const Point<dim>  &x);
     bool
     is_worth_it(const PointDomain<dim> &domain, const unsigned int cell) const;
     /** Flag a domain for each cell without points. */
     void
-    fill_empty_cells(const std::vector<PointDomain<dim>> &domains,
-                     std::vector<unsigned char>          &flags);
+    fill_empty_cells(const Domains &domains, std::vector<unsigned char> &flags);
     /** Flag the largest domains of cells with too few points. */
     void
-    fill_sparse_cells(const std::vector<PointDomain<dim>> &domains,
-                      std::vector<unsigned char>          &flags);
+    fill_sparse_cells(const Domains              &domains,
+                      std::vector<unsigned char> &flags);
 
     const SimplexGeometry<dim> &geometry;
     const unsigned int          least;
