@@ -302,6 +302,37 @@ test_jump(const std::string &conditions,
               message);
 }
 
+/** A wall pushes, another one recedes with the body, or a little faster: no
+ * smooth start is found, but the run goes on, and the body goes with the wall:
+ * its mean force is right. */
+void
+test_between_walls(const std::string &recedes)
+{
+  reactions.clear();
+  column             = "Reaction x on left (N)";
+  const auto problem = test::run_scene<2>(
+    "Material/Young modulus = 1e7\nMaterial/Density = 1\n"
+    "Dynamics/Inertia = true\nTime/Step size = 0.005\nTime/End time = 0.05\n"
+    "Postprocess/Reactions = left\nGrid/Upper corner = 1, 0.5\n"
+    "Grid/Subdivisions = 8, 4\n" +
+    std::string(test::keep_grid) +
+    "Boundary conditions/Displacement = bottom: y=0; top: y=0; "
+    "left: x>=100*t^3; right: x<=" +
+    recedes + "\n");
+  double sum = 0, exact = 0;
+  for (const auto &[time, force] : reactions)
+    {
+      sum += force;
+      exact += 0.5 * 600 * time;
+    }
+  test::check("between walls, " + recedes + ": no step is cut",
+              problem->last_statistics().get("Step cuts") == 0,
+              "");
+  test::check_error("between walls, " + recedes + ": mean force",
+                    std::abs(sum / exact - 1),
+                    0.15);
+}
+
 void
 test_jumps()
 {
@@ -367,6 +398,8 @@ main(int argc, char **argv)
                  "\nBoundary conditions/Walls = left: n>=-100*t^3",
                  rest,
                  u + domains);
+  for (const std::string recedes : {"101*t^3", "100*t^3"})
+    test_between_walls(recedes);
   test_jumps();
   test_refined_base("u");
   test_refined_base("u-p");

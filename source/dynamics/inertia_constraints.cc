@@ -394,7 +394,8 @@ namespace isochor
         if (constraints.constrained[node * nc + d])
           constraints.increment[node * nc + d] = increment(node * dim + d);
     // what tells whether a wall pushes
-    const bool judges  = !trial.walls_lead && walls_start_smoothly(step);
+    const bool judges =
+      !trial.walls_lead && trial.walls_judge && walls_start_smoothly(step);
     const auto by_wall = [&](const WallMotion &wall) {
       return trial.size * trial.size / 2 *
              wall.motion.after(step.step_size()).acceleration;

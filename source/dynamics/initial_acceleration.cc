@@ -17,6 +17,8 @@ namespace isochor
     const double                                                trial_step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
   {
+    if (trial_step > 0) // the first one
+      trial = Trial();
     trial.size = trial_step;
     for (const auto &condition : conditions)
       condition->set_trial(step,

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
+#include <isochor/base/plain_message.h>
 #include <isochor/linear_solver/linear_solver.h>
 #include <isochor/linear_solver/trilinos_export.h>
 
@@ -90,12 +91,11 @@ namespace isochor
       matrix->vmult(residual, x);
       residual -= b;
       const double norm = residual.l2_norm();
-      AssertThrow(std::isfinite(norm) &&
-                    norm <= residual_tolerance * b.l2_norm(),
-                  ExcLinearSolverFailed(
-                    type + ": the residual is " + std::to_string(norm) +
-                    ", the right-hand side " + std::to_string(b.l2_norm()) +
-                    ". The matrix is singular or nearly so."));
+      AssertThrow(
+        std::isfinite(norm) && norm <= residual_tolerance * b.l2_norm(),
+        ExcLinearSolverFailed(type + ": the residual is " + rounded(norm) +
+                              ", the right-hand side " + rounded(b.l2_norm()) +
+                              ". The matrix is singular or nearly so."));
       return LinearSolverReport();
     }
 

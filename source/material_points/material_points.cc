@@ -445,7 +445,7 @@ namespace isochor
                           particle.get_location(),
                           particle.get_properties());
     particles.clear_particles();
-    n_out_of_order = 0;
+    n_out_of_order                                = 0;
     const std::unique_ptr<Triangulation<dim>> old = change();
     // lets go of the old one
     particles.initialize(grid.triangulation(), grid.mapping(), n_properties);

@@ -63,13 +63,7 @@ namespace isochor
         inertia.start_trial(step, trial, conditions);
         start_again(inertia.do_walls_lead());
         at_start = true;
-        report   = trial > 0 ? solve_with_contact() : find_root(false);
-        if (report.converged && trial > 0 && inertia.walls_start_smoothly(step))
-          {
-            inertia.let_walls_lead(true);
-            start_again(true);
-            report.continue_with(find_root(false));
-          }
+        report   = trial > 0 ? solve_first_trial(step) : find_root(false);
         if (report.converged && trial > 0)
           settle_weight(report);
         if (report.converged)
@@ -91,6 +85,31 @@ namespace isochor
     start_again();
     set_weight();
     return report;
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  Equilibrium<dim>::solve_first_trial(const StepContext<dim> &step)
+  {
+    InertiaTerm<dim> &inertia    = scene.inertia;
+    const bool        was_pushed = inertia.walls_start_smoothly(step);
+    NewtonReport      report     = solve_with_contact();
+    const bool        is_pushed  = inertia.walls_start_smoothly(step);
+    if (report.converged && is_pushed)
+      {
+        inertia.let_walls_lead(true);
+        start_again(true);
+        report.continue_with(find_root(false));
+      }
+    if (report.converged || !(was_pushed || is_pushed))
+      return report;
+    // A wall that recedes and one that pushes may have nodes for which neither
+    // is right: then all start with what the points bring.
+    inertia.let_walls_follow();
+    start_again();
+    return solve_with_contact();
   }
 
 

@@ -135,6 +135,14 @@ namespace isochor
     {
       return trial.walls_lead;
     }
+    /** In a trial: no longer look for the nodes that walls push. Nodes have to
+     * be constrained anew. */
+    void
+    let_walls_follow()
+    {
+      let_walls_lead(false);
+      trial.walls_judge = false;
+    }
     /** Whether the equations are those of a trial. */
     bool
     in_trial() const
@@ -311,8 +319,9 @@ namespace isochor
 
     struct Trial
     {
-      double size       = 0;     ///< 0: there is none
-      bool   walls_lead = false; ///< see let_walls_lead()
+      double size        = 0;     ///< 0: there is none
+      bool   walls_lead  = false; ///< see let_walls_lead()
+      bool   walls_judge = true;  ///< see let_walls_follow()
     };
 
     std::unique_ptr<TimeIntegrator> integrator;

@@ -139,6 +139,11 @@ namespace isochor
     set_weight();
     void
     set_weight(const Tensor<1, dim> &mean_acceleration);
+    /** Solve the equations of the first trial of @p step, and again if
+     * one-sided walls start to push a body at rest, see
+     * InertiaTerm::walls_start_smoothly(). */
+    NewtonReport
+    solve_first_trial(const StepContext<dim> &step);
     /** The trial has converged: repeat it with the mean acceleration that it
      * found, until that is the one it was made with. */
     void
