@@ -247,6 +247,30 @@ test_work_of_first_step()
                     1e-10);
 }
 
+/** On a grid that is another one in each step: the work of a boundary that is
+ * moved is the mean of its reactions times its way, step by step. */
+void
+test_work_on_changing_grid()
+{
+  test::run_scene<2>(
+    "Grid/Type = adaptive\nGrid/Upper corner = 2, 1\n"
+    "Grid/Subdivisions = 8, 4\nAdaptive grid/Maximum level = 2\n"
+    "Adaptive grid/Cell size = 0.05 + abs(x - 0.2 - 0.8*t)*0.5\n"
+    "Material points/Region = x < 1\nMaterial/Young modulus = 3e6\n"
+    "Boundary conditions/Displacement = left: x=0; bottom: y=0; "
+    "top: y=-0.05*t\nPostprocess/Reactions = top\n"
+    "Postprocess/Write energies = always\nTime/Step size = 0.1\n");
+  const std::vector<double> work  = column("External work (J)"),
+                            force = column("Reaction y on top (N)");
+  double sum = 0, worst = 0;
+  for (unsigned int n = 0; n < work.size(); ++n)
+    {
+      sum += (force[n] + (n > 0 ? force[n - 1] : 0.)) / 2 * -0.005;
+      worst = std::max(worst, std::abs(work[n] / sum - 1));
+    }
+  test::check_error("work on a grid that changes", worst, 1e-6);
+}
+
 /** The smooth box again, without weight, between walls that move by @p u(t)
  * from rest with the acceleration @p a(t): the body moves with them, so that
  * the walls exert its mass times a. */
@@ -374,6 +398,7 @@ main(int argc, char **argv)
   test_resting("Displacement = bottom: y >= 0");
   test_resting("Walls = bottom: n >= 0");
   test_work_of_first_step();
+  test_work_on_changing_grid();
   test_walls(
     "0.1*t", [](const double) { return 0.; }, 1e-6);
   test_walls(

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
 #include <isochor/equations/nodal_unknowns.h>
+#include <isochor/postprocess/carried_reactions.h>
 #include <isochor/postprocess/postprocessor.h>
 
 #include <algorithm>
@@ -35,12 +36,6 @@ namespace isochor
   class Energies : public Postprocessor<dim>
   {
   public:
-    void
-    grid_changed(const BackgroundGrid<dim> & /*grid*/) override
-    {
-      reactions.clear();
-    }
-
     static void
     declare_parameters(ParameterHandler &prm)
     {
@@ -135,6 +130,9 @@ namespace isochor
             << ' ';
       for (const auto &reaction : reactions)
         state << reaction.first << ' ' << reaction.second << ' ';
+      state << places.size() << ' ';
+      for (const auto &place : places)
+        state << place.first << ' ' << place.second << ' ';
       return state.str();
     }
 
@@ -151,6 +149,14 @@ namespace isochor
           unsigned int entry = 0;
           state >> entry;
           state >> reactions[entry];
+        }
+      state >> n;
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          unsigned int entry = 0;
+          state >> entry;
+          for (unsigned int d = 0; d < dim; ++d)
+            state >> places[entry][d];
         }
     }
 
@@ -357,7 +363,8 @@ namespace isochor
         }
       force.compress(VectorOperation::add);
 
-      double work = work_of_walls_at_sides(result);
+      double work = 0;
+      add_walls_at_sides(result);
       for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
         for (unsigned int a = 0; a < dim; ++a)
           {
@@ -370,40 +377,46 @@ namespace isochor
             const bool follows = result.system.follows(i);
             if (follows && is_on_side(result, node))
               continue;
-            work +=
-              work_of_reaction(result,
-                               i,
-                               follows ?
-                                 result.system.follower_force(i) :
-                                 result.system.residual.local_element(i),
-                               follows ? result.system.prescribed_value(i) : u);
+            add_held(step,
+                     i,
+                     follows ? result.system.follower_force(i) :
+                               result.system.residual.local_element(i),
+                     follows ? result.system.prescribed_value(i) : u);
           }
-      reactions.swap(new_reactions);
-      new_reactions.clear();
-      return work;
-    }
-
-    /** The mean of a reaction @p R (N), at the end of the step, and the one
-     * before of the same entry, times a way (m). */
-    double
-    work_of_reaction(const StepResult<dim> &result,
-                     const unsigned int     entry,
-                     const double           R,
-                     const double           moved)
-    {
-      const unsigned int nc = result.step.n_components;
-      const unsigned int component =
-        result.step.nodes.vertex(entry / nc) * dim + entry % nc;
+      if (step.grid.is_adaptive())
+        carry_reactions(step, held, places, reactions);
       // in statics nothing reacts before the first step, unless the body is
       // stressed from the start
       const bool starts_unloaded =
         result.time.step == 0 && initial_energy == 0.;
-      const auto   old_R       = reactions.find(component);
-      const double before      = old_R != reactions.end() ? old_R->second :
-                                 starts_unloaded          ? 0. :
-                                                            R;
-      new_reactions[component] = R;
-      return (R + before) / 2 * moved;
+      std::map<unsigned int, double> new_reactions;
+      for (const HeldUnknown &one : held)
+        {
+          const auto   old    = reactions.find(one.entry);
+          const double before = old != reactions.end() ? old->second :
+                                starts_unloaded        ? 0. :
+                                                         one.reaction;
+          work += (one.reaction + before) / 2 * one.moved;
+          new_reactions[one.entry] = one.reaction;
+        }
+      reactions.swap(new_reactions);
+      places.clear();
+      for (const HeldUnknown &one : held)
+        if (step.grid.is_adaptive())
+          places[one.entry] = place_of_entry(step, one.entry);
+      held.clear();
+      return work;
+    }
+
+    void
+    add_held(const StepContext<dim> &step,
+             const unsigned int      entry,
+             const double            reaction,
+             const double            moved)
+    {
+      const unsigned int nc = step.n_components;
+      held.push_back(
+        {step.nodes.vertex(entry / nc) * dim + entry % nc, reaction, moved});
     }
 
     /** Whether a node follows a rigid side, or what does. */
@@ -420,12 +433,11 @@ namespace isochor
     /** Of the walls at nodes that follow rigid sides along them: the way is
      * that of the wall, not what of it stands in an equation which changes
      * with the rotation of the side. */
-    double
-    work_of_walls_at_sides(const StepResult<dim> &result)
+    void
+    add_walls_at_sides(const StepResult<dim> &result)
     {
       const MixedSystem<dim> &system    = result.system;
       const auto             &equations = system.constraint_equations();
-      double                  work      = 0;
       for (unsigned int k = 0; k < equations.size(); ++k)
         {
           const auto &equation = equations[k];
@@ -438,12 +450,11 @@ namespace isochor
           for (unsigned int a = 0; a < dim; ++a)
             on_side = on_side || system.follows_changing(node * nc + a);
           if (on_side && node < result.step.nodes.n_owned())
-            work += work_of_reaction(result,
-                                     equation.pivot,
-                                     system.multiplier(k),
-                                     equation.value);
+            add_held(result.step,
+                     equation.pivot,
+                     system.multiplier(k),
+                     equation.value);
         }
-      return work;
     }
 
     bool   in_statics = false, in_dynamics = true;
@@ -458,7 +469,10 @@ namespace isochor
     double stiffness = 0;
     /** Of held unknowns of this rank's vertices at the end of the last step, by
      * dim * vertex + component. */
-    std::map<unsigned int, double> reactions, new_reactions;
+    std::map<unsigned int, double> reactions;
+    /** Where they are, on adaptive grids. */
+    std::map<unsigned int, Point<dim>> places;
+    std::vector<HeldUnknown>           held; ///< in this step
   };
 
   ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Energies, "Energies")
