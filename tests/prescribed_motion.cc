@@ -330,7 +330,7 @@ test_between_walls(const std::string &recedes)
               "");
   test::check_error("between walls, " + recedes + ": mean force",
                     std::abs(sum / exact - 1),
-                    0.15);
+                    0.02);
 }
 
 void

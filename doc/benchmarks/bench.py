@@ -2,12 +2,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the stress tests of stability.py share: running scenes, keeping numbers."""
 
-import re
-
 import harness
 import numpy as np
 import programs
-from harness import HERE, PRM, QUIET, output
+from harness import HERE, PRM, QUIET, output, shortened  # noqa: F401
 
 plt = output.plt
 COOK = PRM / "cooks_membrane" / "cooks_membrane.prm"
@@ -48,13 +46,6 @@ class Bench:
 
     def save(self, figure, name):
         programs.save(figure, self.directory / f"stability_{name}")
-
-
-def shortened(problem):
-    """The beginning of what a failed run said, without the names of files."""
-    text = re.sub(r"<?/[^\s>]+>?", "...", " ".join(str(problem).split()))
-    _, _, said = text.partition("isochor: error: ")
-    return (said or text)[:150]
 
 
 def oscillation(directory):

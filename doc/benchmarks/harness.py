@@ -33,6 +33,13 @@ QUIET = {"Postprocess/Write grid": "false", "Time/Output interval": 1e9}
 TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001)
 
 
+def shortened(problem, length=150):
+    """The beginning of what a failed run said, without the names of files."""
+    text = re.sub(r"<?/[^\s>]+>?", "...", " ".join(str(problem).split()))
+    _, _, said = text.partition("isochor: error: ")
+    return (said or text)[:length]
+
+
 @dataclass(frozen=True)
 class Run:
     """One run of the program. @p full: not in a quick benchmark."""
@@ -212,7 +219,7 @@ def measure(executable, baseline, scene, run, directory, repeat, limit):
         for section, seconds in sections(place).items():
             row[f"time {section}"] = seconds
     except (output.OutputError, OSError, ValueError) as problem:
-        row["status"] = "failed: " + " ".join(str(problem).split())[:300]
+        row["status"] = "failed: " + shortened(problem, 300)
     if cost.cpu:
         row["cpu"] = round(stat.median(cost.cpu), 4)
         row["cpu min"] = round(min(cost.cpu), 4)

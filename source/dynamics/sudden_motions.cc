@@ -40,7 +40,9 @@ namespace isochor
       constraints.reinit(step.nodes.n_local() * step.n_components,
                          step.nodes.control_entries(step.n_components));
       condition.constrain(until, constraints);
-      values = constraints.increment;
+      for (unsigned int i = 0; i < constraints.increment.size(); ++i)
+        if (constraints.constrained[i] != NodalConstraints::is_free)
+          values.push_back(constraints.increment[i]);
       for (const auto &equation : constraints.equations)
         values.push_back(equation.value);
       return values;
@@ -73,7 +75,10 @@ namespace isochor
           prescribed_at(step, condition, by_force, start + k * length));
       // changes, the largest speed, the largest value
       std::vector<double> found(n_parts + 1, 0.);
-      for (unsigned int i = 0; i < values[0].size(); ++i)
+      std::size_t         n_values = values[0].size();
+      for (const auto &at_time : values)
+        n_values = std::min(n_values, at_time.size());
+      for (unsigned int i = 0; i < n_values; ++i)
         for (unsigned int k = 1; k <= n_parts; ++k)
           {
             const double speed = (values[k][i] - values[k - 1][i]) / length;

@@ -435,17 +435,11 @@ namespace isochor
     const bool                                                  keep_points)
   {
     forget_order();
+    n_out_of_order                  = 0;
     const unsigned int n_properties = particles.n_properties_per_particle();
-    PointRecords<dim>  records(n_properties);
-    records.reserve(keep_points ? particles.n_locally_owned_particles() : 0);
-    if (keep_points)
-      for (const auto &particle : particles)
-        records.push_back(particle.get_surrounding_cell()->active_cell_index(),
-                          particle.get_id(),
-                          particle.get_location(),
-                          particle.get_properties());
+    PointRecords<dim>  records =
+      keep_points ? all_points(particles) : PointRecords<dim>(n_properties);
     particles.clear_particles();
-    n_out_of_order                                = 0;
     const std::unique_ptr<Triangulation<dim>> old = change();
     // lets go of the old one
     particles.initialize(grid.triangulation(), grid.mapping(), n_properties);

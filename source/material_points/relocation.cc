@@ -281,6 +281,22 @@ namespace isochor
 
 
   template <int dim>
+  PointRecords<dim>
+  all_points(const Particles::ParticleHandler<dim> &handler)
+  {
+    PointRecords<dim> records(handler.n_properties_per_particle());
+    records.reserve(handler.n_locally_owned_particles());
+    for (const auto &particle : handler)
+      records.push_back(particle.get_surrounding_cell()->active_cell_index(),
+                        particle.get_id(),
+                        particle.get_location(),
+                        particle.get_properties());
+    return records;
+  }
+
+
+
+  template <int dim>
   void
   order_memory(Particles::ParticleHandler<dim> &handler,
                const PointLocator<dim>         &locator)
@@ -293,13 +309,7 @@ namespace isochor
     if (Utilities::MPI::min(fits ? 1 : 0, locator.geometry().communicator()) ==
         0)
       return;
-    PointRecords<dim> records(n_payload);
-    records.reserve(n);
-    for (const auto &particle : handler)
-      records.push_back(particle.get_surrounding_cell()->active_cell_index(),
-                        particle.get_id(),
-                        particle.get_location(),
-                        particle.get_properties());
+    const PointRecords<dim> records = all_points(handler);
     handler.clear_particles();
     insert_particles(handler, locator, records);
   }
@@ -324,6 +334,10 @@ namespace isochor
   insert_particles<3>(Particles::ParticleHandler<3> &,
                       const PointLocator<3> &,
                       const PointRecords<3> &);
+  template PointRecords<2>
+  all_points<2>(const Particles::ParticleHandler<2> &);
+  template PointRecords<3>
+  all_points<3>(const Particles::ParticleHandler<3> &);
   template void
   order_memory<2>(Particles::ParticleHandler<2> &, const PointLocator<2> &);
   template void

@@ -12,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace isochor
 {
@@ -36,6 +37,12 @@ namespace isochor
   class Energies : public Postprocessor<dim>
   {
   public:
+    void
+    grid_changed(const BackgroundGrid<dim> & /*grid*/) override
+    {
+      has_other_grid = true;
+    }
+
     static void
     declare_parameters(ParameterHandler &prm)
     {
@@ -150,6 +157,7 @@ namespace isochor
           state >> entry;
           state >> reactions[entry];
         }
+      has_other_grid = false; // that of the state is back
       state >> n;
       for (std::size_t i = 0; i < n; ++i)
         {
@@ -383,7 +391,7 @@ namespace isochor
                                result.system.residual.local_element(i),
                      follows ? result.system.prescribed_value(i) : u);
           }
-      if (step.grid.is_adaptive())
+      if (std::exchange(has_other_grid, false))
         carry_reactions(step, held, places, reactions);
       // in statics nothing reacts before the first step, unless the body is
       // stressed from the start
@@ -470,8 +478,9 @@ namespace isochor
     /** Of held unknowns of this rank's vertices at the end of the last step, by
      * dim * vertex + component. */
     std::map<unsigned int, double> reactions;
-    /** Where they are, on adaptive grids. */
+    /** Where they are, on adaptive grids; whether these are other ones now. */
     std::map<unsigned int, Point<dim>> places;
+    bool                               has_other_grid = false;
     std::vector<HeldUnknown>           held; ///< in this step
   };
 

@@ -152,8 +152,10 @@ namespace isochor
         unknowns.local_element(i) = 0.;
     set_external_force();
     if (!with_contact)
-      for (const auto &condition : scene.boundary_conditions)
-        condition->start_contact();
+      {
+        start_contact(false);
+        return;
+      }
     constrain_nodes();
     lay_out_system(false);
   }

@@ -232,8 +232,8 @@ namespace isochor
         dragged)
       return result;
     result.per_time = u / step.step_size();
-    if (drive.change_of_loads > 0)
-      result.per_load = u / drive.change_of_loads;
+    if (const double change = drive.change_of_loads(); change > 0)
+      result.per_load = u / change;
     return result;
   }
 

@@ -161,9 +161,9 @@ namespace isochor
     bool                   dragged = false;
     for (const auto &condition : scene.boundary_conditions)
       dragged = dragged || condition->moves_body(step);
-    return {equilibrium.nodal_constraints(),
-            dragged,
-            equilibrium.change_of_loads()};
+    return {equilibrium.nodal_constraints(), dragged, [this]() {
+              return equilibrium.change_of_loads();
+            }};
   }
 
 

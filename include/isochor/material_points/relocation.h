@@ -85,6 +85,11 @@ namespace isochor
     PointRecords<dim> lost;
   };
 
+  /** All particles of this rank, in the order of @p handler. */
+  template <int dim>
+  PointRecords<dim>
+  all_points(const Particles::ParticleHandler<dim> &handler);
+
   /** Insert points of this rank's cells into the cells that they name.
    * Collective.
    * @throws ExcMessage if one is not in there. */

@@ -29,7 +29,7 @@ namespace isochor
   place_of_entry(const StepContext<dim> &step, const unsigned int entry);
 
   /**
-   * The grid may be another one than in the last step, at the end of which
+   * The grid is another one than in the last step, at the end of which
    * @p reactions (N, by entry) were at the @p places: let them be those of the
    * nearest unknowns of the same component that are @p held now. None is lost,
    * which would leave half of its work out or count the new one's twice. (The

@@ -10,6 +10,7 @@
 #include <isochor/nonlinear_solver/load_stepping.h>
 #include <isochor/nonlinear_solver/newton_solver.h>
 
+#include <functional>
 #include <string>
 
 namespace isochor
@@ -30,9 +31,9 @@ namespace isochor
       const NodalConstraints &constraints;
       /** Whether boundary points drag the body. */
       bool dragged;
-      /** By how much the loads change (N), see Equilibrium::change_of_loads().
-       */
-      double change_of_loads;
+      /** Returns by how much the loads change (N), which takes a loop over all
+       * points; see Equilibrium::change_of_loads(). Collective. */
+      std::function<double()> change_of_loads;
     };
 
     /** The state of the step that failed. */
