@@ -167,7 +167,7 @@ namespace isochor
           values.push_back(cavity.place[d]);
       }
     std::map<unsigned int, Cavity> by_cell;
-    for (const auto &of_rank : Utilities::MPI::all_gather(comm, values))
+    for (const auto &of_rank : all_gather_arrays(comm, values))
       for (std::size_t i = 0; i < of_rank.size(); i += 3 + dim)
         {
           const double *const in = &of_rank[i];

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/mpi_sums.h>
 #include <isochor/material_points/domain_bisection.h>
 
 #include <algorithm>
@@ -159,7 +160,7 @@ namespace isochor
               values.push_back(middles[edge][d]);
             values.push_back(ranks[edge].length);
           }
-    for (const auto &of_rank : Utilities::MPI::all_gather(comm, values))
+    for (const auto &of_rank : all_gather_arrays(comm, values))
       for (std::size_t i = 0; i < of_rank.size(); i += dim + 1)
         {
           Point<dim> middle;
@@ -187,7 +188,7 @@ namespace isochor
       for (unsigned int d = 0; d < dim; ++d)
         places.push_back(middles[edge][d]);
     newly_marked.clear();
-    for (const auto &of_rank : Utilities::MPI::all_gather(comm, places))
+    for (const auto &of_rank : all_gather_arrays(comm, places))
       for (std::size_t i = 0; i < of_rank.size(); i += dim)
         {
           Point<dim> middle;

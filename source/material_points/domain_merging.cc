@@ -5,6 +5,7 @@
 // The members of PointMerging that are about domains.
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/mpi_sums.h>
 #include <isochor/material_points/place_filter.h>
 #include <isochor/material_points/point_merging.h>
 
@@ -53,7 +54,7 @@ namespace isochor
                      const MPI_Comm             comm,
                      PlaceTable<dim>           &table)
     {
-      for (const auto &of_rank : Utilities::MPI::all_gather(comm, places))
+      for (const auto &of_rank : all_gather_arrays(comm, places))
         for (std::size_t i = 0; i < of_rank.size(); i += dim)
           {
             Point<dim> place;
@@ -68,7 +69,7 @@ namespace isochor
 
   template <int dim>
   void
-  PointMerging<dim>::find_changes(const std::vector<PointDomain<dim>> &domains)
+  PointMerging<dim>::find_changes()
   {
     std::vector<unsigned int> n_now(locator.geometry().n_cells(), 0);
     for (const PointDomain<dim> &domain : domains)
@@ -99,8 +100,7 @@ namespace isochor
 
   template <int dim>
   PlaceTable<dim>
-  PointMerging<dim>::find_middles(const std::vector<PointDomain<dim>> &domains,
-                                  std::vector<unsigned int>           &willing,
+  PointMerging<dim>::find_middles(std::vector<unsigned int> &willing,
                                   std::vector<unsigned int> &is_vetoed) const
   {
     const MPI_Comm             comm = grid.communicator();
@@ -164,7 +164,7 @@ namespace isochor
                       part.properties + points.layout().n_properties);
       }
     parts.clear();
-    received                = Utilities::MPI::all_gather(comm, values);
+    received                = all_gather_arrays(comm, values);
     const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
     for (unsigned int r = 0; r < received.size(); ++r)
       for (const double *value = received[r].data();
@@ -189,10 +189,9 @@ namespace isochor
 
   template <int dim>
   std::vector<typename PointMerging<dim>::Pair>
-  PointMerging<dim>::find_pairs(const std::vector<PointDomain<dim>> &domains,
-                                const std::vector<unsigned int>     &willing,
-                                const PlaceTable<dim>               &middles,
-                                const std::vector<unsigned int>     &is_vetoed)
+  PointMerging<dim>::find_pairs(const std::vector<unsigned int> &willing,
+                                const PlaceTable<dim>           &middles,
+                                const std::vector<unsigned int> &is_vetoed)
   {
     PlaceTable<dim>   wholes(scale);
     std::vector<Pair> pairs;
@@ -288,14 +287,14 @@ namespace isochor
   types::particle_index
   PointMerging<dim>::merge_domains()
   {
-    const MPI_Comm            comm    = grid.communicator();
-    const auto                domains = point_domains(points);
+    const MPI_Comm            comm = grid.communicator();
     std::vector<unsigned int> willing, is_vetoed;
-    find_changes(domains);
-    const PlaceTable<dim> middles = find_middles(domains, willing, is_vetoed);
+    domains = point_domains(points);
+    find_changes();
+    const PlaceTable<dim> middles = find_middles(willing, is_vetoed);
     if (middles.size() == 0)
       return 0;
-    std::vector<Pair> pairs = find_pairs(domains, willing, middles, is_vetoed);
+    std::vector<Pair> pairs = find_pairs(willing, middles, is_vetoed);
     // the parts around a middle together or none of them
     for (Pair &pair : pairs)
       if (!unite(pair))

@@ -238,13 +238,14 @@ namespace isochor
 
   template <int dim>
   std::vector<typename PointRefinement<dim>::NewPoint>
-  PointRefinement<dim>::split_domains(MaterialPoints<dim>       &points,
-                                      const BackgroundGrid<dim> &grid,
-                                      const PointLocator<dim>   &locator,
-                                      const double               share) const
+  PointRefinement<dim>::split_domains(
+    MaterialPoints<dim>                 &points,
+    const std::vector<PointDomain<dim>> &domains,
+    const BackgroundGrid<dim>           &grid,
+    const PointLocator<dim>             &locator,
+    const double                         share) const
   {
-    const auto parts =
-      bisect_domains(point_domains(points), grid, locator, share);
+    const auto            parts = bisect_domains(domains, grid, locator, share);
     std::vector<NewPoint> added;
     // the parts of a point follow each other; the first is what remains of
     // it
@@ -282,11 +283,13 @@ namespace isochor
 
   template std::vector<typename PointRefinement<2>::NewPoint>
   PointRefinement<2>::split_domains(MaterialPoints<2> &,
+                                    const std::vector<PointDomain<2>> &,
                                     const BackgroundGrid<2> &,
                                     const PointLocator<2> &,
                                     const double) const;
   template std::vector<typename PointRefinement<3>::NewPoint>
   PointRefinement<3>::split_domains(MaterialPoints<3> &,
+                                    const std::vector<PointDomain<3>> &,
                                     const BackgroundGrid<3> &,
                                     const PointLocator<3> &,
                                     const double) const;

@@ -189,30 +189,43 @@ namespace isochor
       return;
     const bool with_domains = points.layout().with_domains;
     // first, since splitting has the last word on how many are needed
-    constexpr double hysteresis = 0.8;
-    if (grid.is_adaptive() && merges &&
-        (merging == "always" || (merging == "with domains" && with_domains)))
-      n_removed += PointMerging<dim>(points,
-                                     grid,
-                                     locator,
-                                     materials,
-                                     hysteresis * share,
-                                     merging_tolerance,
-                                     least_points)
-                     .merge();
-    // parts may still be too large; bounded, since each round divides by
-    // four
-    for (unsigned int round = 0; round < (with_domains ? 1 : 8); ++round)
+    constexpr double              hysteresis = 0.8;
+    std::vector<PointDomain<dim>> domains;
+    const bool                    has_merged =
+      grid.is_adaptive() && merges &&
+      (merging == "always" || (merging == "with domains" && with_domains));
+    if (has_merged)
       {
-        const std::vector<NewPoint> parts =
-          with_domains ? split_domains(points, grid, locator, share) :
-                         split(points, locator, share);
-        const auto n = Utilities::MPI::sum(parts.size(), grid.communicator());
-        if (n == 0)
-          break;
-        n_added += n;
-        insert(points, grid, locator, parts);
+        PointMerging<dim> all(points,
+                              grid,
+                              locator,
+                              materials,
+                              hysteresis * share,
+                              merging_tolerance,
+                              least_points);
+        n_removed += all.merge();
+        domains = all.take_domains();
       }
+    const auto insert_parts = [&](const std::vector<NewPoint> &parts) {
+      const auto n = Utilities::MPI::sum(parts.size(), grid.communicator());
+      if (n > 0)
+        insert(points, grid, locator, parts);
+      n_added += n;
+      return n > 0;
+    };
+    if (with_domains)
+      insert_parts(
+        split_domains(points,
+                      has_merged ? std::move(domains) : point_domains(points),
+                      grid,
+                      locator,
+                      share));
+    else
+      // parts may still be too large; bounded, since each round divides by
+      // four
+      for (unsigned int round = 0; round < 8; ++round)
+        if (!insert_parts(split(points, locator, share)))
+          break;
   }
 
 

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <isochor/base/mpi_sums.h>
 #include <isochor/postprocess/carried_reactions.h>
 
 #include <algorithm>
@@ -66,7 +67,7 @@ namespace isochor
     std::vector<double> mine;
     for (const auto &[entry, place] : places)
       pack(entry % dim, reactions.at(entry), place, mine);
-    const auto before = Utilities::MPI::all_gather(comm, mine);
+    const auto before = all_gather_arrays(comm, mine);
     reactions.clear();
     if (std::all_of(before.begin(), before.end(), [](const auto &of_rank) {
           return of_rank.empty();
@@ -82,7 +83,7 @@ namespace isochor
     // by component: the place, and the rank and the entry there
     using Candidate = std::pair<Point<dim>, std::pair<unsigned int, double>>;
     std::array<std::vector<Candidate>, dim> candidates;
-    const auto         now  = Utilities::MPI::all_gather(comm, mine);
+    const auto                              now = all_gather_arrays(comm, mine);
     const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
     for (unsigned int r = 0; r < now.size(); ++r)
       for (std::size_t i = 0; i < now[r].size(); i += length<dim>)

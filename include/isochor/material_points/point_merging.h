@@ -67,6 +67,14 @@ namespace isochor
     types::particle_index
     merge();
 
+    /** After merge(): the domains of the points, which have them, of this
+     * rank. */
+    std::vector<PointDomain<dim>>
+    take_domains()
+    {
+      return std::move(domains);
+    }
+
   private:
     /** One of the two parts of a domain. */
     struct Part
@@ -105,22 +113,20 @@ namespace isochor
      * round: corners of what was merged, and those of domains in cells that
      * have more points now. */
     void
-    find_changes(const std::vector<PointDomain<dim>> &domains);
+    find_changes();
     bool
     is_willing(const PointDomain<dim> &part) const;
     /** The middles of edges that may vanish if it is for the parts around them;
      * the same on all ranks. Adds the own parts that are willing, by the
-     * place in @p domains. */
+     * place among the domains. */
     PlaceTable<dim>
-    find_middles(const std::vector<PointDomain<dim>> &domains,
-                 std::vector<unsigned int>           &willing,
-                 std::vector<unsigned int>           &is_vetoed) const;
+    find_middles(std::vector<unsigned int> &willing,
+                 std::vector<unsigned int> &is_vetoed) const;
     /** Of the parts that are @p willing. */
     std::vector<Pair>
-    find_pairs(const std::vector<PointDomain<dim>> &domains,
-               const std::vector<unsigned int>     &willing,
-               const PlaceTable<dim>               &middles,
-               const std::vector<unsigned int>     &is_vetoed);
+    find_pairs(const std::vector<unsigned int> &willing,
+               const PlaceTable<dim>           &middles,
+               const std::vector<unsigned int> &is_vetoed);
     /** Bring parts to ranks that have the other one. */
     void
     exchange_parts(std::vector<Part> &parts);
@@ -143,6 +149,8 @@ namespace isochor
     const double               largest_share, tolerance;
     const unsigned int         least_points;
     const PlaceScale<dim>      scale;
+    /** Of the points of this rank before this round. */
+    std::vector<PointDomain<dim>> domains;
     /** By cell, the own ones in this round. */
     std::vector<unsigned int> n_points;
     /** Corners at t = 0 of what this rank has merged in the last round. */

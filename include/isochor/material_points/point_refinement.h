@@ -92,12 +92,14 @@ namespace isochor
     split(MaterialPoints<dim>     &points,
           const PointLocator<dim> &locator,
           const double             share) const;
-    /** Split points with domains; what was added to the points. Collective. */
+    /** Split points with @p domains; what was added to the points.
+     * Collective. */
     std::vector<NewPoint>
-    split_domains(MaterialPoints<dim>       &points,
-                  const BackgroundGrid<dim> &grid,
-                  const PointLocator<dim>   &locator,
-                  const double               share) const;
+    split_domains(MaterialPoints<dim>                 &points,
+                  const std::vector<PointDomain<dim>> &domains,
+                  const BackgroundGrid<dim>           &grid,
+                  const PointLocator<dim>             &locator,
+                  const double                         share) const;
     /** The parts of those of the @p domains of all points that have been
      * bisected, in their order. Collective. */
     std::vector<PointDomain<dim>>
