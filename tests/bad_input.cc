@@ -113,6 +113,7 @@ test_names_given_twice(const std::string &loads)
       "<centre>"}},
     {{loads, "Periodic sides = left: right; left: right, x = t", "<right>"}},
     {{"Postprocess", "Exact stress = xx: 0; xx: x", "<xx>"}},
+    {{"Postprocess", "Reactions = left, right, left", "<left>"}},
     {{"Adaptive grid",
       "Cell size at boundaries = left: 0.1; left: 0.2",
       "<left>"}}};

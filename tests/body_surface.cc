@@ -400,6 +400,49 @@ test_loaded_area()
                     1e-3);
 }
 
+/** A bar that has gone nine times its length, and is stretched by 1e-8 of it:
+ * of its force the rounding of the penalty leaves 1e-6, with which Newton's
+ * method was not content. Exact for plane strain without holding the sides:
+ * E/(1 - ν²) times strain and height. */
+void
+test_stretched_after_a_long_way()
+{
+  for (const std::string &quadrature : quadratures)
+    {
+      const auto bar = test::run_scene<2>(
+        "Grid/Upper corner = 12, 2\nGrid/Subdivisions = 48, 8\n"
+        "Material points/Region = x>0.5 && x<1.5 && y>0.5 && y<1\n"
+        "Material/Young modulus = 1e12\nMaterial/Poisson ratio = 0.3\n"
+        "Boundary conditions/Surfaces of body = left: x<0.5001; "
+        "right: x>1.4999; corner: x<0.7501 && y<0.5001\n"
+        "Boundary conditions/Displacement of body = left: x=9*t; "
+        "right: x=9*t+1e-8*t; corner: y=0\n"
+        "Time/Step size = 0.05\nOutput/Terminal = quiet\n"
+        "Quadrature/Type = " +
+        quadrature + "\n");
+      const double left  = test::get(*bar,
+                                    "Reaction x on left by boundary "
+                                     "points (N)"),
+                   right = test::get(*bar,
+                                     "Reaction x on right by boundary "
+                                     "points (N)");
+      const std::string what =
+        quadrature + ": a bar stretched by 1e-8 after a long way";
+      test::check(what + ": no step is cut",
+                  test::get(*bar, "Step") == 20,
+                  std::to_string(test::get(*bar, "Step")));
+      test::check_error(what + ": balance",
+                        std::abs(left + right) / std::abs(right),
+                        1e-4);
+      // 0.13 % is the give of the penalty at both ends; the other quadratures
+      // integrate over cells that the body fills in part
+      if (quadrature == "CPDI" || quadrature == "cell-filled + boundary")
+        test::check_error(what + ": force",
+                          test::relative(right, 1e12 / 0.91 * 0.5 * 1e-8),
+                          2e-3);
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -412,4 +455,5 @@ main(int argc, char **argv)
   test_corner();
   test_mixed_cells();
   test_loaded_area();
+  test_stretched_after_a_long_way();
 }

@@ -69,6 +69,13 @@ namespace isochor
              MixedSystem<dim>       &system) override;
 
     void
+    add_unit_residual(const StepContext<dim> &step,
+                      NodalField             &scale) const override
+    {
+      if (points)
+        forces->add_unit_residual(step, scale);
+    }
+    void
     add_external_force(const StepContext<dim> &step,
                        NodalField             &force) const override;
 
@@ -373,12 +380,7 @@ namespace isochor
   bool
   BodySurfaceConditions<dim>::moves_body(const StepContext<dim> &step) const
   {
-    for (unsigned int b = 0; points && b < points->size(); ++b)
-      for (unsigned int a = 0; a < dim; ++a)
-        if (!forces->condition_at(b).displacement[a].empty() &&
-            forces->moves(step, b, a))
-          return true;
-    return false;
+    return points && forces->move_body(step);
   }
 
 

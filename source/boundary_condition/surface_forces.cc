@@ -171,6 +171,19 @@ namespace isochor
 
   template <int dim>
   bool
+  SurfaceForces<dim>::move_body(const StepContext<dim> &step) const
+  {
+    for (unsigned int b = 0; b < points.size(); ++b)
+      for (unsigned int a = 0; a < dim; ++a)
+        if (!condition_at(b).displacement[a].empty() && moves(step, b, a))
+          return true;
+    return false;
+  }
+
+
+
+  template <int dim>
+  bool
   SurfaceForces<dim>::starts_suddenly(const StepContext<dim> &step,
                                       const NodalField       &velocity) const
   {
@@ -328,6 +341,33 @@ namespace isochor
             force.local_element(
               step.nodes.node(nodes.vertex[I]) * step.n_components + a) +=
               nodes.shape[I] * at_point[a];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceForces<dim>::add_unit_residual(const StepContext<dim> &step,
+                                        NodalField             &scale) const
+  {
+    // of u and ū, as far as points have moved, a few units of the last digit
+    // remain in their difference: a tenth of 1e-14
+    constexpr double rounding = 0.1;
+    for (unsigned int b = 0; b < points.size(); ++b)
+      {
+        if (!condition_at(b).is_fixed())
+          continue;
+        const auto   nodes = points.stencil(b);
+        const double k     = stiffness(step, b);
+        for (unsigned int a = 0; a < dim; ++a)
+          if (!condition_at(b).displacement[a].empty())
+            for (unsigned int I = 0; I < nodes.n_nodes; ++I)
+              scale.local_element(
+                step.nodes.node(nodes.vertex[I]) * step.n_components + a) +=
+                rounding * k * nodes.shape[I] *
+                std::max(std::abs(points.displacement(b)[a]),
+                         std::abs(target(step, b, a)));
       }
   }
 

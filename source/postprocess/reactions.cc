@@ -41,6 +41,12 @@ namespace isochor
     parse_parameters(ParameterHandler &prm) override
     {
       names = Utilities::split_string_list(prm.get("Reactions"));
+      std::set<std::string> unique;
+      for (const std::string &name : names)
+        AssertThrow(unique.insert(name).second,
+                    ExcMessage("The parameter <" +
+                               this->parameter("Reactions") + "> names <" +
+                               name + "> twice."));
     }
 
     void

@@ -187,7 +187,8 @@ namespace isochor
     const MPI_Comm          comm         = scene.grid.communicator();
     NodalField              unit;
     nodes.initialize(unit, n_components);
-    body.add_unit_residual(setup.context(), unit);
+    for (const EquationTerm<dim> *term : terms)
+      term->add_unit_residual(setup.context(), unit);
     unit.compress(VectorOperation::add);
     double force = 0, volume = 0;
     for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)

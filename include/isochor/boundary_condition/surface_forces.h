@@ -99,6 +99,10 @@ namespace isochor
                                      step.time)) != 0;
     }
 
+    /** Whether it is for any of the points of this rank. */
+    bool
+    move_body(const StepContext<dim> &step) const;
+
     /** Whether points with a prescribed component have another velocity than
      * the body, which has @p velocity (dim per node). */
     bool
@@ -125,6 +129,10 @@ namespace isochor
     load(const StepContext<dim> &step,
          const NodalField       &unknowns,
          const unsigned int      b) const;
+
+    /** EquationTerm::add_unit_residual() of the penalty. */
+    void
+    add_unit_residual(const StepContext<dim> &step, NodalField &scale) const;
 
     /** Add the dead loads (N) to nodal forces. */
     void

@@ -39,7 +39,8 @@ namespace isochor
      * strains of order one would give. The scale below which a residual is
      * rounding. */
     void
-    add_unit_residual(const StepContext<dim> &step, NodalField &scale) const;
+    add_unit_residual(const StepContext<dim> &step,
+                      NodalField             &scale) const override;
 
   private:
     template <int n_components, unsigned int max_nodes>

@@ -82,6 +82,14 @@ namespace isochor
     {
       return EvaluationStatus::success;
     }
+
+    /** Add residuals that, times some 1e-14, are what rounding errors leave of
+     * the term's at equilibrium: Newton's method can't do better. Entries by
+     * node and component, not negative. */
+    virtual void
+    add_unit_residual(const StepContext<dim> & /*step*/,
+                      NodalField & /*scale*/) const
+    {}
   };
 } // namespace isochor
 
