@@ -101,6 +101,7 @@ namespace isochor
   void
   GridAdaptation<dim>::parse_parameters(ParameterHandler &prm)
   {
+    balance.parse_parameters(prm);
     prm.enter_subsection("Adaptive grid");
     rule.minimum    = prm.get_integer("Minimum level");
     rule.maximum    = prm.get_integer("Maximum level");
@@ -361,7 +362,8 @@ namespace isochor
     const bool is_refined = !(leaves == old);
     // the points may have moved, or have been split, so that the same grid has
     // to be divided among the ranks anew
-    if (!is_refined && !is_out_of_balance(weights, forest, owners, n_ranks))
+    if (!is_refined &&
+        !is_out_of_balance(weights, forest, owners, n_ranks, balance))
       return false;
     const Motion motion = motion_in_old_grid(grid, last_motion);
 
@@ -395,11 +397,7 @@ namespace isochor
     statistics.set("Coarsest level of grid", coarsest->level);
     statistics.set("Finest level of grid", finest->level);
     statistics.set("Changes of grid", n_changes);
-    const double n_own = points.handler().n_locally_owned_particles();
-    const auto counts = Utilities::MPI::min_max_avg(n_own, grid.communicator());
-    statistics.set("Largest share of points on a rank",
-                   counts.max / counts.sum);
-    statistics.set("Imbalance of points", counts.max / counts.avg - 1);
+    evaluate_balance(points, grid.communicator(), statistics);
   }
 
 

@@ -6,19 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace isochor
 {
   namespace
   {
-    /** What a leaf costs besides its points, in points: its share of the
-     * unknowns. Three ranks with weights like these were balanced to 0.2 %. */
+    /** What a leaf costs besides its points, in points: it is split into two
+     * triangles or six tetrahedra. */
     template <int dim>
-    constexpr double cost_of_leaf = (dim == 2 ? 20 : 60);
+    constexpr double
+      cost_of_leaf = (dim == 2 ? 2 : 6) * LoadBalance::cost_of_cell;
 
-    /** The largest sum of the @p weights on a rank, relative to the mean, less
-     * one. */
+    /** See LoadBalance::imbalance(). */
     double
     imbalance(const std::vector<double>       &weights,
               const std::vector<unsigned int> &owners,
@@ -27,9 +26,7 @@ namespace isochor
       std::vector<double> sums(n_ranks);
       for (unsigned int i = 0; i < weights.size(); ++i)
         sums[owners[i]] += weights[i];
-      return *std::max_element(sums.begin(), sums.end()) * n_ranks /
-               std::accumulate(sums.begin(), sums.end(), 0.) -
-             1;
+      return LoadBalance::imbalance(sums);
     }
   } // namespace
 
@@ -78,16 +75,16 @@ namespace isochor
   is_out_of_balance(const std::vector<double>       &weights,
                     const AdaptiveGrid<dim>         &forest,
                     const std::vector<unsigned int> &owners,
-                    const unsigned int               n_ranks)
+                    const unsigned int               n_ranks,
+                    const LoadBalance               &balance)
   {
-    constexpr double tolerated = 0.05;
     if (n_ranks == 1)
       return false;
     std::vector<unsigned int> old;
     for (unsigned int leaf = 0; leaf < weights.size(); ++leaf)
       old.push_back(forest.leaf_owner(leaf));
-    const double is = imbalance(weights, old, n_ranks);
-    return is > tolerated && imbalance(weights, owners, n_ranks) < is / 2;
+    return balance.is_worth_it(imbalance(weights, old, n_ranks),
+                               imbalance(weights, owners, n_ranks));
   }
 
 
@@ -102,7 +99,8 @@ namespace isochor
   is_out_of_balance(const std::vector<double> &,
                     const AdaptiveGrid<2> &,
                     const std::vector<unsigned int> &,
-                    const unsigned int);
+                    const unsigned int,
+                    const LoadBalance &);
   template bool
   is_within(const Leaf<3> &, const Leaf<3> &);
   template std::vector<double>
@@ -113,5 +111,6 @@ namespace isochor
   is_out_of_balance(const std::vector<double> &,
                     const AdaptiveGrid<3> &,
                     const std::vector<unsigned int> &,
-                    const unsigned int);
+                    const unsigned int,
+                    const LoadBalance &);
 } // namespace isochor

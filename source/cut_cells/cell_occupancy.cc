@@ -50,27 +50,42 @@ namespace isochor
     const MPI_Comm comm = grid.communicator();
     if (Utilities::MPI::n_mpi_processes(comm) == 1)
       return;
-    const SimplexGeometry<dim>         &geometry = grid.geometry();
-    std::vector<std::set<unsigned int>> ranks(n_cells_at.size());
+    // vertices away from the ends of a rank's part know one rank, that of any
+    // of their cells
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    const auto                  owner_at = [&](const unsigned int v) {
+      return geometry.owner(cells_at_vertices[cells_at_start[v]]);
+    };
+    std::map<unsigned int, std::set<unsigned int>> ranks; // of the others
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       for (const unsigned int v : geometry.vertex_indices(cell))
-        ranks[v].insert(geometry.owner(cell));
+        if (geometry.owner(cell) != owner_at(v))
+          ranks[v].insert({geometry.owner(cell), owner_at(v)});
     for (unsigned int layer = 0; layer < n_near_layers(); ++layer)
       {
         auto wider = ranks;
-        for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-          for (const unsigned int v : geometry.vertex_indices(cell))
-            for (const unsigned int w : geometry.vertex_indices(cell))
-              wider[v].insert(ranks[w].begin(), ranks[w].end());
+        for (const auto &[v, known] : ranks)
+          for (unsigned int i = cells_at_start[v]; i < cells_at_start[v + 1];
+               ++i)
+            for (const unsigned int w :
+                 geometry.vertex_indices(cells_at_vertices[i]))
+              {
+                wider[w].insert(known.begin(), known.end());
+                wider[w].insert(owner_at(w));
+              }
         ranks.swap(wider);
       }
     const unsigned int me = Utilities::MPI::this_mpi_process(comm);
-    for (unsigned int v = 0; v < ranks.size(); ++v)
+    for (auto &[v, others] : ranks)
       {
-        ranks[v].erase(me);
-        if (!ranks[v].empty())
-          near_ranks[v].assign(ranks[v].begin(), ranks[v].end());
+        others.erase(me);
+        if (!others.empty())
+          near_ranks[v].assign(others.begin(), others.end());
       }
+    // where this rank is not near, there is one other
+    for (unsigned int v = 0; v < n_cells_at.size(); ++v)
+      if (n_cells_at[v] > 0 && ranks.count(v) == 0 && owner_at(v) != me)
+        near_ranks[v] = {owner_at(v)};
   }
 
 

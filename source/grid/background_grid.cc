@@ -155,6 +155,32 @@ namespace isochor
 
   template <int dim>
   void
+  BackgroundGrid<dim>::SharedTriangulation::set_owners(
+    const std::vector<unsigned int> &owners)
+  {
+    for (const auto &cell : this->active_cell_iterators())
+      cell->set_subdomain_id(owners[cell->active_cell_index()]);
+    this->update_number_cache();
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::set_owners(const std::vector<unsigned int> &owners)
+  {
+    AssertThrow(!is_adaptive(), ExcInternalError());
+    AssertDimension(owners.size(), cached_geometry->n_cells());
+    ++n_meshes;
+    tria->set_owners(owners);
+    cached_geometry->set_owners(owners);
+    assign_owners();
+  }
+
+
+
+  template <int dim>
+  void
   BackgroundGrid<dim>::read_mesh_data()
   {
     ++n_meshes;

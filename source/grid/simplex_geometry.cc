@@ -85,6 +85,16 @@ namespace isochor
 
   template <int dim>
   void
+  SimplexGeometry<dim>::set_owners(const std::vector<unsigned int> &ranks)
+  {
+    AssertDimension(ranks.size(), owners.size());
+    owners = ranks;
+  }
+
+
+
+  template <int dim>
+  void
   SimplexGeometry<dim>::read_topology()
   {
     const bool is_parallel =

@@ -8,12 +8,9 @@
 #include <isochor/base/thickness.h>
 #include <isochor/material_points/material_points.h>
 #include <isochor/material_points/point_domain.h>
-#include <isochor/material_points/relocation.h>
 
 #include <algorithm>
 #include <map>
-#include <sstream>
-#include <utility>
 
 namespace isochor
 {
@@ -356,109 +353,6 @@ namespace isochor
             arrays.acceleration[q][d] = properties[l.acceleration + d];
           }
     });
-  }
-
-
-
-  template <int dim>
-  types::particle_index
-  MaterialPoints<dim>::relocate(const PointLocator<dim>          &locator,
-                                const std::vector<unsigned char> &is_concerned)
-  {
-    forget_order();
-    const RelocationReport<dim> report =
-      isochor::relocate(particles, locator, is_concerned);
-    if (report.n_lost == 0)
-      {
-        // laying out anew costs about what disorder does in a step
-        n_out_of_order += report.n_moved;
-        if (n_out_of_order > particles.n_global_particles() / 4)
-          {
-            order_memory(particles, locator);
-            n_out_of_order = 0;
-          }
-        return report.n_moved;
-      }
-
-    constexpr std::size_t               most = 3; // places to list
-    std::string                         places;
-    std::map<std::string, unsigned int> n_through;
-    for (std::size_t i = 0; i < report.lost.size(); ++i)
-      {
-        const Point<dim> &x = report.lost.locations[i];
-        ++n_through[grid.boundary_crossed(report.lost.cells[i], x)];
-        std::ostringstream place;
-        place << " Point " << report.lost.ids[i] << " is at (" << x << ").";
-        if (i < most)
-          places += place.str();
-        // kept, so that the state can be looked at
-        particles.insert_particle(
-          x,
-          SimplexGeometry<dim>::reference_location(
-            grid.geometry().barycentric(report.lost.cells[i], x)),
-          report.lost.ids[i],
-          grid.geometry().cell_iterator(report.lost.cells[i]),
-          report.lost.payload(i));
-      }
-    particles.update_cached_numbers();
-
-    std::map<std::string, unsigned int> n_through_all;
-    std::string                         all_places, boundaries;
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(grid.communicator(), n_through))
-      for (const auto &entry : of_rank)
-        n_through_all[entry.first] += entry.second;
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(grid.communicator(), places))
-      all_places += of_rank;
-    for (const auto &entry : n_through_all)
-      boundaries += (boundaries.empty() ? "" : ", ") +
-                    std::to_string(entry.second) + " through <" + entry.first +
-                    ">";
-    AssertThrow(false,
-                ExcPointsLeftGrid(std::to_string(report.n_lost) +
-                                  " material points left the background "
-                                  "grid, " +
-                                  boundaries + "." + all_places +
-                                  " Enlarge the grid, or hold the body by "
-                                  "boundary conditions."));
-    return report.n_moved;
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPoints<dim>::change_grid(
-    const PointLocator<dim>                                    &locator,
-    const std::function<std::unique_ptr<Triangulation<dim>>()> &change,
-    const bool                                                  keep_points)
-  {
-    forget_order();
-    n_out_of_order                  = 0;
-    const unsigned int n_properties = particles.n_properties_per_particle();
-    PointRecords<dim>  records =
-      keep_points ? all_points(particles) : PointRecords<dim>(n_properties);
-    particles.clear_particles();
-    const std::unique_ptr<Triangulation<dim>> old = change();
-    // lets go of the old one
-    particles.initialize(grid.triangulation(), grid.mapping(), n_properties);
-    if (!keep_points)
-      return;
-    for (std::size_t i = 0; i < records.size(); ++i)
-      {
-        const auto place =
-          locator.locate(records.locations[i],
-                         grid.cells_after_change()[records.cells[i]]);
-        AssertThrow(place.found, ExcInternalError());
-        records.cells[i] = place.cell;
-      }
-    std::size_t n_shipped;
-    insert_particles(particles,
-                     locator,
-                     exchange_points(std::move(records),
-                                     grid.geometry(),
-                                     n_shipped));
   }
 
 

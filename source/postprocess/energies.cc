@@ -43,6 +43,15 @@ namespace isochor
       has_other_grid = true;
     }
 
+    void
+    owners_changed(const BackgroundGrid<dim> &grid) override
+    {
+      // the next step keeps those of its own held unknowns
+      for (const auto &of_rank :
+           Utilities::MPI::all_gather(grid.communicator(), reactions))
+        reactions.insert(of_rank.begin(), of_rank.end());
+    }
+
     static void
     declare_parameters(ParameterHandler &prm)
     {

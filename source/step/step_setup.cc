@@ -36,6 +36,7 @@ namespace isochor
     DiscreteExtension<dim>::declare_parameters(prm);
     PointRefinement<dim>::declare_parameters(prm);
     GridReset<dim>::declare_parameters(prm);
+    GridPartition<dim>::declare_parameters(prm);
   }
 
 
@@ -50,6 +51,7 @@ namespace isochor
     if (refinement.splits_points())
       scene.points.keep_ancestry();
     grid_reset.parse_parameters(prm);
+    partition.parse_parameters(prm);
     extends         = extension.is_active(scene.ties_cut_cells());
     needs_occupancy = scene.quadrature->needs_occupancy() || extends;
   }
@@ -249,6 +251,13 @@ namespace isochor
               scene.grid, scene.points, *locator, time, last_motion))
           grid_changed();
       }
+    if (partition.is_needed(scene.grid))
+      {
+        TimerOutput::Scope scope(timer, "division among ranks");
+        if (partition.rebalance(
+              scene.grid, scene.points, *locator, last_motion))
+          owners_changed();
+      }
     {
       TimerOutput::Scope scope(timer, "splitting and merging of points");
       // what is split at once disturbs the next step the less, the less it is
@@ -298,6 +307,20 @@ namespace isochor
     share_held_vertices();
     if (needs_occupancy)
       find_walls();
+  }
+
+
+
+  template <int dim>
+  void
+  StepSetup<dim>::owners_changed()
+  {
+    for (const auto &condition : scene.boundary_conditions)
+      condition->owners_changed(scene.grid);
+    for (const auto &postprocessor : scene.postprocessors)
+      postprocessor->owners_changed(scene.grid);
+    if (needs_occupancy)
+      occupancy.owners_changed();
   }
 
 
@@ -393,6 +416,7 @@ namespace isochor
   void
   StepSetup<dim>::evaluate(Statistics &statistics)
   {
+    partition.evaluate(scene.grid, scene.points, statistics);
     if (!scene.grid.is_adaptive())
       return;
     scene.adaptation.evaluate(scene.grid, scene.points, statistics);
@@ -421,8 +445,8 @@ namespace isochor
   {
     std::ostringstream              stream(std::ios::binary);
     boost::archive::binary_oarchive archive(stream);
-    archive << scene.adaptation.save_state(scene.grid) << grid_reset
-            << cavity_watch;
+    archive << scene.adaptation.save_state(scene.grid) << partition.save_state()
+            << grid_reset << cavity_watch;
     if (!grid_reset.due())
       archive << touched_vertices << arrays << extension;
     return stream.str();
@@ -436,10 +460,12 @@ namespace isochor
   {
     std::istringstream              stream(state, std::ios::binary);
     boost::archive::binary_iarchive archive(stream);
-    std::string                     mesh;
-    archive >> mesh;
+    std::string                     mesh, division;
+    archive >> mesh >> division;
     if (scene.adaptation.load_state(mesh, scene.grid, scene.points, *locator))
       grid_changed();
+    if (partition.load_state(division, scene.grid, scene.points, *locator))
+      owners_changed();
     archive >> grid_reset >> cavity_watch;
     is_current = false;
     is_resumed = true;

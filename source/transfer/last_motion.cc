@@ -6,6 +6,8 @@
 
 #include <isochor/transfer/last_motion.h>
 
+#include <map>
+
 namespace isochor
 {
   namespace
@@ -121,6 +123,53 @@ namespace isochor
 
 
 
+  template <int dim>
+  void
+  LastMotion::send_to_owners(const BackgroundGrid<dim> &grid)
+  {
+    const MPI_Comm     comm = grid.communicator();
+    const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
+    const unsigned int n    = Utilities::MPI::max(
+      vertices.empty() ? 0 : unknowns.size() / vertices.size(), comm);
+    const std::size_t length = n + 1; // the vertex, its unknowns
+
+    // control nodes have the owner they had
+    const std::size_t n_vertices = grid.geometry().vertices().size();
+    std::map<unsigned int, std::vector<double>> messages;
+    for (unsigned int i = 0; i < vertices.size(); ++i)
+      {
+        const unsigned int   v = vertices[i];
+        std::vector<double> &message =
+          messages[v < n_vertices ? grid.vertex_owner(v) : rank];
+        message.push_back(v);
+        message.insert(message.end(),
+                       unknowns.begin() + i * std::size_t(n),
+                       unknowns.begin() + (i + 1) * std::size_t(n));
+      }
+    vertices.clear();
+    unknowns.clear();
+    const std::vector<double> own = messages[rank];
+    messages.erase(rank);
+    auto received  = Utilities::MPI::some_to_some(comm, messages);
+    received[rank] = own;
+    // several ranks may have known a vertex
+    std::vector<unsigned char> is_known(n_vertices, 0);
+    for (const auto &of_rank : received)
+      for (std::size_t i = 0; i < of_rank.second.size(); i += length)
+        {
+          const double      *entry = &of_rank.second[i];
+          const unsigned int v     = static_cast<unsigned int>(entry[0]);
+          if (v < n_vertices && is_known[v])
+            continue;
+          if (v < n_vertices)
+            is_known[v] = 1;
+          vertices.push_back(v);
+          unknowns.insert(unknowns.end(), entry + 1, entry + length);
+        }
+  }
+
+
+
   template void
   LastMotion::remember(const ActiveNodes<2> &,
                        const unsigned int,
@@ -137,6 +186,8 @@ namespace isochor
                                const unsigned int,
                                NodalField &) const;
   template void
+  LastMotion::send_to_owners(const BackgroundGrid<2> &);
+  template void
   LastMotion::remember(const ActiveNodes<3> &,
                        const unsigned int,
                        const double,
@@ -151,4 +202,6 @@ namespace isochor
   LastMotion::restore_pressure(const ActiveNodes<3> &,
                                const unsigned int,
                                NodalField &) const;
+  template void
+  LastMotion::send_to_owners(const BackgroundGrid<3> &);
 } // namespace isochor

@@ -6,6 +6,7 @@
 #define isochor_grid_adaptation_h
 
 #include <isochor/adaptation/cell_size_criterion.h>
+#include <isochor/adaptation/load_balance.h>
 #include <isochor/equations/equation_term.h>
 #include <isochor/material_points/material_points.h>
 #include <isochor/material_points/point_locator.h>
@@ -147,6 +148,7 @@ namespace isochor
 
     std::vector<std::unique_ptr<CellSizeCriterion<dim>>> criteria;
     LevelRule<dim>                                       rule;
+    LoadBalance                                          balance;
     unsigned int n_buffer = 1, n_repetitions = 0, resets_between = 1;
     unsigned int n_resets = 0, n_changes = 0;
   };

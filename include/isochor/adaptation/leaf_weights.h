@@ -5,6 +5,7 @@
 #ifndef isochor_leaf_weights_h
 #define isochor_leaf_weights_h
 
+#include <isochor/adaptation/load_balance.h>
 #include <isochor/grid/adaptive_grid.h>
 
 #include <vector>
@@ -31,7 +32,8 @@ namespace isochor
   is_out_of_balance(const std::vector<double>       &weights,
                     const AdaptiveGrid<dim>         &forest,
                     const std::vector<unsigned int> &owners,
-                    const unsigned int               n_ranks);
+                    const unsigned int               n_ranks,
+                    const LoadBalance               &balance);
 } // namespace isochor
 
 #endif

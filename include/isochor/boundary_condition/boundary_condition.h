@@ -63,6 +63,14 @@ namespace isochor
       initialize(grid);
     }
 
+    /** The cells have got other owners (BackgroundGrid::set_owners()), with the
+     * numbers that they had, and so have the vertices: bring what is kept by
+     * rank to where it belongs now. What all ranks know alike stays as it is,
+     * and BoundaryPoints find their ranks by themselves. Collective. */
+    virtual void
+    owners_changed(const BackgroundGrid<dim> & /*grid*/)
+    {}
+
     /** For conditions on the body: where it is at t = 0, and its points, which
      * are set up anew before touch_vertices() is called. Both outlive this
      * object. Once, before initialize(). */

@@ -173,6 +173,13 @@ namespace isochor
 
     const BackgroundGrid<dim> &grid;
 
+    /** The cells have other owners. Collective. */
+    void
+    owners_changed()
+    {
+      find_near_ranks();
+    }
+
   private:
     void
     find_cells_at_vertices();

@@ -41,7 +41,8 @@ namespace isochor
    *
    * A grid that GridSource::is_adaptive() can be replaced, see change(). Cells
    * and vertices then get other numbers: what is kept by number for longer than
-   * a step has to be told, or to look at mesh_number().
+   * a step has to be told, or to look at mesh_number(). The cells of any other
+   * grid may get other owners, see set_owners().
    *
    * Every rank knows the whole mesh (parallel::shared::Triangulation); cells
    * are addressed by their active cell index, nodes by their vertex index.
@@ -108,7 +109,13 @@ namespace isochor
       return new_cells;
     }
 
-    /** Increases with each change(). */
+    /** Let the cells belong to the ranks @p owners from now on. Cells and
+     * vertices keep their numbers, geometry() all but the owners. Not for
+     * adaptive grids. Collective. */
+    void
+    set_owners(const std::vector<unsigned int> &owners);
+
+    /** Increases with each change() and set_owners(). */
     unsigned int
     mesh_number() const
     {
@@ -119,6 +126,13 @@ namespace isochor
      * (parameter "Stretch"); where they were generated if there is none. */
     std::vector<Point<dim>>
     vertices_at_time(const double time) const;
+
+    /** Where the vertices were generated. */
+    const std::vector<Point<dim>> &
+    generated_vertices() const
+    {
+      return reference_vertices;
+    }
 
     /** Displace the vertices to @p positions (by vertex index). */
     void
@@ -166,7 +180,15 @@ namespace isochor
     communicator() const;
 
   private:
-    using SharedTriangulation = parallel::shared::Triangulation<dim>;
+    /** One whose cells may get other owners once it has been made. */
+    class SharedTriangulation : public parallel::shared::Triangulation<dim>
+    {
+    public:
+      using parallel::shared::Triangulation<dim>::Triangulation;
+
+      void
+      set_owners(const std::vector<unsigned int> &owners);
+    };
 
     /** An empty one. */
     std::unique_ptr<SharedTriangulation>

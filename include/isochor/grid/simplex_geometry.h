@@ -76,6 +76,10 @@ namespace isochor
     void
     set_vertices(const std::vector<Point<dim>> &vertices);
 
+    /** Let the cells belong to these ranks, as they do in the triangulation. */
+    void
+    set_owners(const std::vector<unsigned int> &ranks);
+
     /** Coordinates by global vertex index. */
     const std::vector<Point<dim>> &
     vertices() const;

@@ -149,6 +149,15 @@ namespace isochor
       const std::function<std::unique_ptr<Triangulation<dim>>()> &change,
       const bool keep_points = true);
 
+    /**
+     * Let @p change give the cells other owners (BackgroundGrid::set_owners()),
+     * and bring the points to them. They must lie in the cells that they are
+     * in. Collective.
+     */
+    void
+    change_owners(const PointLocator<dim>     &locator,
+                  const std::function<void()> &change);
+
     /** Bring the points into @p arrays, ordered by cell. Some of their fields
      * are not copied, see PointField. */
     void

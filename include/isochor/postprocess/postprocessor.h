@@ -76,6 +76,13 @@ namespace isochor
     grid_changed(const BackgroundGrid<dim> & /*grid*/)
     {}
 
+    /** The cells have got other owners (BackgroundGrid::set_owners()), with the
+     * numbers that they had, and so have the vertices: bring what is kept by
+     * rank to where it belongs now. Collective. */
+    virtual void
+    owners_changed(const BackgroundGrid<dim> & /*grid*/)
+    {}
+
     /** The first step is set up: warn of what can't be meant, as boundaries
      * that no material touches. Collective. */
     virtual void

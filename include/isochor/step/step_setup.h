@@ -7,6 +7,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <isochor/adaptation/grid_partition.h>
 #include <isochor/cut_cells/cavity_watch.h>
 #include <isochor/cut_cells/cell_occupancy.h>
 #include <isochor/cut_cells/discrete_extension.h>
@@ -53,7 +54,8 @@ namespace isochor
      * The points are where the last step left them: put the grid back if that
      * is due, find the points in it and all that follows from it, and the nodes
      * that they and the @p terms touch. An adaptive grid may become another
-     * one then, and @p last_motion that of its nodes. Collective.
+     * one then, any other one be divided among the ranks anew, and @p
+     * last_motion become that of its nodes. Collective.
      */
     void
     start_step(const std::vector<EquationTerm<dim> *> &terms,
@@ -107,8 +109,8 @@ namespace isochor
     std::pair<types::global_dof_index, types::global_dof_index>
     n_active_cells_and_nodes() const;
 
-    /** The grid and what it does to the points, if it is adaptive. Collective.
-     */
+    /** The grid and what it does to the points, if it is adaptive, and how the
+     * ranks share it. Collective. */
     void
     evaluate(Statistics &statistics);
 
@@ -180,6 +182,9 @@ namespace isochor
     /** The grid has been replaced: tell what knows it. */
     void
     grid_changed();
+    /** Its cells have other owners: tell what keeps something by rank. */
+    void
+    owners_changed();
     /** Of all boundary conditions. */
     std::vector<ControlNode<dim>>
     control_nodes() const;
@@ -199,6 +204,7 @@ namespace isochor
     std::unique_ptr<PointLocator<dim>> locator;
     unsigned int                       n_first_solutions = 0;
     GridReset<dim>                     grid_reset;
+    GridPartition<dim>                 partition;
     PointRefinement<dim>               refinement;
     PointSpacing<dim>                  spacing;
     CellOccupancy<dim>                 occupancy;

@@ -51,6 +51,12 @@ namespace isochor
                      const unsigned int      n_components,
                      NodalField             &values) const;
 
+    /** The cells of the @p grid have got other owners: bring the unknowns to
+     * those that own the vertices now. Collective. */
+    template <int dim>
+    void
+    send_to_owners(const BackgroundGrid<dim> &grid);
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
