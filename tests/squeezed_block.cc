@@ -111,6 +111,24 @@ test_exact(const std::string &quadrature, const std::string &axis)
               "there is one");
 }
 
+/** On coarse cells points that have just come into a cell have most of their
+ * domain elsewhere: at t = 0.48 all but 0.15 of it. */
+void
+test_small_parts()
+{
+  for (const std::string quadrature : {"CPDI", "cell-filled + boundary"})
+    {
+      const Squeezed<3> block("Adaptive grid/Resets between changes = 0\n"
+                              "Time/Step size = 0.12\n"
+                              "Quadrature/Type = " +
+                                quadrature + '\n',
+                              0.6);
+      test::check_error(quadrature + ", small parts of domains: force",
+                        std::abs(block.error_of_force()),
+                        1e-6);
+    }
+}
+
 /** With 'cell-filled' the force is wrong where points beside the surface count
  * for another volume than the body has there. As soon as it is wrong by more
  * than one per cent, the program says so, and by how much. */
@@ -180,6 +198,7 @@ main(int argc, char **argv)
       test_exact<2>(quadrature, "x");
       test_exact<3>(quadrature, "y");
     }
+  test_small_parts();
   test_warning();
   test_stability();
   return 0;
