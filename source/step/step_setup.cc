@@ -444,7 +444,7 @@ namespace isochor
         "Enlarge this, or let it follow by <Grid/Stretch>. If not, material "
         "beside it has jumped through these cells while they were empty and "
         "resisted nothing. That happens to points at the surface of a body "
-        "with strains that no cell feels, however small the steps are: use "
+        "with strains that no cell feels, with small steps, too: use "
         "<Quadrature/Type = CPDI> or 'cell-filled + boundary', "
         "<Formulation/Project volume change> in plastic flow, or more "
         "<Material points/Points per cell>.";
