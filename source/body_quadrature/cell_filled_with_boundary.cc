@@ -17,9 +17,10 @@ namespace isochor
 {
   /** As CellFilled; in addition cells at the surface are scaled to the part of
    * them that the body fills, the sum of their overlaps with the points'
-   * convected domains; by a factor in [0.2, 5]. What the domains fill of cells
-   * without points is integrated by a massless point with the state of those
-   * around, as holes are. */
+   * convected domains; by a factor in [0.02, 5], or larger as far as it takes
+   * to fill the cell. What the domains fill of cells without points is
+   * integrated by a massless point with the state of those around, as holes
+   * are. */
   template <int dim>
   class CellFilledWithBoundary : public BodyQuadrature<dim>
   {
@@ -148,8 +149,9 @@ namespace isochor
     const CellOccupancy<dim> &occupancy) const
   {
     // further away from the points' own volume the domains are not to be
-    // trusted
-    constexpr double smallest = 0.2, largest = 5;
+    // trusted, unless they fill the cell: where points have been split, a cell
+    // may hold a single small one, and parts of many others
+    constexpr double smallest = 0.02, largest = 5;
     // of a cell: less may be rounding
     constexpr double smallest_part = 1e-8;
 
@@ -183,10 +185,12 @@ namespace isochor
         const unsigned int cell = points.cell[k];
         if (occupancy.is_interior(cell))
           continue;
+        const double volume = occupancy.content(cell)->volume;
         const double factor =
           std::max(smallest,
-                   std::min(largest,
-                            filled[cell] / occupancy.content(cell)->volume));
+                   std::min(std::max(largest,
+                                     grid.geometry().measure(cell) / volume),
+                            filled[cell] / volume));
         for (unsigned int q = points.cell_start[k];
              q < points.cell_start[k + 1];
              ++q)

@@ -58,6 +58,7 @@ namespace isochor
 
     std::map<std::string, unsigned int> n_through_all;
     std::string                         all_places, boundaries;
+    std::vector<std::string>            names;
     for (const auto &of_rank :
          Utilities::MPI::all_gather(grid.communicator(), n_through))
       for (const auto &entry : of_rank)
@@ -66,16 +67,18 @@ namespace isochor
          Utilities::MPI::all_gather(grid.communicator(), places))
       all_places += of_rank;
     for (const auto &entry : n_through_all)
-      boundaries += (boundaries.empty() ? "" : ", ") +
-                    std::to_string(entry.second) + " through <" + entry.first +
-                    ">";
+      {
+        boundaries += (boundaries.empty() ? "" : ", ") +
+                      std::to_string(entry.second) + " through <" +
+                      entry.first + ">";
+        names.push_back(entry.first);
+      }
     AssertThrow(false,
                 ExcPointsLeftGrid(std::to_string(report.n_lost) +
-                                  " material points left the background "
-                                  "grid, " +
-                                  boundaries + "." + all_places +
-                                  " Enlarge the grid, or hold the body by "
-                                  "boundary conditions."));
+                                    " material points left the background "
+                                    "grid, " +
+                                    boundaries + "." + all_places,
+                                  names));
     return report.n_moved;
   }
 

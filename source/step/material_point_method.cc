@@ -71,7 +71,8 @@ namespace isochor
           {
             AssertThrow(false,
                         ExcMessage(
-                          plain_message(exc) + " " + setup.why_points_left() +
+                          plain_message(exc) + " " +
+                          setup.why_points_left(exc.boundaries) +
                           FailureReport<dim>::write_points(setup.context(),
                                                            scene.points,
                                                            output_directory)));

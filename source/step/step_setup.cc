@@ -427,20 +427,6 @@ namespace isochor
 
   template <int dim>
   std::string
-  StepSetup<dim>::why_points_left() const
-  {
-    std::string text = grid_reset.why();
-    for (const auto &condition : scene.boundary_conditions)
-      if (const std::string why = condition->why_points_left(context());
-          !why.empty())
-        text += (text.empty() ? "" : " ") + why;
-    return text.empty() ? text : text + " ";
-  }
-
-
-
-  template <int dim>
-  std::string
   StepSetup<dim>::save_state() const
   {
     std::ostringstream              stream(std::ios::binary);

@@ -6,6 +6,7 @@
 #include <isochor/base/plain_message.h>
 #include <isochor/equations/nodal_unknowns.h>
 #include <isochor/transfer/grid_to_points.h>
+#include <isochor/transfer/stress_integral.h>
 
 #include <array>
 #include <cmath>
@@ -91,6 +92,7 @@ namespace isochor
       volume_projection.start(step);
     step_energy = 0;
     std::array<double, 2> volume_errors{};
+    StressIntegral<dim>   stress_integral;
 
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
@@ -124,6 +126,10 @@ namespace isochor
             properties[l.F + a * dim + b] = state.F[a][b];
         }
       store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
+      stress_integral.add(state.cauchy_stress,
+                          state.J,
+                          properties[l.volume] * arrays.thickness(q),
+                          arrays.measure(q));
       if (measures_energy)
         {
           double work = 0;
@@ -153,6 +159,8 @@ namespace isochor
     });
     if (step.mixed())
       warn_of_wandering_volumes(step, volume_errors);
+    stress_integral.add_massless_points(step, nodal);
+    stress_integral.check(step);
   }
 
 

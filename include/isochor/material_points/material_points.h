@@ -88,7 +88,14 @@ namespace isochor
   class ExcPointsLeftGrid : public StandardExceptions::ExcMessage
   {
   public:
-    using StandardExceptions::ExcMessage::ExcMessage;
+    /** @p boundaries are the names of those that points have crossed. */
+    ExcPointsLeftGrid(const std::string              &message,
+                      const std::vector<std::string> &boundaries)
+      : StandardExceptions::ExcMessage(message)
+      , boundaries(boundaries)
+    {}
+
+    const std::vector<std::string> boundaries;
   };
 
   /** How many materials there may be: their index is an unsigned char. */

@@ -170,12 +170,16 @@ namespace isochor
       return first_element;
     }
 
-    /** Points have left the grid, as it was put back for the step to come: what
-     * may be the cause, besides what the error says. */
+    /** Points have left the grid, as it was put back for the step to come,
+     * through @p boundaries: what may be the cause, and what to change. */
     std::string
-    why_points_left() const;
+    why_points_left(const std::vector<std::string> &boundaries);
 
   private:
+    /** Whether a condition holds the displacement normal to @p boundary, at
+     * least on a part of it. */
+    bool
+    is_held(const std::string &boundary) const;
     void
     reset_grid(const std::vector<EquationTerm<dim> *> &terms,
                LastMotion                             &last_motion);

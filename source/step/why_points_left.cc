@@ -1,0 +1,79 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+// The members of StepSetup that explain why points have left the grid.
+#include <isochor/step/step_setup.h>
+
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  template <int dim>
+  bool
+  StepSetup<dim>::is_held(const std::string &boundary) const
+  {
+    const auto &names = scene.grid.boundary_names();
+    const auto  name  = names.find(boundary);
+    if (name == names.end())
+      return false;
+    // all vertices of an open face are marked, of a held one those at its rim
+    for (const BoundaryFace &face : scene.grid.boundary_faces())
+      if (face.id == name->second)
+        {
+          const auto &vertices =
+            scene.grid.geometry().vertex_indices(face.cell);
+          for (unsigned int v = 0; v <= dim; ++v)
+            if (v != face.opposite_vertex &&
+                !occupancy.is_at_open_boundary(vertices[v]))
+              return true;
+        }
+    return false;
+  }
+
+
+
+  template <int dim>
+  std::string
+  StepSetup<dim>::why_points_left(const std::vector<std::string> &boundaries)
+  {
+    if (!needs_occupancy)
+      find_walls();
+    std::string held, text;
+    for (const std::string &boundary : boundaries)
+      if (is_held(boundary))
+        held += (held.empty() ? "<" : ", <") + boundary + ">";
+      else
+        text = "Enlarge the grid, or hold the body by boundary conditions.";
+    if (!held.empty())
+      text +=
+        (text.empty() ? "" : " ") + held +
+        " holds the material in its cells. If it moves out of the grid: "
+        "Enlarge this, or let it follow by <Grid/Stretch>. If not, material "
+        "beside it has jumped through these cells while they were empty and "
+        "resisted nothing. That happens to points at the surface of a body "
+        "with strains that no cell feels, with small steps, too: use "
+        "<Quadrature/Type = CPDI> or 'cell-filled + boundary', "
+        "<Formulation/Project volume change> in plastic flow, or more "
+        "<Material points/Points per cell>.";
+    if (const std::string why = grid_reset.why(); !why.empty())
+      text += (text.empty() ? "" : " ") + why;
+    for (const auto &condition : scene.boundary_conditions)
+      if (const std::string why = condition->why_points_left(context());
+          !why.empty())
+        text += (text.empty() ? "" : " ") + why;
+    return text.empty() ? text : text + " ";
+  }
+
+
+
+  template bool
+  StepSetup<2>::is_held(const std::string &) const;
+  template bool
+  StepSetup<3>::is_held(const std::string &) const;
+  template std::string
+  StepSetup<2>::why_points_left(const std::vector<std::string> &);
+  template std::string
+  StepSetup<3>::why_points_left(const std::vector<std::string> &);
+} // namespace isochor
