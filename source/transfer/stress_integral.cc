@@ -90,8 +90,9 @@ namespace isochor
         rounded(100 * error) +
         " % of the mean stress: where the surface of the body passes through "
         "cells, their points integrate another volume than the body fills, and "
-        "stresses along the surface are not in balance there. The forces on "
-        "plates and supports are wrong by about as much or more. Use "
+        "stresses along the surface are not in balance there. The force "
+        "between plates that press the body is wrong by about as much or "
+        "more. Use "
         "<Quadrature/Type = CPDI>, or 'cell-filled + boundary' if it is not "
         "set, smaller cells at the surface (<Adaptive grid/Cell size at "
         "surface of body>), more <Material points/Points per cell>, or a grid "
