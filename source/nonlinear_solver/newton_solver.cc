@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <limits>
 #include <ostream>
+#include <utility>
 
 namespace isochor
 {
@@ -283,14 +284,24 @@ namespace isochor
 
 
   NewtonReport
-  NewtonSolver::solve(const Problem &problem, std::ostream *log) const
+  NewtonSolver::solve(const Problem &problem, std::ostream *log)
   {
     if (log != nullptr)
       *log << "     it     forces       volume     length\n";
 
-    NewtonReport  report;
-    Gauge         gauge;
-    ResidualNorms norms = problem.assemble(true);
+    const std::vector<bool> needed_before = std::exchange(needed_matrix, {});
+    const auto expects_need = [&](const unsigned int k, const bool otherwise) {
+      return reuse_ratio > 0 && !problem.is_iterative() &&
+                 k < needed_before.size() ?
+               needed_before[k] :
+               otherwise;
+    };
+    NewtonReport report;
+    Gauge        gauge;
+    // Assembling the matrix costs as much again as the residual: it is left
+    // away where the next iterate will need none.
+    bool          matrix_is_current = expects_need(0, true), expect_need = true;
+    ResidualNorms norms = problem.assemble(matrix_is_current);
     gauge.take(norms);
     const auto add_row = [&](const double length, const unsigned int n_linear) {
       report.iterations.push_back({gauge.displacement_ratio(norms),
@@ -306,9 +317,6 @@ namespace isochor
     unsigned int           n_shortened    = 0;    // corrections in a row
     double last_ratio = 0.; // try the factorisation of the last step
     double reduction  = 0.; // none yet
-    // Assembling the matrix costs as much again as the residual: it is left
-    // away where the next iterate will need none.
-    bool matrix_is_current = true, expect_need = true;
     while (!finished(gauge, norms, report))
       {
         // an old matrix is worth a try if the last iteration converged so fast
@@ -316,8 +324,11 @@ namespace isochor
         const bool reuse = reuse_ratio > 0 && last_ratio <= reuse_ratio &&
                            !problem.is_iterative() &&
                            problem.has_factorisation();
-        if (!matrix_is_current && (!reuse || norms.pending))
+        const bool need = !reuse || norms.pending;
+        if (!matrix_is_current && need)
           norms = problem.assemble(true);
+        needed_matrix.resize(report.n_iterations() + 1);
+        needed_matrix.back()  = need;
         unsigned int n_linear = 0;
         try
           {
@@ -332,14 +343,15 @@ namespace isochor
 
         // While prescribed increments come in, the residual has to grow; only
         // points that turn over shorten such a correction.
-        const bool       may_grow = norms.pending || report.n_iterations() == 0;
-        const LineSearch search   = backtrack(problem,
+        const bool may_grow = norms.pending || report.n_iterations() == 0;
+        expect_need = expects_need(report.n_iterations() + 1, expect_need);
+        const LineSearch search = backtrack(problem,
                                             gauge,
                                             may_grow,
                                             reuse ? 0 : max_backtracks,
                                             expect_need,
                                             norms);
-        matrix_is_current         = expect_need && search.last == 1.;
+        matrix_is_current       = expect_need && search.last == 1.;
         if (reuse && search.failed)
           {
             // the old matrix led astray: back, and take the right one

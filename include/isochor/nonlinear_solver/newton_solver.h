@@ -137,7 +137,7 @@ namespace isochor
 
     /** Solve. If @p log is given, print the convergence table to it. */
     NewtonReport
-    solve(const Problem &problem, std::ostream *log) const;
+    solve(const Problem &problem, std::ostream *log);
 
     /** Relative tolerance of both residuals. */
     double tolerance = 1e-8;
@@ -191,6 +191,11 @@ namespace isochor
     /** Whether an iterative solver may solve less accurately far from the
      * solution. */
     bool inexact = true;
+
+    /** By the number of iterations done: whether the last solution went on with
+     * the matrix there. Where factorisations are kept the next one mostly does
+     * the same; it decides what is assembled, not what comes out. */
+    std::vector<bool> needed_matrix;
   };
 } // namespace isochor
 
