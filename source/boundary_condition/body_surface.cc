@@ -87,7 +87,15 @@ namespace isochor
       return !has_symmetric_matrix();
     }
     bool
-    moves_body(const StepContext<dim> &step) const override;
+    supports_body(const Tensor<1, dim> &gravity) const override
+    {
+      return conditions.support(gravity);
+    }
+    bool
+    moves_body(const StepContext<dim> &step) const override
+    {
+      return points && forces->move_body(step);
+    }
     void
     add_boundary_force(const StepContext<dim> &step,
                        const NodalField       &unknowns,
@@ -372,15 +380,6 @@ namespace isochor
     return std::all_of(conditions.surfaces.begin(),
                        conditions.surfaces.end(),
                        [](const auto &s) { return s.pressure.empty(); });
-  }
-
-
-
-  template <int dim>
-  bool
-  BodySurfaceConditions<dim>::moves_body(const StepContext<dim> &step) const
-  {
-    return points && forces->move_body(step);
   }
 
 

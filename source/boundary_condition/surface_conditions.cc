@@ -242,6 +242,21 @@ namespace isochor
 
 
 
+  template <int dim>
+  bool
+  SurfaceConditions<dim>::support(const Tensor<1, dim> &gravity) const
+  {
+    return std::any_of(surfaces.begin(), surfaces.end(), [&](const auto &s) {
+      bool is_fixed_along = false;
+      for (unsigned int a = 0; a < dim; ++a)
+        is_fixed_along =
+          is_fixed_along || (!s.displacement[a].empty() && gravity[a] != 0.);
+      return is_fixed_along || !s.traction.empty() || !s.pressure.empty();
+    });
+  }
+
+
+
   template struct SurfaceConditions<2>;
   template struct SurfaceConditions<3>;
 } // namespace isochor

@@ -3,43 +3,72 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 // The members of Equilibrium that look for the acceleration at t = 0, and for
-// the weight that the stabilisation leaves out, which depends on it.
+// the weight that the stabilisation leaves out.
+#include <deal.II/base/mpi.h>
+
 #include <isochor/equations/connected_parts.h>
 #include <isochor/step/equilibrium.h>
+
+#include <cmath>
 
 namespace isochor
 {
   template <int dim>
-  void
-  Equilibrium<dim>::set_weight()
+  bool
+  Equilibrium<dim>::is_supported(const Tensor<1, dim> &gravity) const
   {
-    if (scene.leaves_out_weight)
-      set_weight(scene.inertia.mean_acceleration(setup.context()));
+    const unsigned int n_components = scene.n_components;
+    const auto         along = [&](const unsigned int entry, const double x) {
+      const unsigned int d = entry % n_components;
+      return d < dim ? x * gravity[d] : 0.;
+    };
+    constexpr double tolerance = 1e-10;
+    bool             supported = false;
+    for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
+      supported =
+        supported ||
+        ((constraints.constrained[i] == NodalConstraints::prescribed ||
+          constraints.constrained[i] == NodalConstraints::in_contact) &&
+         along(i, 1.) != 0.);
+    // a relation between nodes adds up to nothing, a wall doesn't
+    for (const NodalConstraints::Equation &equation : constraints.equations)
+      {
+        if (equation.precedence == Precedence::tie)
+          continue;
+        double sum = 0;
+        for (std::size_t j = equation.first; j < equation.last; ++j)
+          sum += along(constraints.entry[j], constraints.coefficient[j]);
+        supported = supported || std::abs(sum) > tolerance * gravity.norm();
+      }
+    for (const auto &condition : scene.boundary_conditions)
+      supported = supported || condition->supports_body(gravity);
+    return Utilities::MPI::max(static_cast<int>(supported),
+                               scene.grid.communicator()) == 1;
   }
 
 
 
   template <int dim>
   void
-  Equilibrium<dim>::set_weight(const Tensor<1, dim> &mean_acceleration)
+  Equilibrium<dim>::set_weight()
   {
-    // gravity at the time of the acceleration: in free fall they are the same
+    if (!scene.leaves_out_weight)
+      return;
     const StepContext<dim> step = setup.context();
-    const double   time = scene.has_inertia() && !scene.inertia.in_trial() ?
-                            step.old_time :
-                            step.time;
-    Tensor<1, dim> gravity;
+    Tensor<1, dim>         gravity;
     for (const auto &condition : scene.boundary_conditions)
-      gravity += condition->body_acceleration(time);
-    // nothing without weight: an acceleration may be rounding over h². And
-    // bodies apart from each other have no acceleration in common.
-    if (gravity.norm() > 0 && scene.has_inertia() &&
-        (setup.was_laid_out() || n_parts == 0))
-      n_parts = number_of_parts(step, setup.all_elements());
-    const bool has_weight =
-      gravity.norm() > 0 && !(scene.has_inertia() && n_parts > 1);
+      gravity += condition->body_acceleration(step.time);
     Tensor<1, dim> &weight = scene.kernel.hydrostatic_acceleration;
-    weight = has_weight ? gravity - mean_acceleration : Tensor<1, dim>();
+    weight                 = gravity;
+    if (scene.has_inertia() && gravity.norm() > 0)
+      {
+        // In free fall there is no weight; of bodies apart from each other some
+        // may fall. What depends on accelerations would feed them.
+        if (setup.was_laid_out() || n_parts == 0)
+          n_parts = number_of_parts(step, setup.all_elements());
+        if (n_parts > 1 || !is_supported(gravity))
+          weight = Tensor<1, dim>();
+      }
     if (scene.kernel.axisymmetric)
       weight[0] = 0.; // radial accelerations add up to none
   }
@@ -119,18 +148,11 @@ namespace isochor
   Equilibrium<dim>::settle_weight(NewtonReport &report)
   {
     constexpr unsigned int max_repetitions = 3;
-    constexpr double       accuracy        = 1e-10;
-    for (unsigned int n = 0;
-         n < max_repetitions && report.converged && scene.leaves_out_weight;
-         ++n)
+    for (unsigned int n = 0; n < max_repetitions && report.converged; ++n)
       {
-        const Tensor<1, dim> before = scene.kernel.hydrostatic_acceleration,
-                             mean   = scene.inertia.mean_trial_acceleration(
-                               setup.context(), unknowns);
-        set_weight(mean);
-        const Tensor<1, dim> after = scene.kernel.hydrostatic_acceleration;
-        if ((after - before).norm() <=
-            accuracy * (after + mean).norm()) // of gravity
+        const Tensor<1, dim> before = scene.kernel.hydrostatic_acceleration;
+        set_weight();
+        if (scene.kernel.hydrostatic_acceleration == before)
           return;
         report.continue_with(find_root(false));
       }

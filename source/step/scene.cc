@@ -159,7 +159,7 @@ namespace isochor
                       "Whether the stabilisation acts on what is left of the "
                       "pressure without the part that is in equilibrium with "
                       "the body's weight under <Boundary conditions/Gravity> "
-                      "(in dynamics: less its mean acceleration). It changes "
+                      "(in dynamics: if something holds it up). It changes "
                       "with the depth, which is no oscillation. false: on all "
                       "of the pressure, as in the paper.");
     prm.leave_subsection();

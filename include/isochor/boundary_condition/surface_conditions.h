@@ -52,6 +52,11 @@ namespace isochor
     void
     find_boundaries(const BackgroundGrid<dim> &grid);
 
+    /** Whether a prescribed component or a load can hold the body up against
+     * @p gravity. */
+    bool
+    support(const Tensor<1, dim> &gravity) const;
+
     /** Of the parameters, for messages. */
     std::string section = "Boundary conditions";
 

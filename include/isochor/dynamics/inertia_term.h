@@ -74,16 +74,6 @@ namespace isochor
       const bool                                                  changed,
       NodalConstraints                                           &constraints);
 
-    /** Of the mass, at the start of the step (m/s²), after constrain(); zero in
-     * statics. Collective. */
-    Tensor<1, dim>
-    mean_acceleration(const StepContext<dim> &step) const;
-
-    /** The same in a trial, of its @p unknowns. Collective. */
-    Tensor<1, dim>
-    mean_trial_acceleration(const StepContext<dim> &step,
-                            const NodalField       &unknowns) const;
-
     /**
      * Look for the acceleration at the start of the first step. From now on the
      * equations are those of a step of size @p trial_step (positive or
@@ -227,12 +217,6 @@ namespace isochor
         return trial_integrator;
       return *integrator;
     }
-
-    /** Mean over the mass of what @p of_entry(node, component) gives. */
-    template <typename Acceleration>
-    Tensor<1, dim>
-    mean_over_mass(const StepContext<dim> &step,
-                   const Acceleration     &of_entry) const;
 
     /** Whether held nodes move otherwise than the points. Collective. */
     bool

@@ -133,19 +133,21 @@ namespace isochor
     void
     set_external_force();
     /** What the stabilisation takes for the body's weight: gravity at the end
-     * of the step; with inertia gravity less the mean acceleration, both at its
-     * start. */
+     * of the step; with inertia only if the body is_supported(). */
     void
     set_weight();
-    void
-    set_weight(const Tensor<1, dim> &mean_acceleration);
+    /** Whether a condition that holds now holds the body up against @p gravity:
+     * prescribed components, walls that it touches, held rigid sides, surfaces
+     * with a prescribed component or a load. Collective. */
+    bool
+    is_supported(const Tensor<1, dim> &gravity) const;
     /** Solve the equations of the first trial of @p step, and again if
      * one-sided walls start to push a body at rest, see
      * InertiaTerm::walls_start_smoothly(). */
     NewtonReport
     solve_first_trial(const StepContext<dim> &step);
-    /** The trial has converged: repeat it with the mean acceleration that it
-     * found, until that is the one it was made with. */
+    /** The trial has converged: repeat it if it has found that the body is
+     * supported, or isn't, until that is what it was made with. */
     void
     settle_weight(NewtonReport &report);
 
