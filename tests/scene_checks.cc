@@ -240,6 +240,15 @@ namespace
                               "points = never\n"
                               "Material points/Merging tolerance = 1\n"),
            {"WARNING", "no effect", "Material points/Merging tolerance"});
+    expect("plastic zones of what never yields",
+           messages<2>(good + "Grid/Type = adaptive\n"
+                              "Adaptive grid/Cell size in plastic zones = 1\n"),
+           {"WARNING", "no effect", "never yields"});
+    expect("a target where the grid never changes",
+           messages<2>(good + "Grid/Type = adaptive\n"
+                              "Adaptive grid/Target of relative error = 0.1\n"
+                              "Adaptive grid/Resets between changes = 0\n"),
+           {"WARNING", "no effect", "stays as it is at t = 0"});
     expect("the default in other words",
            messages<2>(good + "Formulation/Type = u\n"
                               "Formulation/PPP coefficient = 1.0\n"),

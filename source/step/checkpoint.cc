@@ -134,7 +134,8 @@ namespace isochor
                       "output directory, on as many processes as wrote it. "
                       "Parameters that describe the problem must be those of "
                       "the first run; those of <Time>, <Newton>, <Linear "
-                      "solver>, <Postprocess>, <Output> and <Checkpoint> may "
+                      "solver>, <Postprocess>, <Output> and <Checkpoint>, and "
+                      "<Grid reset/Tolerated imbalance>, may "
                       "change. The step size is that of the checkpoint unless "
                       "'Time/Step size' is changed.");
     prm.leave_subsection();
@@ -176,7 +177,7 @@ namespace isochor
   std::vector<std::string>
   Checkpoint<dim>::changeable_parameters()
   {
-    return {"Checkpoint/"};
+    return {"Checkpoint/", "Grid reset/Tolerated imbalance"};
   }
 
 

@@ -116,6 +116,39 @@ namespace isochor
 
 
 
+    /** What the solution asks for, where the grid never changes or nothing can
+     * yield. */
+    void
+    inspect_adaptation(const ParameterList &list, const Inspector &inspect)
+    {
+      const std::string section = "Adaptive grid";
+      if (inspect.number({section, "Resets between changes"}) == 0 &&
+          inspect.number({section, "Repetitions of first step"}) == 0)
+        for (const char *name : {"Cell size in plastic zones",
+                                 "Plastic increment",
+                                 "Target of relative error",
+                                 "Target number of leaves"})
+          inspect.idle({section, name},
+                       "with <Adaptive grid/Resets between changes = 0> and "
+                       "<Adaptive grid/Repetitions of first step = 0>: the "
+                       "grid stays as it is at t = 0");
+      const bool can_yield =
+        std::any_of(list.entries.begin(),
+                    list.entries.end(),
+                    [](const auto &entry) {
+                      return entry.first.back() == "Model" &&
+                             entry.second.value != "Neo-Hookean";
+                    });
+      if (!can_yield)
+        for (const char *name :
+             {"Cell size in plastic zones", "Plastic increment"})
+          inspect.idle({section, name},
+                       "with <Material/Model = Neo-Hookean>, which never "
+                       "yields");
+    }
+
+
+
     void
     inspect_equations(const Inspector &inspect, const bool has_inertia)
     {
@@ -275,6 +308,8 @@ namespace isochor
                    scene.grid.source().is_adaptive(),
                    scene.quadrature->needs_domains(),
                    scene.points_have_domains());
+    if (scene.grid.source().is_adaptive())
+      inspect_adaptation(list, inspect);
     inspect_equations(inspect, scene.has_inertia());
     inspect_cut_cells(inspect, scene.ties_cut_cells());
     inspect_surfaces(list, inspect);

@@ -53,10 +53,10 @@ namespace isochor
         "Enlarge this, or let it follow by <Grid/Stretch>. If not, material "
         "beside it has jumped through these cells while they were empty and "
         "resisted nothing. That happens to points at the surface of a body "
-        "with strains that no cell feels, with small steps, too: use "
-        "<Quadrature/Type = CPDI> or 'cell-filled + boundary', "
-        "<Formulation/Project volume change> in plastic flow, or more "
-        "<Material points/Points per cell>.";
+        "with strains that no cell feels: use <Quadrature/Type = CPDI> or "
+        "'cell-filled + boundary' if it isn't set, smaller steps, more "
+        "<Material points/Points per cell>, or <Formulation/Project volume "
+        "change> in plastic flow.";
     if (const std::string why = grid_reset.why(); !why.empty())
       text += (text.empty() ? "" : " ") + why;
     for (const auto &condition : scene.boundary_conditions)

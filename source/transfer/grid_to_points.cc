@@ -159,8 +159,11 @@ namespace isochor
     });
     if (step.mixed())
       warn_of_wandering_volumes(step, volume_errors);
-    stress_integral.add_massless_points(step, nodal);
-    stress_integral.check(step);
+    if (!l.dynamic)
+      {
+        stress_integral.add_massless_points(step, nodal);
+        stress_integral.check(step);
+      }
   }
 
 

@@ -16,6 +16,8 @@ namespace isochor
     /** Mean stresses below this part of the shear modulus are rounding errors
      * of a body without load. */
     constexpr double no_stress = 1e-8;
+    /** Of the mean of |σ|, the mean stress where it has one direction. */
+    constexpr double one_direction = 0.5;
   } // namespace
 
 
@@ -28,6 +30,7 @@ namespace isochor
                            const double                 weight)
   {
     difference += (weight - point_volume) * J * stress;
+    integral += point_volume * J * stress;
     norm += point_volume * J * stress.norm();
     volume += point_volume * J;
   }
@@ -65,9 +68,12 @@ namespace isochor
   StressIntegral<dim>::check(const StepContext<dim> &step) const
   {
     constexpr unsigned int n = SymmetricTensor<2, 3>::n_independent_components;
-    std::array<double, n + 2> sums;
+    std::array<double, 2 * n + 2> sums;
     for (unsigned int i = 0; i < n; ++i)
-      sums[i] = difference.access_raw_entry(i);
+      {
+        sums[i]         = difference.access_raw_entry(i);
+        sums[n + 2 + i] = integral.access_raw_entry(i);
+      }
     sums[n]     = norm;
     sums[n + 1] = volume;
     sum_over_ranks(sums, step.grid.communicator());
@@ -76,11 +82,14 @@ namespace isochor
       G = std::max(G, material->shear_modulus());
     if (!(sums[n] > no_stress * G * sums[n + 1]))
       return;
-    SymmetricTensor<2, 3> total;
+    SymmetricTensor<2, 3> total, mean;
     for (unsigned int i = 0; i < n; ++i)
-      total.access_raw_entry(i) = sums[i];
+      {
+        total.access_raw_entry(i) = sums[i];
+        mean.access_raw_entry(i)  = sums[n + 2 + i];
+      }
     const double error = total.norm() / sums[n];
-    if (!(error > tolerated))
+    if (!(error > tolerated) || !(mean.norm() > one_direction * sums[n]))
       return;
     step.warnings.add(
       "stress at the body's surface",
