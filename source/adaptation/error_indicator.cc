@@ -47,7 +47,8 @@ namespace isochor
                         Patterns::Integer(0),
                         "So many leaves (squares or cubes of cells) with "
                         "material are placed where the estimated error is "
-                        "largest. 0: no target.");
+                        "largest. 0: no target. With a <Target of relative "
+                        "error>: about so many at most.");
       prm.declare_entry("Estimate error",
                         "false",
                         Patterns::Bool(),
@@ -61,10 +62,6 @@ namespace isochor
       target_error  = prm.get_double("Target of relative error");
       target_number = prm.get_integer("Target number of leaves");
       estimates     = prm.get_bool("Estimate error");
-      AssertThrow(target_error == 0 || target_number == 0,
-                  ExcMessage("Set <Adaptive grid/Target of relative error> or "
-                             "<Adaptive grid/Target number of leaves>, not "
-                             "both."));
     }
 
     bool
@@ -106,11 +103,15 @@ namespace isochor
     {
       return std::pow(squared_error, -1. / (2 + dim));
     }
+    /** The constant that brings the error to its target. */
     double
-    find_constant(const BodyState<dim>      &state,
-                  const LevelRule<dim>      &rule,
-                  const std::vector<double> &squares,
-                  const double               norm_square) const;
+    constant_of_error(const std::vector<double> &squares,
+                      const double               norm_square) const;
+    /** The smallest constant that needs no more leaves than the target. */
+    double
+    constant_of_number(const BodyState<dim>      &state,
+                       const LevelRule<dim>      &rule,
+                       const std::vector<double> &squares) const;
     /** The size to ask for in @p leaf, so that it gets the level nearest to
      * what is needed. */
     static double
@@ -227,22 +228,28 @@ namespace isochor
 
   template <int dim>
   double
-  ErrorIndicator<dim>::find_constant(const BodyState<dim>      &state,
-                                     const LevelRule<dim>      &rule,
-                                     const std::vector<double> &squares,
-                                     const double norm_square) const
+  ErrorIndicator<dim>::constant_of_error(const std::vector<double> &squares,
+                                         const double norm_square) const
+  {
+    // Σ η² r² is the square of the error to come
+    double sum = 0;
+    for (const double square : squares)
+      if (square > 0)
+        sum += square * std::pow(size_ratio(square), 2);
+    return std::sqrt(target_error * target_error * norm_square / sum);
+  }
+
+
+
+  template <int dim>
+  double
+  ErrorIndicator<dim>::constant_of_number(
+    const BodyState<dim>      &state,
+    const LevelRule<dim>      &rule,
+    const std::vector<double> &squares) const
   {
     const AdaptiveGrid<dim>      &forest = state.grid.adaptive_grid();
     const std::vector<Leaf<dim>> &leaves = forest.leaves();
-    if (target_error > 0)
-      {
-        // Σ η² r² is the square of the error to come
-        double sum = 0;
-        for (const double square : squares)
-          if (square > 0)
-            sum += square * std::pow(size_ratio(square), 2);
-        return std::sqrt(target_error * target_error * norm_square / sum);
-      }
     // the number of leaves falls with the constant: between two that enclose it
     const auto number = [&](const double constant) {
       double sum = 0;
@@ -303,8 +310,11 @@ namespace isochor
     // sums depend on the number of ranks by rounding; what decides must not
     for (double &square : squares)
       square = static_cast<float>(square);
-    const double constant =
-      find_constant(state, rule, squares, norm_square) * (1 + 1e-7);
+    double constant =
+      target_error > 0 ? constant_of_error(squares, norm_square) : 0.;
+    if (target_number > 0)
+      constant = std::max(constant, constant_of_number(state, rule, squares));
+    constant *= 1 + 1e-7;
     for (unsigned int q = 0; q < state.size(); ++q)
       {
         const unsigned int i = forest.leaf_of_cell(state.cell[q]);

@@ -231,8 +231,9 @@ namespace isochor
           "this <Quadrature/Type> stresses jump where points change cells or "
           "are split; the estimate takes this for an error, which smaller "
           "cells don't reduce, so that cells and points may become ever more. "
-          "Set <Quadrature/Type = CPDI> or 'cell-filled + boundary', or "
-          "<Adaptive grid/Resets between changes = 0> with <Repetitions of "
+          "Set <Quadrature/Type = CPDI> or 'cell-filled + boundary', a "
+          "<Target number of leaves> beside the target of the error, which "
+          "then is the largest, or <Adaptive grid/Resets between changes = 0> with <Repetitions of "
           "first step>.");
     points.for_each([&](const unsigned int /*k*/,
                         const unsigned int q,
