@@ -197,6 +197,22 @@ namespace
            {});
   }
 
+  /** A grid that follows the body can't, if it is never put back. */
+  void
+  test_never_put_back()
+  {
+    const auto problem = test::run_scene<2>(
+      "Grid/Type = adaptive\nGrid reset/Steps between resets = 0\n"
+      "Adaptive grid/Target of relative error = 0.1\n"
+      "Boundary conditions/Displacement = bottom: x=0, y=0; top: x=0.1*t\n"
+      "Time/Step size = 0.1\nOutput/Terminal = quiet\n");
+    bool is_told = false;
+    for (const auto &warning : problem->all_warnings().all())
+      is_told =
+        is_told || warning.subject == "an adaptive grid that isn't put back";
+    test::check("an adaptive grid that isn't put back", is_told, "no warning");
+  }
+
   void
   test_idle()
   {
@@ -500,6 +516,7 @@ main(int argc, char **argv)
   test_touch();
   test_supports();
   test_loads();
+  test_never_put_back();
   test_idle();
   test_formulas();
   test_meshes();

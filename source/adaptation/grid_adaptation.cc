@@ -215,6 +215,17 @@ namespace isochor
       if (criterion->needs_state())
         criterion->limit_sizes(state, rule, sizes, statistics);
     warn_of_maximum_level(state, rule.maximum, sizes, step.warnings);
+    constexpr unsigned int many_steps = 10;
+    if (++n_waiting == many_steps && n_resets <= 1 && resets_between > 0)
+      step.warnings.add(
+        "an adaptive grid that isn't put back",
+        "The grid is to follow the body (<Adaptive grid/Cell size in plastic "
+        "zones>, <Cell size at surface of body> or a target of the error), "
+        "which it can do only when it is put back. That has not happened in " +
+          std::to_string(many_steps) +
+          " steps: the grid still is that of t = 0. Set <Grid reset/Steps "
+          "between resets>, or <Adaptive grid/Repetitions of first step> if "
+          "the grid of the first step is to be kept.");
     // after a few steps points have changed cells
     constexpr unsigned int few_resets = 5;
     if (resets_between > 0 && n_resets >= few_resets + n_repetitions &&
@@ -323,6 +334,7 @@ namespace isochor
   bool
   GridAdaptation<dim>::is_due()
   {
+    n_waiting = 0;
     return resets_between > 0 && n_resets++ % resets_between == 0;
   }
 
