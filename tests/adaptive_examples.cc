@@ -177,6 +177,40 @@ test_warning()
               "warns");
 }
 
+/** Grids that are to follow the body, and can't. */
+void
+test_never_changes()
+{
+  const auto is_told = [](const std::string &settings,
+                          const std::string &subject) {
+    const auto problem = test::run_scene<2>(
+      "Grid/Type = adaptive\nTime/Step size = 0.1\n"
+      "Boundary conditions/Displacement = bottom: x=0, y=0; top: x=0.001*t\n"
+      "Grid/Upper corner = 1.25, 1\nGrid/Subdivisions = 5, 4\n"
+      "Material points/Region = x < 1\n"
+      "Output/Terminal = quiet\n" +
+      settings);
+    for (const auto &warning : problem->all_warnings().all())
+      if (warning.subject == subject)
+        return true;
+    return false;
+  };
+  const std::string target = "Adaptive grid/Target of relative error",
+                    zones  = "Adaptive grid/Cell size in plastic zones";
+  test::check("a grid that is never put back",
+              is_told(target + " = 0.1\nGrid reset/Steps between resets = 0\n",
+                      "an adaptive grid that isn't put back"),
+              "no warning");
+  test::check("a grid that never changes",
+              is_told(target + " = 0.1\n"
+                               "Adaptive grid/Resets between changes = 0\n",
+                      "no effect of <" + target + ">"),
+              "no warning");
+  test::check("plastic zones of what never yields",
+              is_told(zones + " = 1\n", "no effect of <" + zones + ">"),
+              "no warning");
+}
+
 /** Cells that are holes may have a vertex around which all points lie on the
  * opposite faces. */
 void
@@ -204,6 +238,7 @@ main(int argc, char **argv)
   test_points_on_faces();
   test_column();
   test_warning();
+  test_never_changes();
   test_square_footing();
   test_vertical_cut();
   return 0;

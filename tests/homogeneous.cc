@@ -163,9 +163,13 @@ test_rotation(const std::string &material, const double nu)
         test::check_error("rotation of the points, " + label,
                           std::max(worst.F, worst.location),
                           1e-12);
+        // The pressure is K times a strain that is rounded: K/E = 167 for ν =
+        // 0.499. (1.014e-12 of E with OpenBLAS' kernels for AVX-512, below
+        // 1e-12 with others.)
+        const double K = 1 / (3 * (1 - 2 * nu)); // over E
         test::check_error("no stress in a rotation, " + label,
                           std::max(worst.stress, worst.pressure) / 70,
-                          1e-12);
+                          1e-14 * std::max(100., nu < 0.5 ? K : 0.));
       }
 }
 

@@ -197,22 +197,6 @@ namespace
            {});
   }
 
-  /** A grid that follows the body can't, if it is never put back. */
-  void
-  test_never_put_back()
-  {
-    const auto problem = test::run_scene<2>(
-      "Grid/Type = adaptive\nGrid reset/Steps between resets = 0\n"
-      "Adaptive grid/Target of relative error = 0.1\n"
-      "Boundary conditions/Displacement = bottom: x=0, y=0; top: x=0.1*t\n"
-      "Time/Step size = 0.1\nOutput/Terminal = quiet\n");
-    bool is_told = false;
-    for (const auto &warning : problem->all_warnings().all())
-      is_told =
-        is_told || warning.subject == "an adaptive grid that isn't put back";
-    test::check("an adaptive grid that isn't put back", is_told, "no warning");
-  }
-
   void
   test_idle()
   {
@@ -256,15 +240,6 @@ namespace
                               "points = never\n"
                               "Material points/Merging tolerance = 1\n"),
            {"WARNING", "no effect", "Material points/Merging tolerance"});
-    expect("plastic zones of what never yields",
-           messages<2>(good + "Grid/Type = adaptive\n"
-                              "Adaptive grid/Cell size in plastic zones = 1\n"),
-           {"WARNING", "no effect", "never yields"});
-    expect("a target where the grid never changes",
-           messages<2>(good + "Grid/Type = adaptive\n"
-                              "Adaptive grid/Target of relative error = 0.1\n"
-                              "Adaptive grid/Resets between changes = 0\n"),
-           {"WARNING", "no effect", "stays as it is at t = 0"});
     expect("the default in other words",
            messages<2>(good + "Formulation/Type = u\n"
                               "Formulation/PPP coefficient = 1.0\n"),
@@ -516,7 +491,6 @@ main(int argc, char **argv)
   test_touch();
   test_supports();
   test_loads();
-  test_never_put_back();
   test_idle();
   test_formulas();
   test_meshes();
