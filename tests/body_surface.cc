@@ -401,9 +401,10 @@ test_loaded_area()
 }
 
 /** A bar that has gone nine times its length, and is stretched by 1e-8 of it:
- * of its force the rounding of the penalty leaves 1e-6, with which Newton's
- * method was not content. Exact for plane strain without holding the sides:
- * E/(1 - ν²) times strain and height. */
+ * half a unit of the last digit of its displacement is, times the stiffness of
+ * the penalty, 1.4e-4 of its force, with which Newton's method was not content.
+ * Exact for plane strain without holding the sides: E/(1 - ν²) times strain and
+ * height. */
 void
 test_stretched_after_a_long_way()
 {
@@ -433,7 +434,7 @@ test_stretched_after_a_long_way()
                   std::to_string(test::get(*bar, "Step")));
       test::check_error(what + ": balance",
                         std::abs(left + right) / std::abs(right),
-                        1e-4);
+                        5e-4);
       // 0.13 % is the give of the penalty at both ends; the other quadratures
       // integrate over cells that the body fills in part
       if (quadrature == "CPDI" || quadrature == "cell-filled + boundary")
