@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/adaptation/body_state.h>
-#include <isochor/equations/nodal_unknowns.h>
+#include <isochor/equations/final_state.h>
 
 #include <algorithm>
 
@@ -43,15 +43,8 @@ namespace isochor
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const auto stencil = points.stencil(step.grid.geometry(), k, q);
           const auto end =
-            step.kernel.final_state(points,
-                                    q,
-                                    nodal.deformation_at(stencil),
-                                    nodal.hoop_at(stencil, points, q),
-                                    step.mixed(),
-                                    nodal.pressure_at(stencil),
-                                    history.data());
+            final_state<dim>(step, nodal, points, k, q, history.data());
           const unsigned int m = points.material[q];
           state.cell.push_back(points.cell[k]);
           state.shape.push_back(points.shape[q]);

@@ -244,7 +244,8 @@ namespace isochor
           "cells don't reduce, so that cells and points may become ever more. "
           "Set <Quadrature/Type = CPDI> or 'cell-filled + boundary', a "
           "<Target number of leaves> beside the target of the error, which "
-          "then is the largest, or <Adaptive grid/Resets between changes = 0> with <Repetitions of "
+          "then is about the largest, or <Adaptive grid/Resets between changes "
+          "= 0> with <Repetitions of "
           "first step>.");
     points.for_each([&](const unsigned int /*k*/,
                         const unsigned int q,

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/adaptation/grid_partition.h>
+#include <isochor/base/mpi_sums.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -69,7 +70,7 @@ namespace isochor
                                    const MPI_Comm                   comm)
   {
     std::vector<std::pair<unsigned int, double>> weights;
-    for (const auto &of_rank : Utilities::MPI::all_gather(comm, occupied))
+    for (const auto &of_rank : all_gather_arrays(comm, occupied))
       for (std::size_t i = 0; i < of_rank.size(); i += 2)
         weights.emplace_back(of_rank[i],
                              of_rank[i + 1] + LoadBalance::cost_of_cell);

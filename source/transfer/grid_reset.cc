@@ -5,7 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/plain_message.h>
-#include <isochor/equations/nodal_unknowns.h>
+#include <isochor/equations/final_state.h>
 #include <isochor/transfer/grid_reset.h>
 
 #include <algorithm>
@@ -127,13 +127,7 @@ namespace isochor
         {
           const auto stencil = points.stencil(step.grid.geometry(), k, q);
           const auto state =
-            step.kernel.final_state(points,
-                                    q,
-                                    nodal.deformation_at(stencil),
-                                    nodal.hoop_at(stencil, points, q),
-                                    step.mixed(),
-                                    nodal.pressure_at(stencil),
-                                    history.data());
+            final_state<dim>(step, nodal, points, k, q, history.data());
           if (!points.radius.empty())
             points.radius[q] += nodal.increment_at(stencil)[0];
           points.F.set(q, state.F);

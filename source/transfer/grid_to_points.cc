@@ -126,10 +126,11 @@ namespace isochor
             properties[l.F + a * dim + b] = state.F[a][b];
         }
       store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
-      stress_integral.add(state.cauchy_stress,
-                          state.J,
-                          properties[l.volume] * arrays.thickness(q),
-                          arrays.measure(q));
+      if (!l.dynamic)
+        stress_integral.add(state.cauchy_stress,
+                            state.J,
+                            properties[l.volume] * arrays.thickness(q),
+                            arrays.measure(q));
       if (measures_energy)
         {
           double work = 0;

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
+#include <isochor/equations/final_state.h>
 #include <isochor/transfer/stress_integral.h>
 
 #include <algorithm>
@@ -48,15 +49,8 @@ namespace isochor
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const auto stencil = points.stencil(step.grid.geometry(), k, q);
           const auto state =
-            step.kernel.final_state(points,
-                                    q,
-                                    nodal.deformation_at(stencil),
-                                    nodal.hoop_at(stencil, points, q),
-                                    step.mixed(),
-                                    nodal.pressure_at(stencil),
-                                    history.data());
+            final_state<dim>(step, nodal, points, k, q, history.data());
           add(state.cauchy_stress, state.J, 0., points.measure(q));
         }
   }

@@ -45,14 +45,17 @@ namespace isochor
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(comm);
     if (n_ranks == 1)
       return {mine};
-    const double total = Utilities::MPI::sum(double(mine.size()), comm);
-    AssertThrow(total <= std::numeric_limits<int>::max(),
+    const std::uint64_t        n = mine.size();
+    std::vector<std::uint64_t> numbers(n_ranks);
+    int                        ierr =
+      MPI_Allgather(&n, 1, MPI_UINT64_T, numbers.data(), 1, MPI_UINT64_T, comm);
+    AssertThrowMPI(ierr);
+    AssertThrow(std::accumulate(numbers.begin(), numbers.end(), 0.) <=
+                  std::numeric_limits<int>::max(),
                 ExcMessage("The ranks have more to tell each other than MPI "
                            "can count. Make the scene smaller."));
-    const int        n = mine.size();
-    std::vector<int> sizes(n_ranks), begins(n_ranks);
-    int ierr = MPI_Allgather(&n, 1, MPI_INT, sizes.data(), 1, MPI_INT, comm);
-    AssertThrowMPI(ierr);
+    const std::vector<int> sizes(numbers.begin(), numbers.end());
+    std::vector<int>       begins(n_ranks);
     std::partial_sum(sizes.begin(), sizes.end() - 1, begins.begin() + 1);
     std::vector<T> all(begins.back() + sizes.back());
     ierr = MPI_Allgatherv(mine.data(),

@@ -43,10 +43,10 @@ namespace isochor
     add_massless_points(const StepContext<dim>   &step,
                         const NodalUnknowns<dim> &nodal);
 
-    /** Warn if the integral is off by more than one per cent in statics and
-     * where the stress has one direction in most of the body, as if it is
-     * pressed: where tension and pressure balance, as in bending, the measure
-     * says nothing. Collective. */
+    /** To be called in statics, where the integral is one of forces: warn if
+     * it is off by more than one per cent, where the stress has one direction
+     * in most of the body, as if it is pressed: where tension and pressure
+     * balance, as in bending, the measure says nothing. Collective. */
     void
     check(const StepContext<dim> &step) const;
 
