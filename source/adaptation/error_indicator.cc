@@ -76,6 +76,12 @@ namespace isochor
       return target_error > 0 || target_number > 0;
     }
 
+    unsigned int
+    largest_number_of_leaves() const override
+    {
+      return target_number;
+    }
+
     void
     limit_sizes(const BodyState<dim> &state,
                 const LevelRule<dim> &rule,

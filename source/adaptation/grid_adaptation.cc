@@ -293,7 +293,44 @@ namespace isochor
     for (unsigned int i = 0; i < leaves.size(); ++i)
       if (n_points[i] > 0)
         levels[i] = rule.level(forest, leaves[i], sizes[i]);
+    for (const auto &criterion : criteria)
+      if (criterion->largest_number_of_leaves() > 0)
+        limit_number_of_leaves(leaves,
+                               n_points,
+                               criterion->largest_number_of_leaves(),
+                               levels);
     return levels;
+  }
+
+
+
+  template <int dim>
+  void
+  GridAdaptation<dim>::limit_number_of_leaves(
+    const std::vector<Leaf<dim>> &leaves,
+    const std::vector<double>    &n_points,
+    const double                  largest,
+    std::vector<unsigned int>    &levels)
+  {
+    // what a change of the grid may make too much, and the next one takes back
+    constexpr double margin   = 2;
+    const auto       wanted   = levels;
+    const auto       increase = [&](const unsigned int i) {
+      return static_cast<int>(wanted[i]) - static_cast<int>(leaves[i].level);
+    };
+    for (int most = Leaf<dim>::max_level; most >= 0; --most)
+      {
+        double number = 0;
+        for (unsigned int i = 0; i < leaves.size(); ++i)
+          if (n_points[i] > 0)
+            {
+              const int by = std::min(increase(i), most);
+              levels[i]    = leaves[i].level + by;
+              number += std::pow(2., dim * by);
+            }
+        if (number <= margin * largest)
+          return;
+      }
   }
 
 

@@ -26,6 +26,9 @@ namespace isochor
     /** So many steps one after the other that are this fast are worth a
      * warning. */
     constexpr unsigned int many_steps = 5;
+    /** And so far, in cells: where points change cells, a body at rest moves a
+     * little in each step, by more or less. */
+    constexpr double far = 0.02;
 
 
 
@@ -232,6 +235,7 @@ namespace isochor
         dragged)
       return result;
     result.per_time = u / step.step_size();
+    result.in_cells = u / h;
     if (const double change = drive.change_of_loads(); change > 0)
       result.per_load = u / change;
     return result;
@@ -252,11 +256,18 @@ namespace isochor
       {
         soft_since = -1;
         n_soft     = 0;
+        soft_way   = 0;
         return;
       }
     if (soft_since < 0)
       soft_since = step.old_time;
-    if (++n_soft == many_steps)
+    const auto gives_way = [&]() {
+      return n_soft >= many_steps && soft_way > far;
+    };
+    const bool gave_way_before = gives_way();
+    ++n_soft;
+    soft_way += last.in_cells;
+    if (gives_way() && !gave_way_before)
       step.warnings.add(
         "the body gives way",
         "Since t = " + rounded(soft_since) + " the displacement per " +

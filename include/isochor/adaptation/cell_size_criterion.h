@@ -80,6 +80,14 @@ namespace isochor
       return false;
     }
 
+    /** How many leaves with material there are to be at most, roughly. 0: any
+     * number. */
+    virtual unsigned int
+    largest_number_of_leaves() const
+    {
+      return 0;
+    }
+
     /** Whether limit_sizes() is to be called. */
     virtual bool
     needs_state() const

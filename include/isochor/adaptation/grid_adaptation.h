@@ -140,6 +140,15 @@ namespace isochor
                   const MaterialPoints<dim> &points,
                   const double               time,
                   std::vector<double>       &n_points) const;
+    /** Where the @p levels of leaves with points would make more than twice as
+     * many leaves as the @p largest number, let levels increase by less. Leaves
+     * are split as a whole: those that a body takes its finest points to in one
+     * step would become very many. */
+    static void
+    limit_number_of_leaves(const std::vector<Leaf<dim>> &leaves,
+                           const std::vector<double>    &n_points,
+                           const double                  largest,
+                           std::vector<unsigned int>    &levels);
     /** Give leaves around those with points the level of these. */
     void
     add_buffer(const BackgroundGrid<dim> &grid,

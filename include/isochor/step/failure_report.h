@@ -82,6 +82,8 @@ namespace isochor
     struct Softness
     {
       double per_time = -1, per_load = -1;
+      /** The largest displacement in units of the smallest cell. */
+      double in_cells = 0;
 
       /** How much softer it is than the @p stiffest step: the smaller of both
        * ratios, as loads may be faster than the time, and points that change
@@ -144,6 +146,8 @@ namespace isochor
      * much softer than the stiffest; negative if that one wasn't. */
     double       soft_since = -1;
     unsigned int n_soft     = 0; ///< their number
+    /** How far the body has moved in them, in units of the smallest cell. */
+    double soft_way = 0;
   };
 } // namespace isochor
 
