@@ -160,11 +160,16 @@ namespace isochor
                              const unsigned int      b,
                              const unsigned int      a) const
   {
-    if (trial.size == 0)
+    const auto u = [&](const double time) {
       return condition_at(b).displacement[a].front()(
-        points.reference_location(b), step.time);
-    const auto [V, A] = initial_motion(b, a);
-    return trial.size * (V + trial.size / 2 * A);
+        points.reference_location(b), time);
+    };
+    if (trial.size == 0)
+      return u(step.time);
+    // a displacement at t = 0 comes with the first step
+    const double start = trial.start > 0 ? u(trial.start) : 0.;
+    const auto [V, A]  = initial_motion(b, a);
+    return start + trial.size * (V + trial.size / 2 * A);
   }
 
 

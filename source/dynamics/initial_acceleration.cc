@@ -49,7 +49,8 @@ namespace isochor
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
     PointArrays<dim>                                           &points)
   {
-    unsigned int by_surface = 0;
+    // a motion that has jumped, to rest maybe
+    unsigned int by_surface = step.old_time > 0 ? 1 : 0;
     for (const auto &condition : conditions)
       if (condition->starts_suddenly(step, velocity))
         by_surface = 1;

@@ -111,8 +111,10 @@ namespace isochor
     // to one within two steps is halved
     const double rest = next_target() - time;
     if (rest <= step_size * (1 + 1e-8))
-      return next_target();
-    return time + (rest < 2 * step_size * (1 - 1e-8) ? rest / 2 : step_size);
+      return std::min(latest_end, next_target());
+    return std::min(latest_end,
+                    time + (rest < 2 * step_size * (1 - 1e-8) ? rest / 2 :
+                                                                step_size));
   }
 
 
@@ -123,7 +125,8 @@ namespace isochor
     const double reached = next_time();
     if (output_interval > 0 && reached == next_target())
       reached_output = std::floor(reached / output_interval * (1 + 1e-12));
-    time = reached;
+    time       = reached;
+    latest_end = std::numeric_limits<double>::infinity();
     ++step;
     if (n_iterations <= easy_iterations)
       step_size = std::min(largest, step_size * growth);

@@ -5,6 +5,7 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/equations/nodal_unknowns.h>
 #include <isochor/postprocess/carried_reactions.h>
+#include <isochor/postprocess/energy_loss.h>
 #include <isochor/postprocess/postprocessor.h>
 
 #include <algorithm>
@@ -77,7 +78,7 @@ namespace isochor
       if (!enabled(result))
         return;
       std::array<double, n_sums> sums = point_sums(result);
-      sums[external]                  = external_work(result);
+      sums[external] = external_work(result) + work_of_jump(result);
       sums[strain] += stabilisation_energy(result);
       sum_over_ranks(sums, result.step.grid.communicator());
       if (result.time.step == 0)
@@ -125,7 +126,14 @@ namespace isochor
                        plastic_sum - sums[6]);
       if (!l.dynamic)
         return;
-      warn_of_losses(result, sums[6]);
+      loss.look(result.step.time,
+                {sums[6],
+                 strain_energy + plastic_sum,
+                 external_sum + initial_energy,
+                 stiffness},
+                result.starts_anew,
+                result.step.points.has_stencils(),
+                result.step.warnings);
       for (unsigned int a = 0; a < dim; ++a)
         statistics.set(std::string("Momentum ") + "xyz"[a] + " (kg m/s)",
                        sums[a]);
@@ -141,9 +149,9 @@ namespace isochor
       std::ostringstream state;
       state.precision(std::numeric_limits<double>::max_digits10);
       state << initial_energy << ' ' << external_sum << ' ' << plastic_sum
-            << ' ' << largest_energy << ' ' << kinetic_energy << ' '
-            << kinetic_change << ' ' << lost_at_first << ' ' << reactions.size()
             << ' ';
+      loss.save(state);
+      state << reactions.size() << ' ';
       for (const auto &reaction : reactions)
         state << reaction.first << ' ' << reaction.second << ' ';
       state << places.size() << ' ';
@@ -157,9 +165,9 @@ namespace isochor
     {
       std::istringstream state(text);
       std::size_t        n = 0;
-      state >> initial_energy >> external_sum >> plastic_sum >>
-        largest_energy >> kinetic_energy >> kinetic_change >> lost_at_first >>
-        n;
+      state >> initial_energy >> external_sum >> plastic_sum;
+      loss.load(state);
+      state >> n;
       for (std::size_t i = 0; i < n; ++i)
         {
           unsigned int entry = 0;
@@ -295,59 +303,6 @@ namespace isochor
       return energy;
     }
 
-    /**
-     * Warn once the scheme has lost, or made, more than 1 % of the largest
-     * energy, or of that for each cycle: a vibration turns its energy into
-     * kinetic energy and back twice, which changes that by four times as much.
-     * What goes in the first steps doesn't count: energies are small beside
-     * what is to come, and what sudden loads do faster than the steps is damped
-     * on purpose. Energies at strains of 1e-7 are those of rounding and of what
-     * Newton's method leaves.
-     */
-    void
-    warn_of_losses(const StepResult<dim> &result, const double kinetic)
-    {
-      constexpr double       threshold = 0.01, rounding = 1e-14;
-      constexpr unsigned int n_first_steps = 10;
-
-      const double total    = kinetic + strain_energy + plastic_sum,
-                   all_lost = external_sum + initial_energy - total;
-      if (result.time.step < n_first_steps)
-        lost_at_first = all_lost;
-      else
-        kinetic_change += std::abs(kinetic - kinetic_energy);
-      kinetic_energy    = kinetic;
-      largest_energy    = std::max(largest_energy, total);
-      const double lost = all_lost - lost_at_first,
-                   size = std::max(largest_energy, kinetic_change / 4);
-      if (std::abs(lost) <= std::max(threshold * size, rounding * stiffness))
-        return;
-      std::ostringstream text;
-      text.precision(3);
-      text << "By t = " << result.step.time << " the scheme has "
-           << (lost > 0 ? "lost " : "created ") << std::abs(lost) << " J, "
-           << 100 * std::abs(lost) / size
-           << " % of the largest energy of the body"
-           << (size > largest_energy ? " per cycle" : "")
-           << ", see 'Energy lost by the scheme' in the statistics. ";
-      if (!result.step.points.has_stencils())
-        text << "Points that change cells take their stresses with them: "
-                "<Quadrature/Type = CPDI> or a grid that is kept (<Grid "
-                "reset/Steps between resets = 0>, where bodies don't come "
-                "together) hardly lose any. Else smaller steps (<Time/Step "
-                "size>) and cells.";
-      else
-        text << "Use "
-             << (lost > 0 ? "smaller steps (<Time/Step size>) and cells, a "
-                            "larger" :
-                            "a smaller")
-             << " <Dynamics/Spectral radius>, or a grid that is kept (<Grid "
-                "reset/Steps between resets = 0>, where bodies don't come "
-                "together).";
-      result.step.warnings.add("energy lost or created by the scheme",
-                               text.str());
-    }
-
     /** τ : @p gradient, with @p hoop its component out of the plane. */
     static double
     power(const typename MixedKernel<dim>::PointState &state,
@@ -359,6 +314,32 @@ namespace isochor
         for (unsigned int j = 0; j < dim; ++j)
           sum += state.cauchy_stress[i][j] * gradient[i][j];
       return sum * state.J;
+    }
+
+    /** Whether a motion has jumped at the start of the step. */
+    static bool
+    jumps(const StepResult<dim> &result)
+    {
+      return result.starts_anew && result.time.step > 0;
+    }
+
+    /** What a motion that jumps does at once: points have another velocity when
+     * the step begins than when the last one ended. This rank's part. */
+    static double
+    work_of_jump(const StepResult<dim> &result)
+    {
+      if (!jumps(result))
+        return 0;
+      const PointArrays<dim> &points = result.step.points;
+      const PointLayout      &l      = result.points.layout();
+      double                  work   = 0;
+      for (unsigned int q = 0; q < points.velocity.size(); ++q)
+        work += points.mass[q] / 2 * points.velocity[q].norm_square();
+      for (const auto &particle : result.points.handler())
+        for (unsigned int d = 0; d < dim; ++d)
+          work -= particle.get_properties()[l.mass] / 2 *
+                  std::pow(particle.get_properties()[l.velocity + d], 2);
+      return work;
     }
 
     /** Of the step, this rank's part. */
@@ -374,9 +355,13 @@ namespace isochor
       for (const auto &condition : result.conditions)
         {
           condition->add_external_force(start, force);
-          condition->add_boundary_force(start, rest, force);
           condition->add_external_force(step, force);
           condition->add_boundary_force(step, result.unknowns, force);
+          // where a motion jumps, so does its force
+          if (jumps(result))
+            condition->add_boundary_force(step, result.unknowns, force);
+          else
+            condition->add_boundary_force(start, rest, force);
         }
       force.compress(VectorOperation::add);
 
@@ -410,9 +395,10 @@ namespace isochor
       for (const HeldUnknown &one : held)
         {
           const auto   old    = reactions.find(one.entry);
-          const double before = old != reactions.end() ? old->second :
-                                starts_unloaded        ? 0. :
-                                                         one.reaction;
+          const double before = old != reactions.end() && !jumps(result) ?
+                                  old->second :
+                                starts_unloaded ? 0. :
+                                                  one.reaction;
           work += (one.reaction + before) / 2 * one.moved;
           new_reactions[one.entry] = one.reaction;
         }
@@ -477,11 +463,7 @@ namespace isochor
     bool   in_statics = false, in_dynamics = true;
     double initial_energy = 0, strain_energy = 0, external_sum = 0,
            plastic_sum = 0;
-    /** The largest sum of kinetic and strain energy and plastic work so far;
-     * the kinetic energy, the sum of the sizes of its changes, and what was
-     * lost in the first steps. */
-    double largest_energy = 0, kinetic_energy = 0, kinetic_change = 0,
-           lost_at_first = 0;
+    EnergyLoss loss;
     /** Σ V_p G_p. */
     double stiffness = 0;
     /** Of held unknowns of this rank's vertices at the end of the last step, by

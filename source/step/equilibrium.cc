@@ -76,7 +76,7 @@ namespace isochor
     scene.inertia.start_step(setup.context(),
                              scene.boundary_conditions,
                              scene.points,
-                             scene.time.step == 0);
+                             scene.inertia.starts_anew);
     setup.collect_elements(terms);
     set_external_force();
     start_contact(setup.nodes_have_changed());
@@ -105,7 +105,9 @@ namespace isochor
   bool
   Equilibrium<dim>::predict()
   {
-    if (!newton_solver.extrapolate || last_motion.step_size == 0)
+    // where a motion jumps it doesn't go on
+    if (!newton_solver.extrapolate || last_motion.step_size == 0 ||
+        scene.inertia.starts_anew)
       return false;
     last_motion.extrapolate(setup.active_nodes(),
                             setup.all_elements(),

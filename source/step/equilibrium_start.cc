@@ -9,6 +9,7 @@
 #include <isochor/equations/connected_parts.h>
 #include <isochor/step/equilibrium.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace isochor
@@ -81,9 +82,15 @@ namespace isochor
   {
     NewtonReport report;
     report.converged = true;
-    if (!scene.has_inertia() || scene.time.step > 0)
+    if (!scene.has_inertia())
       return report;
     InertiaTerm<dim> &inertia = scene.inertia;
+    terminal.work().count("searches for an acceleration", inertia.starts_anew);
+    if (!inertia.starts_anew)
+      return report;
+    std::fill(setup.point_arrays().acceleration.begin(),
+              setup.point_arrays().acceleration.end(),
+              Tensor<1, dim>());
     // a trial errs by O(h); two, one of them back in time, by O(h²)
     const StepContext<dim> step       = setup.context();
     const auto            &conditions = scene.boundary_conditions;
@@ -110,7 +117,7 @@ namespace isochor
     inertia.start_step(setup.context(),
                        scene.boundary_conditions,
                        scene.points,
-                       scene.time.step == 0);
+                       true);
     start_again();
     set_weight();
     return report;

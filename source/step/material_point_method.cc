@@ -5,7 +5,6 @@
 // The algorithm. What surrounds it, parameters, files and what is written to
 // the terminal, is in material_point_method_interface.cc.
 #include <isochor/base/plain_message.h>
-#include <isochor/dynamics/sudden_motions.h>
 #include <isochor/step/material_point_method.h>
 #include <isochor/step/scene_checks.h>
 
@@ -105,7 +104,57 @@ namespace isochor
     TimerOutput::Scope scope(terminal.timer(), "initialisation phase");
     setup.start_step(equilibrium.equation_terms(), equilibrium.motion());
     terminal.work().count("searches for all points", setup.was_laid_out());
+    if (scene.has_inertia())
+      look_for_jumps();
     equilibrium.start_step();
+  }
+
+
+
+  /** Where prescribed motions start or stop suddenly a step begins, and in its
+   * first moment the body follows, as at t = 0. */
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::look_for_jumps()
+  {
+    constexpr unsigned int max_jumps = 10; // in a step
+    LoadStepping          &time      = scene.time;
+    scene.inertia.starts_anew        = (time.step == 0);
+    time.end_step_by(Jump::never);
+    for (unsigned int i = 0; i < max_jumps; ++i)
+      {
+        const StepContext<dim> step = setup.context();
+        double                 next = Jump::never;
+        for (const auto &condition : scene.boundary_conditions)
+          {
+            const Jump jump = find_jump(step, *condition);
+            if (jump.is_of_place)
+              warn_of_jump(jump);
+            else if (jump.time <= step.old_time + jump.precision)
+              scene.inertia.starts_anew = true;
+            else
+              next = std::min(next, jump.time);
+          }
+        if (next >= step.time)
+          return;
+        time.end_step_by(next);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::warn_of_jump(const Jump &jump)
+  {
+    scene.warnings.add(
+      "a motion that jumps",
+      "The place that <Boundary conditions/" + jump.parameter +
+        "> prescribes jumps, or its velocity has no bounds, at t = " +
+        rounded(jump.time) +
+        ". In dynamics a body can't be elsewhere at once: its velocity is "
+        "without bounds for smaller steps, and forces ring, with another sign "
+        "in each step. Let it move there over some steps.");
   }
 
 
@@ -136,7 +185,8 @@ namespace isochor
                                  scene.time,
                                  newton,
                                  output_directory,
-                                 scene.boundary_conditions};
+                                 scene.boundary_conditions,
+                                 scene.inertia.starts_anew};
     {
       TimerOutput::Scope scope(terminal.timer(), "postprocessing");
       set_statistics(result);
@@ -172,9 +222,6 @@ namespace isochor
       equilibrium.remember_motion();
       if (!scene.has_inertia())
         failure_report.remember(step, unknowns, drive());
-      else
-        for (const auto &condition : scene.boundary_conditions)
-          warn_of_sudden_motion(step, *condition);
       for (auto &condition : scene.boundary_conditions)
         condition->advance(step, unknowns);
       setup.advance(step, unknowns);

@@ -91,12 +91,12 @@ namespace isochor
           const unsigned int      b,
           const unsigned int      a) const
     {
-      return (trial.size != 0 ?
-                target(step, b, a) :
-                prescribed_increment(condition_at(b).displacement[a].front(),
-                                     points.reference_location(b),
-                                     step.old_time,
-                                     step.time)) != 0;
+      if (trial.size != 0)
+        return initial_motion(b, a) != std::pair<double, double>();
+      return prescribed_increment(condition_at(b).displacement[a].front(),
+                                  points.reference_location(b),
+                                  step.old_time,
+                                  step.time) != 0;
     }
 
     /** Whether it is for any of the points of this rank. */

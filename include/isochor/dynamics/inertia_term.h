@@ -75,14 +75,15 @@ namespace isochor
       NodalConstraints                                           &constraints);
 
     /**
-     * Look for the acceleration at the start of the first step. From now on the
+     * Look for the acceleration at the start of a step, the first one or one
+     * that starts anew. From now on the
      * equations are those of a step of size @p trial_step (positive or
      * negative) whose acceleration is constant and in equilibrium with what
      * acts at its end:
      *   Δu = h v_n + h²/2 a,   M a + f_int(u_n + Δu) = f_ext(0).
      * Pressures that a constraint or a bulk modulus which the step does not
      * resolve answer with are part of it. (Newmark's β = 1/2, γ = 1: a_n has no
-     * influence.) @p step is the first step itself.
+     * influence.) @p step is the step itself.
      */
     void
     start_trial(
@@ -175,6 +176,10 @@ namespace isochor
     point(const StepContext<dim>                   &step,
           const typename PointArrays<dim>::Stencil &stencil,
           const Tensor<1, dim>                     &old_velocity) const;
+
+    /** Whether the step begins with a search for its acceleration: the first
+     * one, and those at whose start a prescribed motion jumps. */
+    bool starts_anew = false;
 
     /** Velocity (m/s) of the body at t = 0, formulas in x, y(, z). */
     std::string initial_velocity;

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,13 @@ namespace isochor
     /** The end of the step that comes next. */
     double
     next_time() const;
+
+    /** The next step ends at @p latest (s) at latest. */
+    void
+    end_step_by(const double latest)
+    {
+      latest_end = latest;
+    }
 
     /** The step to next_time() converged in @p n_iterations. */
     void
@@ -97,6 +105,8 @@ namespace isochor
     unsigned int easy_iterations = 5;
     double       output_interval = 0;
     unsigned int reached_output  = 0;
+    /** Of the next step; not saved, as it is looked for at each start. */
+    double latest_end = std::numeric_limits<double>::infinity();
   };
 } // namespace isochor
 

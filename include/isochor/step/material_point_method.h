@@ -7,6 +7,7 @@
 
 #include <isochor/base/statistics.h>
 #include <isochor/base/terminal.h>
+#include <isochor/dynamics/sudden_motions.h>
 #include <isochor/step/checkpoint.h>
 #include <isochor/step/equilibrium.h>
 #include <isochor/step/failure_report.h>
@@ -97,6 +98,10 @@ namespace isochor
 
     void
     initialisation_phase();
+    void
+    look_for_jumps();
+    void
+    warn_of_jump(const Jump &jump);
     NewtonReport
     updated_lagrangian_phase();
     void

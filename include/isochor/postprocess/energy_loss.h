@@ -1,0 +1,58 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_energy_loss_h
+#define isochor_energy_loss_h
+
+#include <isochor/base/warnings.h>
+
+#include <iosfwd>
+
+namespace isochor
+{
+  /** Watches, in dynamics, the energy that the scheme loses or makes. */
+  class EnergyLoss
+  {
+  public:
+    /** At the end of a step (J). */
+    struct Balance
+    {
+      double kinetic;
+      double internal;  ///< strain energy and plastic work
+      double supplied;  ///< external work, and what there was at t = 0
+      double stiffness; ///< Σ_p V_p G
+    };
+
+    /**
+     * Warn once the scheme has lost, or made, more than 1 % of the largest
+     * energy, or of that for each cycle: a vibration turns its energy into
+     * kinetic energy and back twice, which changes that by four times as much.
+     * What goes in the first steps doesn't count, nor in those after a
+     * prescribed motion that jumps (@p starts_anew): energies are small beside
+     * what is to come, and what sudden motions do faster than the steps is
+     * damped on purpose. Energies at strains of 1e-7 are those of rounding and
+     * of what Newton's method leaves.
+     */
+    void
+    look(const double   time,
+         const Balance &balance,
+         const bool     starts_anew,
+         const bool     is_cpdi,
+         Warnings      &warnings);
+
+    void
+    save(std::ostream &state) const;
+    void
+    load(std::istream &state);
+
+  private:
+    double largest = 0, kinetic = 0, kinetic_change = 0;
+    /** All that was lost, and what of it doesn't count. */
+    double lost = 0, lost_at_starts = 0;
+    /** Steps since the last start. */
+    unsigned int n_since_start = 0;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,83 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/postprocess/energy_loss.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace isochor
+{
+  void
+  EnergyLoss::look(const double   time,
+                   const Balance &balance,
+                   const bool     starts_anew,
+                   const bool     is_cpdi,
+                   Warnings      &warnings)
+  {
+    constexpr double       threshold = 0.01, rounding = 1e-14;
+    constexpr unsigned int n_first_steps = 10;
+
+    const double total  = balance.kinetic + balance.internal;
+    const double before = std::exchange(lost, balance.supplied - total);
+    // jumps that follow each other don't hide all
+    if (starts_anew && n_since_start >= n_first_steps)
+      n_since_start = 0;
+    if (n_since_start < n_first_steps)
+      lost_at_starts += lost - before;
+    else
+      kinetic_change += std::abs(balance.kinetic - kinetic);
+    ++n_since_start;
+    kinetic           = balance.kinetic;
+    largest           = std::max(largest, total);
+    const double loss = lost - lost_at_starts,
+                 size = std::max(largest, kinetic_change / 4);
+    if (std::abs(loss) <=
+        std::max(threshold * size, rounding * balance.stiffness))
+      return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "By t = " << time << " the scheme has "
+         << (loss > 0 ? "lost " : "created ") << std::abs(loss) << " J, "
+         << 100 * std::abs(loss) / size
+         << " % of the largest energy of the body"
+         << (size > largest ? " per cycle" : "")
+         << ", see 'Energy lost by the scheme' in the statistics. ";
+    if (!is_cpdi)
+      text << "Points that change cells take their stresses with them: "
+              "<Quadrature/Type = CPDI> or a grid that is kept (<Grid "
+              "reset/Steps between resets = 0>, where bodies don't come "
+              "together) hardly lose any. Else smaller steps (<Time/Step "
+              "size>) and cells.";
+    else
+      text << "Use "
+           << (loss > 0 ? "smaller steps (<Time/Step size>) and cells, a "
+                          "larger" :
+                          "a smaller")
+           << " <Dynamics/Spectral radius>, or a grid that is kept (<Grid "
+              "reset/Steps between resets = 0>, where bodies don't come "
+              "together).";
+    warnings.add("energy lost or created by the scheme", text.str());
+  }
+
+
+
+  void
+  EnergyLoss::save(std::ostream &state) const
+  {
+    state << largest << ' ' << kinetic << ' ' << kinetic_change << ' ' << lost
+          << ' ' << lost_at_starts << ' ' << n_since_start << ' ';
+  }
+
+
+
+  void
+  EnergyLoss::load(std::istream &state)
+  {
+    state >> largest >> kinetic >> kinetic_change >> lost >> lost_at_starts >>
+      n_since_start;
+  }
+} // namespace isochor

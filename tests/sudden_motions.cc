@@ -1,0 +1,167 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Motions that start, stop or change their acceleration suddenly while a run is
+// on its way: a step begins there, and the body follows at once, as at t = 0.
+// Forces are those of the motion from the next step on; without it they
+// alternate by a mass times the jump over a step.
+
+#include <isochor/postprocess/postprocessor.h>
+
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  /** In each step: the time, the reaction, the energy that was lost. */
+  struct Row
+  {
+    double time, force, lost;
+  };
+  std::vector<Row> rows;
+  std::string      column;
+} // namespace
+
+namespace isochor
+{
+  template <int dim>
+  class ForceHistory : public Postprocessor<dim>
+  {
+  public:
+    void
+    evaluate_points(const StepResult<dim> &result,
+                    Statistics            &statistics) override
+    {
+      rows.push_back({result.step.time,
+                      statistics.get(column),
+                      statistics.get("Energy lost by the scheme (J)")});
+    }
+  };
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor,
+                                 ForceHistory,
+                                 "Z: force history")
+} // namespace isochor
+
+namespace
+{
+  struct Motion
+  {
+    std::string what, place;
+    /** In steps that begin at its jumps or later. */
+    double (*acceleration)(const double);
+    std::vector<double> jumps;
+  };
+
+  double
+  none(const double /*time*/)
+  {
+    return 0;
+  }
+
+  const std::vector<Motion> motions = {
+    {"starts", "max(0, t - 0.02)", none, {0.02}},
+    {"stops", "min(t, 0.02)", none, {0.02}},
+    {"starts and stops between steps",
+     "if(t < 0.0213, 0, min(t - 0.0213, 0.0191))",
+     none,
+     {0.0213, 0.0404}},
+    {"no longer accelerates",
+     "if(t < 0.02, 5*t^2, 0.002 + 0.2*(t - 0.02))",
+     [](const double t) { return t <= 0.02 ? 10. : 0.; },
+     {0.02}},
+    {"steps smoothly",
+     "0.1*if(t < 0.01, 0, if(t < 0.05, (3 - 50*(t - 0.01))*(t - 0.01)^2/0.0016, "
+     "1))",
+     [](const double t) {
+       return t > 0.01 && t <= 0.05 ? 375 - 750 * (t - 0.01) / 0.04 : 0.;
+     },
+     {0.01, 0.05}}};
+
+  enum class Of
+  {
+    boundary,
+    rigid_side,
+    body
+  };
+
+  /** A block of 0.5 kg (in space 0.25 kg), much stiffer than what the steps
+   * resolve, is moved at its right end. */
+  template <int dim>
+  void
+  test_block(const Motion &motion, const Of of, const std::string &settings)
+  {
+    const bool        solid = (dim == 3), body = (of == Of::body);
+    const std::string sides = std::string("bottom: y=0; top: y=0") +
+                              (solid ? "; front: z=0; back: z=0" : "");
+    const std::string width = solid ? ", 0.5, 0.5" : ", 0.5";
+    const std::string size =
+      body ? "Grid/Upper corner = 1.5" + width +
+               "\nGrid/Subdivisions = " + (solid ? "6, 2, 2" : "12, 4") +
+               "\nMaterial points/Region = x < 1\n" :
+             "Grid/Upper corner = 1" + width +
+               "\nGrid/Subdivisions = " + (solid ? "4, 2, 2" : "8, 4") + '\n' +
+               test::keep_grid + "Postprocess/Reactions = right\n";
+    const std::string is_moved =
+      body ? "Boundary conditions/Displacement = " + sides +
+               "\nBoundary conditions/Surfaces of body = tip: x > 0.999\n"
+               "Boundary conditions/Displacement of body = tip: x=" :
+      of == Of::boundary ?
+             "Boundary conditions/Displacement = " + sides + "; right: x=" :
+             "Boundary conditions/Displacement = " + sides +
+               "\nBoundary conditions/Rigid sides = right: y=0, " +
+               (solid ? "z=0, rotation x=0, rotation y=0, rotation z=0" :
+                        "rotation=0") +
+               ", x=";
+    const std::string name = body               ? "surface of the body" :
+                             of == Of::boundary ? "boundary of the grid" :
+                                                  "rigid side";
+    column                 = body ? "Reaction x on tip by boundary points (N)" :
+                                    "Reaction x on right (N)";
+    rows.clear();
+    test::run_scene<dim>(
+      size + is_moved + motion.place +
+      "\nMaterial/Young modulus = 1e10\nMaterial/Density = 1\n"
+      "Dynamics/Inertia = true\nTime/Step size = 0.005\n"
+      "Time/End time = 0.08\n" +
+      settings);
+
+    const double mass = solid ? 0.25 : 0.5, scale = mass / 0.005;
+    double       worst = 0, lost = 0;
+    bool         lands = true;
+    for (const Row &row : rows)
+      test::add_error(
+        worst,
+        std::abs(row.force - mass * motion.acceleration(row.time)) / scale);
+    for (const double jump : motion.jumps)
+      lands =
+        lands && std::any_of(rows.begin(), rows.end(), [=](const Row &row) {
+          return std::abs(row.time - jump) < 5e-6;
+        });
+    // what a sudden start costs at t = 0 is known, and not asked for here
+    for (const Row &row : rows)
+      if (row.time > motion.jumps.back() + 0.006)
+        test::add_error(lost, std::abs(row.lost - rows.back().lost) / mass);
+    test::check(motion.what + ", " + name + ": a step ends there", lands, "");
+    test::check_error("forces", worst, 1e-3);
+    test::check_error("energy after it", lost, 1e-4);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  for (const Motion &motion : motions)
+    for (const Of of : {Of::boundary, Of::rigid_side, Of::body})
+      test_block<2>(motion, of, "");
+  test_block<2>(motions[1],
+                Of::body,
+                "Formulation/Type = u-p\nMaterial/Poisson ratio = 0.499\n");
+  for (const Of of : {Of::boundary, Of::rigid_side, Of::body})
+    test_block<3>(motions[2], of, "");
+}
