@@ -305,6 +305,36 @@ test_splitting_at_wall(const std::string &distance)
   check_volume<dim>(problem->last_statistics(), 0.91, 1e-9);
 }
 
+/** An L-shaped body, fine in its corner, is carried far in a step, into leaves
+ * that are up to ten levels coarser: their number stays near the target. */
+void
+test_number_of_leaves()
+{
+  test::run_scene<2>(
+    "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
+    "Grid/Upper corner = 10, 2.5\nGrid/Subdivisions = 40, 10\n"
+    "Adaptive grid/Maximum level = 10\n"
+    "Adaptive grid/Target of relative error = 0.0001\n"
+    "Adaptive grid/Target number of leaves = 200\n"
+    "Material points/Region = (x < 2) * (y < 2) * (1 - (x > 1)*(y > 1))\n"
+    "Material points/Points per cell = 4\nFormulation/Type = u-p\n"
+    "Quadrature/Type = CPDI\nFormulation/Stabilisation = PPP\n"
+    "Material/Young modulus = 1000\nMaterial/Density = 1\n"
+    "Material/Poisson ratio = 0.3\nBoundary conditions/Gravity = 5*t, 0\n"
+    "Boundary conditions/Surfaces of body = base: bottom\n"
+    "Boundary conditions/Displacement of body = base: "
+    "x=2.3*min(max(0, t - 6.5), 1), y=0\n"
+    "Time/End time = 10\nTime/Step size = 1\n");
+  double most = 0;
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    most = test::largest_in_statistics("Leaves of grid");
+  most = Utilities::MPI::max(most, MPI_COMM_WORLD);
+  // 400 are the coarse ones; 10 048 where levels increase at once
+  test::check("a target of 200 leaves, and 400 without a body",
+              most < 1500,
+              std::to_string(most));
+}
+
 int
 main(int argc, char **argv)
 {
@@ -334,5 +364,6 @@ main(int argc, char **argv)
   test_splitting_at_wall<2>("x + abs(y - 0.4)");
   test_splitting_at_wall<2>("x + y");
   test_splitting_at_wall<3>("x + y + abs(z - 0.4)");
+  test_number_of_leaves();
   return 0;
 }

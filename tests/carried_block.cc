@@ -6,36 +6,9 @@
 // A block is carried through a box, on a grid that stays or on an adaptive one
 // that is never refined: each rank has its share of the points at all times.
 
-#include <fstream>
-
 #include "scene.h"
 
 using namespace isochor;
-
-/** The largest value of @p column in statistics.txt. */
-double
-largest(const std::string &column)
-{
-  std::ifstream file("statistics.txt");
-  unsigned int  index = 0;
-  double        value = 0, result = 0;
-  for (std::string line; std::getline(file, line);)
-    if (line[0] == '#')
-      {
-        if (line.find(": " + column) != std::string::npos)
-          index = std::stoi(line.substr(1));
-      }
-    else
-      {
-        std::istringstream entries(line);
-        std::string        entry;
-        for (unsigned int i = 0; i < index; ++i)
-          entries >> entry;
-        value  = std::stod(entry);
-        result = std::max(result, value);
-      }
-  return index == 0 ? 1e300 : result;
-}
 
 template <int dim>
 void
@@ -64,7 +37,7 @@ test_balance(const std::string &type, const std::string &box)
   double most = 0; // on one rank a grid that stays has no such column
   if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1 &&
       Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    most = largest("Imbalance of points");
+    most = test::largest_in_statistics("Imbalance of points");
   most = Utilities::MPI::max(most, MPI_COMM_WORLD);
   test::check_error(name + "no rank has 10 % more points than the mean",
                     most,

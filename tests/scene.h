@@ -11,7 +11,9 @@
 
 #include <isochor/step/material_point_method.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -159,6 +161,30 @@ namespace isochor
       for (std::string word; words >> word;)
         line += (line.empty() ? "" : " ") + word;
       return line;
+    }
+
+    /** The largest value of @p column in statistics.txt, which rank 0 has. */
+    inline double
+    largest_in_statistics(const std::string &column)
+    {
+      std::ifstream file("statistics.txt");
+      unsigned int  index   = 0;
+      double        largest = 0;
+      for (std::string line; std::getline(file, line);)
+        if (line[0] == '#')
+          {
+            if (line.find(": " + column) != std::string::npos)
+              index = std::stoi(line.substr(1));
+          }
+        else
+          {
+            std::istringstream entries(line);
+            std::string        entry;
+            for (unsigned int i = 0; i < index; ++i)
+              entries >> entry;
+            largest = std::max(largest, std::stod(entry));
+          }
+      return index == 0 ? 1e300 : largest;
     }
 
     /** The larger of two errors; not-a-number is infinitely wrong. */
