@@ -444,6 +444,35 @@ test_stretched_after_a_long_way()
     }
 }
 
+/** The same with a penalty that is much too stiff: what remains is a part of
+ * the force, and the program says so. */
+void
+test_too_stiff_a_penalty()
+{
+  for (const std::string penalty : {"1e6", "1e9"})
+    {
+      const auto bar = test::run_scene<2>(
+        "Grid/Upper corner = 12, 0.5\nGrid/Subdivisions = 48, 2\n"
+        "Material points/Region = x < 1\nQuadrature/Type = CPDI\n"
+        "Material/Young modulus = 1e6\nMaterial/Poisson ratio = 0.3\n"
+        "Boundary conditions/Displacement = bottom: y=0\n"
+        "Boundary conditions/Surfaces of body = left: left; right: x > 0.999\n"
+        "Boundary conditions/Displacement of body = left: x=9*min(t, 0.5); "
+        "right: x=9*min(t, 0.5)+1e-6*max(0, t-0.5)\n"
+        "Boundary conditions/Penalty of body displacement = " +
+        penalty + "\nTime/Step size = 0.1\nOutput/Terminal = quiet\n");
+      const auto &warnings = bar->all_warnings().all();
+      test::check("a penalty of " + penalty,
+                  std::any_of(warnings.begin(),
+                              warnings.end(),
+                              [](const auto &warning) {
+                                return warning.subject ==
+                                       "forces near rounding";
+                              }) == (penalty == "1e9"),
+                  std::to_string(warnings.size()));
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -457,4 +486,5 @@ main(int argc, char **argv)
   test_mixed_cells();
   test_loaded_area();
   test_stretched_after_a_long_way();
+  test_too_stiff_a_penalty();
 }

@@ -189,15 +189,24 @@ namespace isochor
     const MPI_Comm          comm         = scene.grid.communicator();
     NodalField              unit;
     nodes.initialize(unit, n_components);
+    const auto sums = [&]() {
+      unit.compress(VectorOperation::add);
+      double force = 0, volume = 0;
+      for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+        (i % n_components == dim ? volume : force) +=
+          unit.local_element(i) * unit.local_element(i);
+      return std::make_pair(Utilities::MPI::sum(force, comm),
+                            Utilities::MPI::sum(volume, comm));
+    };
+    body.add_unit_residual(setup.context(), unit);
+    strain_floor = rounding * std::sqrt(sums().first);
+    unit.zero_out_ghost_values();
     for (const EquationTerm<dim> *term : terms)
-      term->add_unit_residual(setup.context(), unit);
-    unit.compress(VectorOperation::add);
-    double force = 0, volume = 0;
-    for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
-      (i % n_components == dim ? volume : force) +=
-        unit.local_element(i) * unit.local_element(i);
-    force_floor  = rounding * std::sqrt(Utilities::MPI::sum(force, comm));
-    volume_floor = rounding * std::sqrt(Utilities::MPI::sum(volume, comm));
+      if (term != &body)
+        term->add_unit_residual(setup.context(), unit);
+    const auto [force, volume] = sums();
+    force_floor                = rounding * std::sqrt(force);
+    volume_floor               = rounding * std::sqrt(volume);
   }
 
 

@@ -229,6 +229,7 @@ namespace isochor
       if (setup.reset().due())
         grid_to_points.project_volume(step, scene.points);
       warn_if_nothing_moves(scene, newton, unknowns);
+      warn_of_rounding(scene, newton, equilibrium.zero_force());
       scene.time.accept(newton.n_factorisations);
     }
     {

@@ -133,6 +133,29 @@ namespace isochor
 
   template <int dim>
   void
+  warn_of_rounding(Scene<dim>         &scene,
+                   const NewtonReport &newton,
+                   const double        zero_force)
+  {
+    constexpr double small = 0.01, large = 1e6;
+    const double     residual = newton.iterations.back().displacement;
+    // a body at rest, or carried along, has no other forces
+    if (residual <= small || newton.force_scale <= large * zero_force)
+      return;
+    std::ostringstream text;
+    text.precision(2);
+    text << "At t = " << scene.time.next_time()
+         << " the residual forces that remain are " << 100 * residual
+         << " % of the forces: less can't be told from rounding, as a penalty "
+            "(<Boundary conditions/Penalty of body displacement>) is too stiff "
+            "for the way that its surface goes. Lower it.";
+    scene.warnings.add("forces near rounding", text.str());
+  }
+
+
+
+  template <int dim>
+  void
   warn_if_nothing_moves(Scene<dim>         &scene,
                         const NewtonReport &newton,
                         const NodalField   &unknowns)
@@ -164,6 +187,10 @@ namespace isochor
                       const StepContext<3> &,
                       const SparseSystem &,
                       const bool);
+  template void
+  warn_of_rounding<2>(Scene<2> &, const NewtonReport &, const double);
+  template void
+  warn_of_rounding<3>(Scene<3> &, const NewtonReport &, const double);
   template void
   warn_if_nothing_moves<2>(Scene<2> &,
                            const NewtonReport &,

@@ -87,6 +87,12 @@ namespace isochor
      * are not negative. 0 if that is rounding. Collective. */
     double
     change_of_loads() const;
+    /** The force (N) of strains that are zero but for rounding. */
+    double
+    zero_force() const
+    {
+      return strain_floor;
+    }
     const NodalField &
     nodal_unknowns() const
     {
@@ -222,6 +228,8 @@ namespace isochor
     bool   at_start           = true;
     bool   last_try_converged = true;
     double force_floor = 0, volume_floor = 0;
+    /** The part of the former that comes from strains. */
+    double strain_floor  = 0;
     bool   scene_checked = false;
     /** How many bodies apart from each other the active nodes form (0: not
      * counted yet). */

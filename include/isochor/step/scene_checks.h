@@ -38,6 +38,15 @@ namespace isochor
                    const SparseSystem     &matrix,
                    const bool              may_let_go);
 
+  /** Warn if @p newton has taken for zero what is more than one per cent of
+   * the forces, though strains have larger ones than @p zero_force (N), that
+   * of their rounding errors. */
+  template <int dim>
+  void
+  warn_of_rounding(Scene<dim>         &scene,
+                   const NewtonReport &newton,
+                   const double        zero_force);
+
   /** Warn if the first step needed no iteration, as nothing moved. */
   template <int dim>
   void
