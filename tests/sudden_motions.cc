@@ -10,6 +10,8 @@
 
 #include <isochor/postprocess/postprocessor.h>
 
+#include <map>
+
 #include "scene.h"
 
 using namespace isochor;
@@ -68,6 +70,15 @@ namespace
      "if(t < 0.0213, 0, min(t - 0.0213, 0.0191))",
      none,
      {0.0213, 0.0404}},
+    {"starts, and stops in the same step",
+     "if(t < 0.021, 0, min(t - 0.021, 0.002) + 0.5*max(0, t - 0.023))",
+     none,
+     {0.021, 0.023}},
+    {"starts shortly after a step", "max(0, t - 0.020001)", none, {0.020001}},
+    {"starts shortly before a step's end",
+     "max(0, t - 0.024999)",
+     none,
+     {0.024999}},
     {"no longer accelerates",
      "if(t < 0.02, 5*t^2, 0.002 + 0.2*(t - 0.02))",
      [](const double t) { return t <= 0.02 ? 10. : 0.; },
@@ -148,6 +159,56 @@ namespace
     test::check_error("forces", worst, 1e-3);
     test::check_error("energy after it", lost, 1e-4);
   }
+
+  /** The last row of the statistics of two separate bars, of which the left one
+   * vibrates and the right one is moved by @p motion, and the number of steps.
+   */
+  std::map<std::string, double>
+  two_bars(const std::string &motion)
+  {
+    rows.clear();
+    column             = "Mass (kg)";
+    const auto problem = test::run_scene<2>(
+      "Grid/Upper corner = 3, 0.25\nGrid/Subdivisions = 24, 2\n" +
+      std::string(test::keep_grid) +
+      "Material points/Region = x < 1 || x > 2\n"
+      "Material/Young modulus = 1e4\nMaterial/Poisson ratio = 0.3\n"
+      "Material/Density = 1\nDynamics/Inertia = true\n"
+      "Dynamics/Initial velocity = if(x < 1.5, sin(pi*x/2), 0), 0\n"
+      "Boundary conditions/Displacement = left: x=0; bottom: y=0; top: y=0; "
+      "right: x=" +
+      motion + "\nTime/Step size = 0.002\nTime/End time = 0.08\n");
+    const Statistics &statistics = problem->last_statistics();
+    return {{"kinetic", statistics.get("Kinetic energy (J)")},
+            {"strain", statistics.get("Strain energy (J)")},
+            {"external", statistics.get("External work (J)")},
+            {"steps", rows.size()}};
+  }
+
+  /** A body that nothing touches feels nothing of another one's jumps. */
+  void
+  test_other_body()
+  {
+    auto at_rest = two_bars("0"), moved = two_bars("1e-6*max(0, t - 0.02)");
+    for (const std::string energy : {"kinetic", "strain"})
+      test::check_error("another body's jump: " + energy + " energy",
+                        test::relative(moved[energy], at_rest[energy]),
+                        1e-6);
+    test::check_error("external work", std::abs(moved["external"]), 1e-9);
+    // what is smooth is left alone, however fast; 40 steps
+    for (const std::string smooth : {"1e-6*sin(100*t)",
+                                     "1e-6*sin(12345*t)",
+                                     "1e-6*(1 + tanh((t - 0.05)/0.006))",
+                                     "1e-6*(1 - exp(-(t/0.01)^2))",
+                                     "1e-6*exp(-((t - 0.04)/0.0003)^2)",
+                                     "1e-6*((t + 1000)^2 - 1e6)"})
+      {
+        const double n_steps = two_bars(smooth)["steps"];
+        test::check("no jump of " + smooth,
+                    n_steps == 40,
+                    std::to_string(n_steps));
+      }
+  }
 } // namespace
 
 
@@ -162,6 +223,12 @@ main(int argc, char **argv)
   test_block<2>(motions[1],
                 Of::body,
                 "Formulation/Type = u-p\nMaterial/Poisson ratio = 0.499\n");
+  // a pressure on another surface
+  test_block<2>(motions[2],
+                Of::body,
+                "Boundary conditions/Surfaces of body = tip: x > 0.999; back: "
+                "left\nBoundary conditions/Pressure on body = back: 1e-9\n");
   for (const Of of : {Of::boundary, Of::rigid_side, Of::body})
     test_block<3>(motions[2], of, "");
+  test_other_body();
 }

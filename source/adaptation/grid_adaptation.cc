@@ -318,7 +318,7 @@ namespace isochor
     const auto       increase = [&](const unsigned int i) {
       return static_cast<int>(wanted[i]) - static_cast<int>(leaves[i].level);
     };
-    for (int most = Leaf<dim>::max_level; most >= 0; --most)
+    for (int most = Leaf<dim>::max_level; most > 0; --most)
       {
         double number = 0;
         for (unsigned int i = 0; i < leaves.size(); ++i)

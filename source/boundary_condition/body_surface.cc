@@ -102,6 +102,13 @@ namespace isochor
                        NodalField             &force) const override;
 
     void
+    append_motion(const StepContext<dim> &step,
+                  std::vector<double>    &values) const override
+    {
+      if (points)
+        forces->append_motion(step.time, values);
+    }
+    void
     set_trial(const StepContext<dim> &step,
               const double            trial_size,
               const SmoothStart      &start) override

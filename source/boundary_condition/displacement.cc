@@ -158,6 +158,17 @@ namespace isochor
     }
 
     void
+    append_motion(const StepContext<dim> &step,
+                  std::vector<double>    &values) const override
+    {
+      for (const auto &condition : conditions)
+        for (const unsigned int vertex : condition.vertices)
+          if (step.nodes.node(vertex) != numbers::invalid_unsigned_int)
+            values.push_back(
+              condition.displacement(reference[vertex], step.time));
+    }
+
+    void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override
     {
       if (step.old_time > 0 && !step.grid_is_kept && !step.grid.is_moving())

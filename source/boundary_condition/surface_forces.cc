@@ -155,6 +155,20 @@ namespace isochor
 
 
   template <int dim>
+  void
+  SurfaceForces<dim>::append_motion(const double         time,
+                                    std::vector<double> &values) const
+  {
+    for (unsigned int b = 0; b < points.size(); ++b)
+      for (const auto &displacement : condition_at(b).displacement)
+        if (!displacement.empty())
+          values.push_back(
+            displacement.front()(points.reference_location(b), time));
+  }
+
+
+
+  template <int dim>
   double
   SurfaceForces<dim>::target(const StepContext<dim> &step,
                              const unsigned int      b,

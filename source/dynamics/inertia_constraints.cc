@@ -60,7 +60,7 @@ namespace isochor
                              k / (n_motion_places - 1.),
                              contact[k]);
     const NodalConstraints &start  = at[0];
-    const SmoothStart       smooth = integrator->smooth_start(dt);
+    const SmoothStart       smooth = smooth_start(dt);
     held.assign(step.nodes.n_local() * dim, 0);
     stopped.clear();
     if (kept_part > 0)
@@ -160,8 +160,7 @@ namespace isochor
         std::array<double, n_motion_places> places;
         for (unsigned int k = 0; k < n_motion_places; ++k)
           places[k] = all[k].value[f];
-        result.push_back(
-          integrator->smooth_start(dt).of(motion_of_step(places, dt)));
+        result.push_back(smooth_start(dt).of(motion_of_step(places, dt)));
       }
     return result;
   }
@@ -335,7 +334,7 @@ namespace isochor
   InertiaTerm<dim>::wall_motion(const MotionAtStart &motion,
                                 const double         dt) const
   {
-    const SmoothStart smooth = integrator->smooth_start(dt);
+    const SmoothStart smooth = smooth_start(dt);
     const auto        end    = smooth.of(motion.after(dt));
     return {motion, smooth.of(motion).second, end.first, end.second};
   }

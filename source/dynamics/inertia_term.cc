@@ -194,6 +194,7 @@ namespace isochor
       return;
     StepContext<dim> whole_step = step;
     whole_step.time             = end; // also in a trial
+    whole_step.time             = end_of_motion(whole_step);
     if (changed || !prescribed)
       prescribe(whole_step, conditions, constraints);
     if (in_trial())

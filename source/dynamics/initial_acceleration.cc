@@ -14,16 +14,22 @@ namespace isochor
   void
   InertiaTerm<dim>::start_trial(
     const StepContext<dim>                                     &step,
-    const double                                                trial_step,
+    const TrialStep                                            &trial_step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
   {
-    if (trial_step > 0) // the first one
-      trial = Trial();
-    trial.size = trial_step;
+    if (trial_step.size > 0) // the first of two
+      {
+        trial             = Trial();
+        trial.walls_judge = !trial_step.is_past;
+        prescribed        = false;
+      }
+    trial.size              = trial_step.size;
+    trial.is_past           = trial_step.is_past;
+    trial.step_size         = step.step_size();
+    StepContext<dim> motion = step;
+    motion.time             = end_of_motion(step);
     for (const auto &condition : conditions)
-      condition->set_trial(step,
-                           trial_step,
-                           integrator->smooth_start(step.step_size()));
+      condition->set_trial(motion, trial.size, smooth_start(step.step_size()));
   }
 
 
@@ -34,7 +40,8 @@ namespace isochor
     const StepContext<dim>                                     &step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
   {
-    trial.size = 0;
+    trial.size    = 0;
+    trial.is_past = false;
     for (const auto &condition : conditions)
       condition->set_trial(step, 0., {});
   }
@@ -49,14 +56,16 @@ namespace isochor
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
     PointArrays<dim>                                           &points)
   {
-    // a motion that has jumped, to rest maybe
-    unsigned int by_surface = step.old_time > 0 ? 1 : 0;
+    // maybe to rest
+    const bool   jumps   = step.old_time > 0;
+    unsigned int by_body = jumps ? 1 : 0;
     for (const auto &condition : conditions)
-      if (condition->starts_suddenly(step, velocity))
-        by_surface = 1;
+      if (!jumps && condition->starts_suddenly(step, velocity))
+        by_body = 1;
     const bool impulse =
-      starts_suddenly(step) ||
-      Utilities::MPI::max(by_surface, step.grid.communicator()) != 0;
+      Utilities::MPI::max(by_body, step.grid.communicator()) != 0 ||
+      starts_suddenly(step);
+    const double sign = trial.is_past ? -1 : 1;
     finish_step(step, unknowns);
     // the body is at rest, but its nodes have started with the walls: this is
     // to reach the points, too, as the first step starts with what they bring
@@ -73,9 +82,9 @@ namespace isochor
                   points.stencil(step.grid.geometry(), k, q),
                   points.velocity[q])
               .second;
-          points.acceleration[q] += a / 2;
+          points.acceleration[q] += sign / 2 * a;
           if (impulse)
-            points.velocity[q] += trial.size / 4 * a;
+            points.velocity[q] += sign * trial.size / 4 * a;
         }
   }
 
@@ -145,7 +154,7 @@ namespace isochor
   template void
   InertiaTerm<2>::start_trial(
     const StepContext<2> &,
-    const double,
+    const TrialStep &,
     const std::vector<std::unique_ptr<BoundaryCondition<2>>> &);
   template void
   InertiaTerm<2>::end_trial(
@@ -164,7 +173,7 @@ namespace isochor
   template void
   InertiaTerm<3>::start_trial(
     const StepContext<3> &,
-    const double,
+    const TrialStep &,
     const std::vector<std::unique_ptr<BoundaryCondition<3>>> &);
   template void
   InertiaTerm<3>::end_trial(

@@ -13,259 +13,332 @@ namespace isochor
 {
   namespace
   {
-    /** What grows linearly with all that @p condition prescribes at @p time of
-     * the step: increments, or the forces of a penalty. This rank's. */
-    template <int dim>
-    std::vector<double>
-    prescribed_at(const StepContext<dim>       &step,
-                  const BoundaryCondition<dim> &condition,
-                  const bool                    by_force,
-                  const double                  time)
-    {
-      StepContext<dim> until = step;
-      until.time             = time;
-      std::vector<double> values;
-      if (by_force)
-        {
-          NodalField force, rest;
-          step.nodes.initialize(force, step.n_components);
-          step.nodes.initialize(rest, step.n_components);
-          condition.add_boundary_force(until, rest, force);
-          force.compress(VectorOperation::add);
-          values.assign(force.begin(), force.end());
-          return values;
-        }
-      NodalConstraints constraints;
-      constraints.reinit(step.nodes.n_local() * step.n_components,
-                         step.nodes.control_entries(step.n_components));
-      condition.constrain(until, constraints);
-      for (unsigned int i = 0; i < constraints.increment.size(); ++i)
-        if (constraints.constrained[i] != NodalConstraints::is_free)
-          values.push_back(constraints.increment[i]);
-      for (const auto &equation : constraints.equations)
-        values.push_back(equation.value);
-      return values;
-    }
-
-
-
-    /** What is prescribed at times of equal distance. */
+    /** What a condition prescribes at times of equal distance, this rank's:
+     * values[k][i] of unknown i. */
     struct Samples
     {
-      double start, length; ///< of the first part of the time, of each
-      std::vector<std::vector<double>> values; ///< at their ends
+      double                           start, length;
+      std::vector<std::vector<double>> values;
+
+      unsigned int
+      n_parts() const
+      {
+        return values.size() - 1;
+      }
     };
+
+
+
+    /** Looks for jumps of the derivative of one order, 1 or 2, in samples of a
+     * step and, where there may be one, in ever shorter times. */
+    template <int dim>
+    class JumpSearch
+    {
+    public:
+      JumpSearch(const StepContext<dim>       &step,
+                 const BoundaryCondition<dim> &condition,
+                 const double                  smallest_cell);
+
+      /** Samples of @p n_parts of equal @p length, of which the first begins at
+       * @p start. */
+      Samples
+      sample(const double       start,
+             const double       length,
+             const unsigned int n_parts) const;
+
+      /** Whether anything moves. Collective. */
+      bool
+      moves(const Samples &samples) const;
+
+      /** Where the derivative of @p order may jump: times in the middle of
+       * changes that stand out from those around. Collective. */
+      std::vector<double>
+      candidates(const Samples &samples, const unsigned int order);
+
+      struct Jump
+      {
+        bool   is_there = false, is_of_place = false;
+        double time = 0;
+      };
+      /** Magnify what is around @p time, from parts of @p length on.
+       * Collective. */
+      Jump
+      magnify(double time, double length, const unsigned int order) const;
+
+    private:
+      /** The derivative of @p order of unknown @p i, times the power of the
+       * length: from place @p k on. */
+      static double
+      difference(const Samples     &samples,
+                 const unsigned int order,
+                 const unsigned int k,
+                 const unsigned int i);
+      /** Of the change between the derivatives from place @p k and the next one
+       * on: its part of the largest one of the same unknown. 0 if that may be
+       * rounding or moves nothing. */
+      double
+      strength(const Samples     &samples,
+               const unsigned int order,
+               const unsigned int k,
+               const unsigned int i) const;
+      /** A time at which a change from place @p k on is. */
+      static double
+      time_of(const Samples     &samples,
+              const unsigned int order,
+              const unsigned int k)
+      {
+        return samples.start + (k + (order + 1) / 2.) * samples.length;
+      }
+
+      const StepContext<dim>       &step;
+      const BoundaryCondition<dim> &condition;
+      const MPI_Comm                comm;
+      /** What is too small a way in a step to matter (m). */
+      const double negligible;
+      /** Of each unknown: the size of its values, and the largest derivative of
+       * the order that is looked at. */
+      std::vector<double> size, most;
+    };
+
+
+
+    template <int dim>
+    JumpSearch<dim>::JumpSearch(const StepContext<dim>       &step,
+                                const BoundaryCondition<dim> &condition,
+                                const double                  smallest_cell)
+      : step(step)
+      , condition(condition)
+      , comm(step.grid.communicator())
+      , negligible(1e-12 * smallest_cell)
+    {}
 
 
 
     template <int dim>
     Samples
-    sample(const StepContext<dim>       &step,
-           const BoundaryCondition<dim> &condition,
-           const bool                    by_force,
-           const double                  start,
-           const double                  length,
-           const unsigned int            n_parts)
+    JumpSearch<dim>::sample(const double       start,
+                            const double       length,
+                            const unsigned int n_parts) const
     {
-      Samples samples{start, length, {}};
+      Samples          samples{start, length, {}};
+      StepContext<dim> until = step;
       for (unsigned int k = 0; k <= n_parts; ++k)
-        samples.values.push_back(
-          prescribed_at(step, condition, by_force, start + k * length));
-      std::size_t n_values = samples.values[0].size();
-      for (const auto &values : samples.values)
-        n_values = std::min(n_values, values.size());
-      for (auto &values : samples.values)
-        values.resize(n_values);
+        {
+          until.time = std::max(0., start + k * length);
+          samples.values.emplace_back();
+          condition.append_motion(until, samples.values.back());
+        }
       return samples;
     }
 
 
 
-    /** How a derivative with respect to the time changes from one part to the
-     * next. */
-    struct Changes
+    template <int dim>
+    bool
+    JumpSearch<dim>::moves(const Samples &samples) const
     {
-      double largest = 0, rounding = 0;
-      double most = 0; ///< the largest derivative
-      double time = 0; ///< where the change is largest
-
-      bool
-      are_clear() const
-      {
-        return largest > 10 * rounding;
-      }
-    };
-
-    /** Of the derivative of @p order 1 or 2. Collective. */
-    Changes
-    find_changes(const Samples     &samples,
-                 const unsigned int order,
-                 const MPI_Comm     comm)
-    {
-      const std::size_t n_values = samples.values[0].size();
-      auto              rates    = samples.values;
-      for (unsigned int o = 0; o < order; ++o, rates.pop_back())
-        for (unsigned int k = 0; k + 1 < rates.size(); ++k)
-          for (std::size_t i = 0; i < n_values; ++i)
-            rates[k][i] = (rates[k + 1][i] - rates[k][i]) / samples.length;
-      // changes, the largest derivative, the largest value
-      const unsigned int  n_changes = rates.size() - 1;
-      std::vector<double> found(n_changes + 2, 0.);
-      const auto          look = [](double &most, const double value) {
-        most = std::max(most, std::abs(value));
-      };
-      for (unsigned int k = 0; k < rates.size(); ++k)
-        for (std::size_t i = 0; i < n_values; ++i)
-          {
-            look(found[n_changes], rates[k][i]);
-            look(found[n_changes + 1], samples.values[k][i]);
-            if (k < n_changes)
-              look(found[k], rates[k + 1][i] - rates[k][i]);
-          }
-      Utilities::MPI::max(found, comm, found);
-      const auto largest =
-        std::max_element(found.begin(), found.begin() + n_changes);
-      return {*largest,
-              1e-11 * found[n_changes + 1] / std::pow(samples.length, order),
-              found[n_changes],
-              samples.start +
-                (largest - found.begin() + (order + 1) / 2.) * samples.length};
+      const auto &first = samples.values.front();
+      const bool  any   = std::any_of(samples.values.begin(),
+                                   samples.values.end(),
+                                   [&first](const std::vector<double> &values) {
+                                     return values != first;
+                                   });
+      return Utilities::MPI::max(any ? 1 : 0, comm) == 1;
     }
 
 
 
-    /** Looks closer and closer at the time of the largest change. */
     template <int dim>
-    class Magnifier
+    double
+    JumpSearch<dim>::difference(const Samples     &samples,
+                                const unsigned int order,
+                                const unsigned int k,
+                                const unsigned int i)
     {
-    public:
-      Magnifier(const StepContext<dim>       &step,
-                const BoundaryCondition<dim> &condition,
-                const bool                    by_force)
-        : step(step)
-        , condition(condition)
-        , by_force(by_force)
-        , comm(step.grid.communicator())
-      {}
-
-      /** Look at @p n_parts of equal @p length, of which the first begins at
-       * @p start. */
-      void
-      look_at(const double       start,
-              const double       length,
-              const unsigned int n_parts)
-      {
-        samples = sample(step, condition, by_force, start, length, n_parts);
-      }
-
-      Changes
-      changes(const unsigned int order) const
-      {
-        return find_changes(samples, order, comm);
-      }
-
-      /** Halve the parts around @p time. Returns false before t = 0. */
-      bool
-      halve(const double time, const unsigned int order)
-      {
-        const double length = samples.length / 2;
-        const double start  = time - (order + 1) * length;
-        if (start < 0)
-          return false;
-        look_at(start, length, 2 * (order + 1));
-        return true;
-      }
-
-    private:
-      const StepContext<dim>       &step;
-      const BoundaryCondition<dim> &condition;
-      const bool                    by_force;
-      const MPI_Comm                comm;
-      Samples                       samples;
-    };
+      const auto &u = samples.values;
+      return order == 1 ? u[k + 1][i] - u[k][i] :
+                          u[k + 2][i] - 2 * u[k + 1][i] + u[k][i];
+    }
 
 
 
-    /** Of the derivative of @p order. Where it doesn't jump, its changes halve
-     * with the parts; where the one below it does, they double. */
     template <int dim>
-    Jump
-    find_jump_of(Magnifier<dim>     magnifier,
-                 const unsigned int order,
-                 const double       smallest_share,
-                 const unsigned int n_halvings)
+    double
+    JumpSearch<dim>::strength(const Samples     &samples,
+                              const unsigned int order,
+                              const unsigned int k,
+                              const unsigned int i) const
     {
-      const Changes first   = magnifier.changes(order);
-      Changes       changes = first;
-      if (!(first.largest > smallest_share * first.most) || !first.are_clear())
-        return {};
-      for (unsigned int b = 0; b < n_halvings; ++b)
+      // formulas err by some units of the last digit of their values
+      constexpr double rounding = 1e-13;
+      const double     change = std::abs(difference(samples, order, k + 1, i) -
+                                     difference(samples, order, k, i));
+      const double     scale  = std::pow(samples.length, order);
+      if (!(change > rounding * size[i]) ||
+          !(change / scale * std::pow(step.step_size(), order) > negligible))
+        return 0;
+      return change / scale / most[i];
+    }
+
+
+
+    template <int dim>
+    std::vector<double>
+    JumpSearch<dim>::candidates(const Samples     &samples,
+                                const unsigned int order)
+    {
+      constexpr double   stands_out     = 0.3;
+      const double       smallest_share = (order == 1 ? 1e-3 : 0.1);
+      const unsigned int n_changes      = samples.n_parts() - order,
+                         around = order + 1, n = samples.values[0].size();
+      const double scale   = std::pow(samples.length, order);
+      const auto   at_rest = sample(0., 0., 0);
+      size.assign(n, 0.);
+      most.assign(n, 0.);
+      for (unsigned int i = 0; i < n; ++i)
         {
-          if (!magnifier.halve(changes.time, order))
-            return {};
-          changes = magnifier.changes(order);
-          if (!changes.are_clear())
-            return {};
+          size[i] = std::abs(at_rest.values[0][i]);
+          for (const auto &values : samples.values)
+            size[i] = std::max(size[i], std::abs(values[i]));
+          for (unsigned int k = 0; k <= n_changes; ++k)
+            most[i] =
+              std::max(most[i],
+                       std::abs(difference(samples, order, k, i)) / scale);
         }
-      // a jump is seen as half of it at least, since parts have it in common
-      constexpr double least = 0.45, most = 4;
-      const double     ratio = changes.largest / first.largest;
-      if (ratio < least || (order == 2 && ratio > most))
-        return {};
-      // nearer, as long as it can be seen
-      for (unsigned int b = 0; order == 1 && b < n_halvings; ++b)
+      std::vector<double> strengths(n_changes, 0.);
+      for (unsigned int i = 0; i < n; ++i)
         {
-          if (!magnifier.halve(changes.time, order))
-            break;
-          const Changes nearer = magnifier.changes(order);
-          if (!nearer.are_clear())
-            break;
-          changes = nearer;
+          const auto change = [&](const unsigned int k) {
+            return difference(samples, order, k + 1, i) -
+                   difference(samples, order, k, i);
+          };
+          for (unsigned int k = 0; k < n_changes; ++k)
+            {
+              const double share = strength(samples, order, k, i);
+              if (share <= smallest_share)
+                continue;
+              const double before =
+                             change(k >= around ? k - around : k + around),
+                           after = change(k + around < n_changes ? k + around :
+                                                                   k - around);
+              if (std::abs(change(k) - (before + after) / 2) >
+                  stands_out * std::abs(change(k)))
+                strengths[k] = std::max(strengths[k], share);
+            }
         }
-      return {changes.time, 0, ratio > most, ""};
+      Utilities::MPI::max(strengths, comm, strengths);
+      std::vector<double> times;
+      for (unsigned int k = 0; k < n_changes; ++k)
+        if (strengths[k] > 0 && (k == 0 || strengths[k] > strengths[k - 1]) &&
+            (k + 1 == n_changes || strengths[k] >= strengths[k + 1]))
+          times.push_back(time_of(samples, order, k));
+      return times;
+    }
+
+
+
+    template <int dim>
+    typename JumpSearch<dim>::Jump
+    JumpSearch<dim>::magnify(double             time,
+                             double             length,
+                             const unsigned int order) const
+    {
+      // Four times, or three, the changes of what is smooth halve, those of a
+      // jump are half of it to all of it; where a derivative of lower order
+      // jumps, they double.
+      const unsigned int n_halvings = (order == 1 ? 8 : 4),
+                         n_first = (order == 1 ? 4 : 1), n_more = 8;
+      constexpr double   least = 0.45, largest = 4;
+      const unsigned int n_changes = order + 2;
+      double             first = 0, last = 0;
+      for (unsigned int b = 1; b <= n_halvings + (order == 1 ? n_more : 0); ++b)
+        {
+          length /= 2;
+          const Samples samples =
+            sample(time - (order + 1) * length, length, 2 * (order + 1));
+          std::vector<double> strengths(n_changes, 0.);
+          for (unsigned int k = 0; k < n_changes; ++k)
+            for (unsigned int i = 0; i < size.size(); ++i)
+              strengths[k] =
+                std::max(strengths[k], strength(samples, order, k, i));
+          Utilities::MPI::max(strengths, comm, strengths);
+          const auto strongest =
+            std::max_element(strengths.begin(), strengths.end());
+          if (*strongest == 0. && b > n_halvings)
+            break; // as near as can be seen
+          if (*strongest == 0.)
+            return {};
+          time = time_of(samples, order, strongest - strengths.begin());
+          if (b <= n_halvings)
+            last = *strongest;
+          if (b == n_first)
+            first = last;
+        }
+      const double ratio = last / first;
+      if (ratio < least || (order == 2 && ratio > largest))
+        return {};
+      return {true, ratio > largest, time};
     }
   } // namespace
 
 
 
   template <int dim>
-  Jump
-  find_jump(const StepContext<dim>       &step,
-            const BoundaryCondition<dim> &condition)
+  Jumps
+  find_jumps(const StepContext<dim>       &step,
+             const BoundaryCondition<dim> &condition,
+             const double                  end)
   {
-    // what happens at the end of the step is for the next one
-    constexpr unsigned int n_parts  = 16;
-    constexpr double       at_end   = 1e-4; // of a step
-    const double           part     = (1 - at_end) * step.step_size() / n_parts;
-    const bool             has_past = step.old_time >= part;
-    const double           begin    = step.old_time - (has_past ? part : 0.);
-    StepContext<dim>       with_past = step;
-    with_past.old_time               = begin;
-    const bool by_force =
-      Utilities::MPI::max(static_cast<int>(condition.moves_body(with_past)),
-                          step.grid.communicator()) != 0;
-    if (by_force && condition.assembles_load(step))
-      return {}; // whose forces may bend
-    Magnifier<dim> magnifier(step, condition, by_force);
-    magnifier.look_at(begin, (n_parts + has_past) * part / 2, 2);
-    if (magnifier.changes(1).most == 0.)
-      return {}; // nothing moves
-    magnifier.look_at(begin, part, n_parts + has_past);
-    Jump jump      = find_jump_of(magnifier, 1, 1e-3, 8);
-    jump.precision = at_end * step.step_size();
-    if (jump.time == Jump::never)
-      {
-        jump           = find_jump_of(magnifier, 2, 0.1, 4);
-        jump.precision = 0.01 * step.step_size(); // 1/256 at best
-      }
-    jump.parameter = by_force ? "Displacement of body" : condition.name;
-    return jump;
+    constexpr unsigned int n_parts = 16; // of a step
+    const double           h = step.step_size(), part = h / n_parts;
+    const unsigned int     n_past = step.old_time >= 2 * part ? 2 : 0;
+    const unsigned int     n_after =
+      std::min(2 * n_parts,
+               static_cast<unsigned int>((end - step.old_time) / part + 0.5));
+    double smallest = std::numeric_limits<double>::max();
+    for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+      smallest =
+        std::min(smallest,
+                 std::pow(step.grid.geometry().measure(step.points.cell[k]),
+                          1. / dim));
+    smallest = Utilities::MPI::min(smallest, step.grid.communicator());
+
+    JumpSearch<dim> search(step, condition, smallest);
+    Jumps           jumps;
+    if (!search.moves(search.sample(step.old_time - n_past * part,
+                                    (n_past + n_after) * part / 3,
+                                    3)))
+      return jumps;
+    const Samples samples =
+      search.sample(step.old_time - n_past * part, part, n_past + n_after);
+    for (const unsigned int order : {1, 2})
+      for (const double time : search.candidates(samples, order))
+        {
+          const auto jump = search.magnify(time, part, order);
+          // a jump of an acceleration is found to 1/256 of a step
+          const double precision = (order == 1 ? 1e-5 : 0.02) * h;
+          if (!jump.is_there)
+            continue;
+          if (jump.is_of_place)
+            jumps.of_place = std::min(jumps.of_place, jump.time);
+          else if (std::abs(jump.time - step.old_time) <= precision)
+            jumps.at_start = true;
+          else if (std::abs(jump.time - step.time) <= precision)
+            jumps.next = std::min(jumps.next, step.time);
+          else if (jump.time > step.old_time)
+            jumps.next = std::min(jumps.next, jump.time);
+        }
+    return jumps;
   }
 
 
 
-  template Jump
-  find_jump(const StepContext<2> &, const BoundaryCondition<2> &);
-  template Jump
-  find_jump(const StepContext<3> &, const BoundaryCondition<3> &);
+  template Jumps
+  find_jumps(const StepContext<2> &,
+             const BoundaryCondition<2> &,
+             const double);
+  template Jumps
+  find_jumps(const StepContext<3> &,
+             const BoundaryCondition<3> &,
+             const double);
 } // namespace isochor

@@ -109,12 +109,11 @@ namespace isochor
   {
     // no crumbs: a target within a step and a bit is hit, the rest of the way
     // to one within two steps is halved
-    const double rest = next_target() - time;
+    const double target = std::min(extra_target, next_target());
+    const double rest   = target - time;
     if (rest <= step_size * (1 + 1e-8))
-      return std::min(latest_end, next_target());
-    return std::min(latest_end,
-                    time + (rest < 2 * step_size * (1 - 1e-8) ? rest / 2 :
-                                                                step_size));
+      return target;
+    return time + (rest < 2 * step_size * (1 - 1e-8) ? rest / 2 : step_size);
   }
 
 
@@ -125,8 +124,9 @@ namespace isochor
     const double reached = next_time();
     if (output_interval > 0 && reached == next_target())
       reached_output = std::floor(reached / output_interval * (1 + 1e-12));
-    time       = reached;
-    latest_end = std::numeric_limits<double>::infinity();
+    last_size    = reached - time;
+    time         = reached;
+    extra_target = std::numeric_limits<double>::infinity();
     ++step;
     if (n_iterations <= easy_iterations)
       step_size = std::min(largest, step_size * growth);
@@ -193,6 +193,7 @@ namespace isochor
   {
     time           = saved.time;
     step           = saved.step;
+    last_size      = saved.last_size;
     n_cuts         = saved.n_cuts;
     step_size      = saved.first_step_size == first_step_size ?
                        std::min(saved.step_size, largest) :

@@ -76,7 +76,7 @@ namespace isochor
     scene.inertia.start_step(setup.context(),
                              scene.boundary_conditions,
                              scene.points,
-                             scene.inertia.starts_anew);
+                             scene.time.step == 0);
     setup.collect_elements(terms);
     set_external_force();
     start_contact(setup.nodes_have_changed());

@@ -9,8 +9,8 @@
 #include <isochor/equations/connected_parts.h>
 #include <isochor/step/equilibrium.h>
 
-#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace isochor
 {
@@ -78,6 +78,32 @@ namespace isochor
 
   template <int dim>
   NewtonReport
+  Equilibrium<dim>::try_step(const typename InertiaTerm<dim>::TrialStep &trial)
+  {
+    InertiaTerm<dim>      &inertia    = scene.inertia;
+    const StepContext<dim> step       = setup.context();
+    const auto            &conditions = scene.boundary_conditions;
+    inertia.start_trial(step, trial, conditions);
+    start_again(inertia.do_walls_lead());
+    at_start            = true;
+    NewtonReport report = trial.size < 0 ? find_root(false) :
+                          trial.is_past  ? solve_with_contact() :
+                                           solve_first_trial(step);
+    if (report.converged && trial.size > 0 && !trial.is_past)
+      settle_weight(report);
+    if (report.converged)
+      inertia.finish_trial(setup.context(),
+                           unknowns,
+                           conditions,
+                           setup.point_arrays());
+    inertia.end_trial(step, conditions);
+    return report;
+  }
+
+
+
+  template <int dim>
+  NewtonReport
   Equilibrium<dim>::find_initial_acceleration()
   {
     NewtonReport report;
@@ -88,36 +114,24 @@ namespace isochor
     terminal.work().count("searches for an acceleration", inertia.starts_anew);
     if (!inertia.starts_anew)
       return report;
-    std::fill(setup.point_arrays().acceleration.begin(),
-              setup.point_arrays().acceleration.end(),
-              Tensor<1, dim>());
     // a trial errs by O(h); two, one of them back in time, by O(h²)
-    const StepContext<dim> step       = setup.context();
-    const auto            &conditions = scene.boundary_conditions;
-    for (const double trial : {step.step_size(), -step.step_size()})
-      {
-        inertia.start_trial(step, trial, conditions);
-        start_again(inertia.do_walls_lead());
-        at_start = true;
-        report   = trial > 0 ? solve_first_trial(step) : find_root(false);
-        if (report.converged && trial > 0)
-          settle_weight(report);
-        if (report.converged)
-          inertia.finish_trial(setup.context(),
-                               unknowns,
-                               conditions,
-                               setup.point_arrays());
-        inertia.end_trial(step, conditions);
-        if (!report.converged)
-          break;
-      }
+    using TrialStep               = typename InertiaTerm<dim>::TrialStep;
+    const double           h      = scene.time.next_time() - scene.time.time;
+    std::vector<TrialStep> trials = {{h, false, h}, {-h, false, h}};
+    if (scene.time.step > 0)
+      trials.insert(trials.begin(),
+                    {{h, true, scene.time.last_size},
+                     {-h, true, scene.time.last_size}});
+    for (const TrialStep &trial : trials)
+      if (report.converged)
+        report = try_step(trial);
     inertia.let_walls_lead(false);
     if (!report.converged)
       return report;
     inertia.start_step(setup.context(),
                        scene.boundary_conditions,
                        scene.points,
-                       true);
+                       scene.time.step == 0);
     start_again();
     set_weight();
     return report;

@@ -235,7 +235,10 @@ namespace isochor
         dragged)
       return result;
     result.per_time = u / step.step_size();
-    result.in_cells = u / h;
+    // with the others a body at rest moves when points change cells
+    result.in_cells = step.points.has_stencils() ?
+                        std::numeric_limits<double>::infinity() :
+                        u / h;
     if (const double change = drive.change_of_loads(); change > 0)
       result.per_load = u / change;
     return result;

@@ -111,50 +111,36 @@ namespace isochor
 
 
 
-  /** Where prescribed motions start or stop suddenly a step begins, and in its
-   * first moment the body follows, as at t = 0. */
+  /** Where prescribed motions jump a step begins, and in its first moment the
+   * body follows, as at t = 0. */
   template <int dim>
   void
   MaterialPointMethod<dim>::look_for_jumps()
   {
-    constexpr unsigned int max_jumps = 10; // in a step
-    LoadStepping          &time      = scene.time;
-    scene.inertia.starts_anew        = (time.step == 0);
-    time.end_step_by(Jump::never);
-    for (unsigned int i = 0; i < max_jumps; ++i)
+    LoadStepping &time        = scene.time;
+    scene.inertia.starts_anew = (time.step == 0);
+    time.aim_at(Jumps::never);
+    const StepContext<dim> step = setup.context();
+    double                 next = Jumps::never;
+    for (const auto &condition : scene.boundary_conditions)
       {
-        const StepContext<dim> step = setup.context();
-        double                 next = Jump::never;
-        for (const auto &condition : scene.boundary_conditions)
-          {
-            const Jump jump = find_jump(step, *condition);
-            if (jump.is_of_place)
-              warn_of_jump(jump);
-            else if (jump.time <= step.old_time + jump.precision)
-              scene.inertia.starts_anew = true;
-            else
-              next = std::min(next, jump.time);
-          }
-        if (next >= step.time)
-          return;
-        time.end_step_by(next);
+        const Jumps jumps = find_jumps(step, *condition, time.end_time());
+        scene.inertia.starts_anew = scene.inertia.starts_anew || jumps.at_start;
+        next                      = std::min(next, jumps.next);
+        if (jumps.of_place < step.time)
+          scene.warnings.add(
+            "a motion that jumps",
+            "The place that <Boundary conditions/" + condition->name +
+              "> prescribes jumps, or its velocity has no bounds, at t = " +
+              rounded(jumps.of_place) +
+              ". In dynamics a body can't be elsewhere at once: forces grow as "
+              "steps get smaller, and ring, with another sign in each step. Let "
+              "it move there over some steps.");
       }
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPointMethod<dim>::warn_of_jump(const Jump &jump)
-  {
-    scene.warnings.add(
-      "a motion that jumps",
-      "The place that <Boundary conditions/" + jump.parameter +
-        "> prescribes jumps, or its velocity has no bounds, at t = " +
-        rounded(jump.time) +
-        ". In dynamics a body can't be elsewhere at once: its velocity is "
-        "without bounds for smaller steps, and forces ring, with another sign "
-        "in each step. Let it move there over some steps.");
+    time.aim_at(next);
+    // what a motion starts with depends on the size of the step
+    if (time.step > 0 && time.next_time() < step.time)
+      scene.inertia.starts_anew = true;
   }
 
 

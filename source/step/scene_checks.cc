@@ -140,7 +140,8 @@ namespace isochor
     constexpr double small = 0.01, large = 1e6;
     const double     residual = newton.iterations.back().displacement;
     // a body at rest, or carried along, has no other forces
-    if (residual <= small || newton.force_scale <= large * zero_force)
+    if (scene.has_inertia() || residual <= small ||
+        newton.force_scale <= large * zero_force)
       return;
     std::ostringstream text;
     text.precision(2);

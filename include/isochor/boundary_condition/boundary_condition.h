@@ -281,12 +281,31 @@ namespace isochor
       return false;
     }
 
+    /** Append what the condition prescribes at @p step.time to @p values,
+     * displacements (m), whether it holds at the moment or not; only how they
+     * change with the time counts. Always in the same order. This rank's. */
+    virtual void
+    append_motion(const StepContext<dim> &step,
+                  std::vector<double>    &values) const
+    {
+      NodalConstraints constraints;
+      constraints.reinit(step.nodes.n_local() * step.n_components,
+                         step.nodes.control_entries(step.n_components));
+      constrain(step, constraints);
+      for (unsigned int i = 0; i < constraints.increment.size(); ++i)
+        if (constraints.constrained[i] != NodalConstraints::is_free)
+          values.push_back(constraints.increment[i]);
+      for (const auto &equation : constraints.equations)
+        values.push_back(equation.value);
+    }
+
     /**
      * For conditions that move_body(): a trial step in dynamics begins, of size
      * @p trial_size (positive or negative, s), which looks for the initial
      * acceleration; 0: it is over. What the condition prescribes is the
      * increment h V + h²/2 A then, with V and A what a @p start with its
-     * motion_of_step() in @p step needs. See InertiaTerm.
+     * motion_of_step() in @p step needs; in a step that ends before it begins,
+     * those of the motion up to then. See InertiaTerm.
      */
     virtual void
     set_trial(const StepContext<dim> & /*step*/,

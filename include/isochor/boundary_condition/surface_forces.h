@@ -78,6 +78,10 @@ namespace isochor
       trial.end    = step.time;
     }
 
+    /** See BoundaryCondition::append_motion(). */
+    void
+    append_motion(const double time, std::vector<double> &values) const;
+
     /** What component @p a of the displacement of point @p b, which has to be
      * prescribed, is to be at the end of the step or trial. */
     double

@@ -74,21 +74,30 @@ namespace isochor
       const bool                                                  changed,
       NodalConstraints                                           &constraints);
 
+    /** A step that looks for the acceleration at the start of another one. */
+    struct TrialStep
+    {
+      double size; ///< positive or negative (s)
+      /** With the prescribed motions as they were up to then. */
+      bool is_past;
+      /** The size of the steps that these motions start or go on with (s). */
+      double step_size;
+    };
+
     /**
-     * Look for the acceleration at the start of a step, the first one or one
-     * that starts anew. From now on the
-     * equations are those of a step of size @p trial_step (positive or
-     * negative) whose acceleration is constant and in equilibrium with what
-     * acts at its end:
-     *   Δu = h v_n + h²/2 a,   M a + f_int(u_n + Δu) = f_ext(0).
-     * Pressures that a constraint or a bulk modulus which the step does not
-     * resolve answer with are part of it. (Newmark's β = 1/2, γ = 1: a_n has no
-     * influence.) @p step is the step itself.
+     * Look for the acceleration at the start of a step, the first one or one at
+     * whose start a prescribed motion jumps. From now on the equations are
+     * those of the @p trial_step of size h whose acceleration is constant and
+     * in equilibrium with what acts at its end: Δu = h v_n + h²/2 a,   M a +
+     * f_int(u_n + Δu) = f_ext(t_n). Pressures that a constraint or a bulk
+     * modulus which the step does not resolve answer with are part of it.
+     * (Newmark's β = 1/2, γ = 1: a_n has no influence.) @p step is the step
+     * itself.
      */
     void
     start_trial(
       const StepContext<dim>                                     &step,
-      const double                                                trial_step,
+      const TrialStep                                            &trial_step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
     /**
      * A trial was successful: add half of its acceleration to those of the
@@ -96,7 +105,9 @@ namespace isochor
      * resolve has to follow at once, too, or it would oscillate with each step:
      * the points get the velocity (a_+ - a_-) h/4, which is V where the motion
      * in both trials is all prescribed, and of second order in h for what h
-     * resolves. Collective.
+     * resolves. What trials with the motion of the past find is subtracted: the
+     * points get what the jump changes, and nothing where it isn't felt.
+     * Collective.
      */
     void
     finish_trial(
@@ -215,6 +226,20 @@ namespace isochor
     {
       return in_trial() ? trial.size : step.step_size();
     }
+    /** The end of the motion that prescribed velocities and accelerations are
+     * taken from: that of @p step, or a time before its start. */
+    double
+    end_of_motion(const StepContext<dim> &step) const
+    {
+      return trial.is_past ? std::max(0., step.old_time - trial.step_size / 4) :
+                             step.time;
+    }
+    /** What a motion over a time @p dt (s) is to start with. */
+    SmoothStart
+    smooth_start(const double dt) const
+    {
+      return integrator->smooth_start(in_trial() ? trial.step_size : dt);
+    }
     const TimeIntegrator &
     scheme() const
     {
@@ -309,6 +334,8 @@ namespace isochor
     struct Trial
     {
       double size        = 0;     ///< 0: there is none
+      bool   is_past     = false; ///< see TrialStep
+      double step_size   = 0;     ///< see TrialStep
       bool   walls_lead  = false; ///< see let_walls_lead()
       bool   walls_judge = true;  ///< see let_walls_follow()
     };

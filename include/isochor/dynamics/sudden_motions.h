@@ -8,33 +8,35 @@
 #include <isochor/boundary_condition/boundary_condition.h>
 
 #include <limits>
-#include <string>
 
 namespace isochor
 {
-  /** Of a prescribed motion. */
-  struct Jump
+  /** Where prescribed motions jump. */
+  struct Jumps
   {
     static constexpr double never = std::numeric_limits<double>::infinity();
 
-    double      time        = never; ///< (s)
-    double      precision   = 0;     ///< of the time (s)
-    bool        is_of_place = false; ///< or of the velocity or acceleration
-    std::string parameter;           ///< that prescribes it
+    /** Velocity or acceleration at the start of the step. */
+    bool at_start = false;
+    /** The next time that they do (s). */
+    double next = never;
+    /** The next time that the place does, or the velocity has no bounds (s). */
+    double of_place = never;
   };
 
   /**
-   * Whether a motion that @p condition prescribes starts or stops suddenly, its
-   * acceleration jumps by a tenth of the largest one or more, or its place
-   * does, from shortly before the start of @p step to shortly before its end.
-   * The formulas are looked at between the step's ends: what changes as much
-   * over ever shorter times jumps, however large derivatives are elsewhere. Of
-   * several jumps the largest one counts. Collective.
+   * Jumps of the motion that @p condition prescribes from the start of @p step
+   * on, up to a step after its end or, if that is sooner, up to @p end: of
+   * velocities, of accelerations by a tenth of the largest one or more of the
+   * same unknown, and of places. The formulas are looked at between the ends:
+   * what changes as much over ever shorter times jumps, however large
+   * derivatives are elsewhere. Collective.
    */
   template <int dim>
-  Jump
-  find_jump(const StepContext<dim>       &step,
-            const BoundaryCondition<dim> &condition);
+  Jumps
+  find_jumps(const StepContext<dim>       &step,
+             const BoundaryCondition<dim> &condition,
+             const double                  end);
 } // namespace isochor
 
 #endif

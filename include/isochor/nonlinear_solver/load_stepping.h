@@ -35,11 +35,12 @@ namespace isochor
     double
     next_time() const;
 
-    /** The next step ends at @p latest (s) at latest. */
+    /** A step has to end at @p target (s), this one or, so that none is short,
+     * the next. */
     void
-    end_step_by(const double latest)
+    aim_at(const double target)
     {
-      latest_end = latest;
+      extra_target = target;
     }
 
     /** The step to next_time() converged in @p n_iterations. */
@@ -69,6 +70,7 @@ namespace isochor
 
     double       time      = 0;
     unsigned int step      = 0;
+    double       last_size = 0; ///< of the last step that was accepted
     unsigned int n_cuts    = 0;
     double       step_size = 1;
 
@@ -88,8 +90,8 @@ namespace isochor
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &time &step &n_cuts &step_size &reached_output &first_step_size
-        &output_interval;
+      archive &time &step &last_size &n_cuts &step_size &reached_output
+        &first_step_size &output_interval;
     }
 
   private:
@@ -105,8 +107,8 @@ namespace isochor
     unsigned int easy_iterations = 5;
     double       output_interval = 0;
     unsigned int reached_output  = 0;
-    /** Of the next step; not saved, as it is looked for at each start. */
-    double latest_end = std::numeric_limits<double>::infinity();
+    /** See aim_at(); not saved, as it is looked for in each step. */
+    double extra_target = std::numeric_limits<double>::infinity();
   };
 } // namespace isochor
 

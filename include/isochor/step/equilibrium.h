@@ -147,6 +147,9 @@ namespace isochor
      * with a prescribed component or a load. Collective. */
     bool
     is_supported(const Tensor<1, dim> &gravity) const;
+    /** One trial step of find_initial_acceleration(). */
+    NewtonReport
+    try_step(const typename InertiaTerm<dim>::TrialStep &trial);
     /** Solve the equations of the first trial of @p step, and again if
      * one-sided walls start to push a body at rest, see
      * InertiaTerm::walls_start_smoothly(). */

@@ -100,8 +100,6 @@ namespace isochor
     initialisation_phase();
     void
     look_for_jumps();
-    void
-    warn_of_jump(const Jump &jump);
     NewtonReport
     updated_lagrangian_phase();
     void
