@@ -67,7 +67,6 @@ namespace isochor
              const unsigned int      first_element,
              const bool              with_matrix,
              MixedSystem<dim>       &system) override;
-
     void
     add_unit_residual(const StepContext<dim> &step,
                       NodalField             &scale) const override
@@ -100,7 +99,6 @@ namespace isochor
     add_boundary_force(const StepContext<dim> &step,
                        const NodalField       &unknowns,
                        NodalField             &force) const override;
-
     void
     append_motion(const StepContext<dim> &step,
                   std::vector<double>    &values) const override
@@ -122,7 +120,6 @@ namespace isochor
     {
       return points && forces->starts_suddenly(step, velocity);
     }
-
     void
     evaluate(const StepContext<dim> &step,
              const NodalField       &unknowns,

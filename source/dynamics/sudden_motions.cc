@@ -293,9 +293,9 @@ namespace isochor
     const double           h = step.step_size(), part = h / n_parts;
     const unsigned int     n_past = step.old_time >= 2 * part ? 2 : 0;
     const unsigned int     n_after =
-      std::min(2 * n_parts,
-               static_cast<unsigned int>((end - step.old_time) / part + 0.5));
-    double smallest = std::numeric_limits<double>::max();
+      std::min(2. * n_parts, std::round((end - step.old_time) / part));
+    constexpr unsigned int fewest   = 8; // to compare changes of both orders
+    double                 smallest = std::numeric_limits<double>::max();
     for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
       smallest =
         std::min(smallest,
@@ -305,7 +305,8 @@ namespace isochor
 
     JumpSearch<dim> search(step, condition, smallest);
     Jumps           jumps;
-    if (!search.moves(search.sample(step.old_time - n_past * part,
+    if (n_past + n_after < fewest ||
+        !search.moves(search.sample(step.old_time - n_past * part,
                                     (n_past + n_after) * part / 3,
                                     3)))
       return jumps;

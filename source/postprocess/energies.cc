@@ -131,7 +131,7 @@ namespace isochor
                  strain_energy + plastic_sum,
                  external_sum + initial_energy,
                  stiffness},
-                result.starts_anew,
+                result.time.starts_anew,
                 result.step.points.has_stencils(),
                 result.step.warnings);
       for (unsigned int a = 0; a < dim; ++a)
@@ -320,7 +320,7 @@ namespace isochor
     static bool
     jumps(const StepResult<dim> &result)
     {
-      return result.starts_anew && result.time.step > 0;
+      return result.time.starts_anew && result.time.step > 0;
     }
 
     /** What a motion that jumps does at once: points have another velocity when

@@ -107,7 +107,7 @@ namespace isochor
   {
     // where a motion jumps it doesn't go on
     if (!newton_solver.extrapolate || last_motion.step_size == 0 ||
-        scene.inertia.starts_anew)
+        scene.time.starts_anew)
       return false;
     last_motion.extrapolate(setup.active_nodes(),
                             setup.all_elements(),

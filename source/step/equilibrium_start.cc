@@ -111,8 +111,9 @@ namespace isochor
     if (!scene.has_inertia())
       return report;
     InertiaTerm<dim> &inertia = scene.inertia;
-    terminal.work().count("searches for an acceleration", inertia.starts_anew);
-    if (!inertia.starts_anew)
+    terminal.work().count("searches for an acceleration",
+                          scene.time.starts_anew);
+    if (!scene.time.starts_anew)
       return report;
     // a trial errs by O(h); two, one of them back in time, by O(h²)
     using TrialStep               = typename InertiaTerm<dim>::TrialStep;

@@ -225,8 +225,7 @@ namespace isochor
     const double h = Utilities::MPI::min(smallest_cell(step), comm);
     const double told =
       Utilities::MPI::max(largest_prescribed(drive.constraints), comm);
-    const bool dragged =
-      Utilities::MPI::max(static_cast<int>(drive.dragged), comm) != 0;
+    const bool dragged = Utilities::MPI::max(drive.dragged ? 1 : 0, comm) == 1;
     // what holds a node in place may be rounding, and a body at rest moves by
     // what Newton's method leaves
     constexpr double negligible = 0.01, rounding = 1e-9;
@@ -236,9 +235,8 @@ namespace isochor
       return result;
     result.per_time = u / step.step_size();
     // with the others a body at rest moves when points change cells
-    result.in_cells = step.points.has_stencils() ?
-                        std::numeric_limits<double>::infinity() :
-                        u / h;
+    const int is_cpdi = step.points.has_stencils();
+    result.in_cells   = Utilities::MPI::max(is_cpdi, comm) == 1 ? far : u / h;
     if (const double change = drive.change_of_loads(); change > 0)
       result.per_load = u / change;
     return result;
@@ -265,7 +263,7 @@ namespace isochor
     if (soft_since < 0)
       soft_since = step.old_time;
     const auto gives_way = [&]() {
-      return n_soft >= many_steps && soft_way > far;
+      return n_soft >= many_steps && soft_way >= far;
     };
     const bool gave_way_before = gives_way();
     ++n_soft;

@@ -117,16 +117,16 @@ namespace isochor
   void
   MaterialPointMethod<dim>::look_for_jumps()
   {
-    LoadStepping &time        = scene.time;
-    scene.inertia.starts_anew = (time.step == 0);
+    LoadStepping &time = scene.time;
+    time.starts_anew   = (time.step == 0);
     time.aim_at(Jumps::never);
     const StepContext<dim> step = setup.context();
     double                 next = Jumps::never;
     for (const auto &condition : scene.boundary_conditions)
       {
         const Jumps jumps = find_jumps(step, *condition, time.end_time());
-        scene.inertia.starts_anew = scene.inertia.starts_anew || jumps.at_start;
-        next                      = std::min(next, jumps.next);
+        time.starts_anew  = time.starts_anew || jumps.at_start;
+        next              = std::min(next, jumps.next);
         if (jumps.of_place < step.time)
           scene.warnings.add(
             "a motion that jumps",
@@ -140,7 +140,7 @@ namespace isochor
     time.aim_at(next);
     // what a motion starts with depends on the size of the step
     if (time.step > 0 && time.next_time() < step.time)
-      scene.inertia.starts_anew = true;
+      time.starts_anew = true;
   }
 
 
@@ -171,8 +171,7 @@ namespace isochor
                                  scene.time,
                                  newton,
                                  output_directory,
-                                 scene.boundary_conditions,
-                                 scene.inertia.starts_anew};
+                                 scene.boundary_conditions};
     {
       TimerOutput::Scope scope(terminal.timer(), "postprocessing");
       set_statistics(result);

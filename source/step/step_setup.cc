@@ -208,7 +208,7 @@ namespace isochor
       is_current && !(scene.has_inertia() && scene.time.step == 0);
     laid_out      = !repeated && grid_reset.due();
     nodes_changed = false;
-    if (repeated && scene.has_inertia() && scene.inertia.starts_anew)
+    if (repeated && scene.has_inertia() && scene.time.starts_anew)
       scene.points.update(arrays);
     if (repeated)
       return;

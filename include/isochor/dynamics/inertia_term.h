@@ -188,10 +188,6 @@ namespace isochor
           const typename PointArrays<dim>::Stencil &stencil,
           const Tensor<1, dim>                     &old_velocity) const;
 
-    /** Whether the step begins with a search for its acceleration: the first
-     * one, and those at whose start a prescribed motion jumps. */
-    bool starts_anew = false;
-
     /** Velocity (m/s) of the body at t = 0, formulas in x, y(, z). */
     std::string initial_velocity;
 

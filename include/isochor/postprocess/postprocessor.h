@@ -34,9 +34,6 @@ namespace isochor
     const std::string         &output_directory;
     /** What loads and moves the body. */
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions;
-    /** Whether a prescribed motion has jumped at the start of the step, see
-     * InertiaTerm; at t = 0 in any case. */
-    const bool starts_anew = false;
   };
 
   /**
