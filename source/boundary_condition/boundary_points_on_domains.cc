@@ -64,10 +64,12 @@ namespace isochor
       face.area * (measure<dim>(part.corners) / face.area.norm());
     // In dynamics the size at t = 0, that of the face: the acceleration that a
     // step starts with contains the force of the penalty at the end of the last
-    // step, which would change with the size of cells while the gap doesn't.
-    const bool   is_dynamic = !body.velocity.empty();
+    // step, which would change with the size of cells while the gap doesn't. On
+    // adaptive grids, too, where cells of many sizes pass: the work of this
+    // force would be that of another one.
+    const bool   keeps_size = !body.velocity.empty() || grid.is_adaptive();
     const double size =
-      is_dynamic ?
+      keeps_size ?
         std::pow((dim == 2 ? 1 : 2) * face.area.norm(), 1. / (dim - 1)) :
         cell_size(geometry, cell);
     std::array<double, n_entries> payload{};

@@ -25,7 +25,7 @@ namespace isochor
       }
     trial.size              = trial_step.size;
     trial.is_past           = trial_step.is_past;
-    trial.step_size         = step.step_size();
+    trial.step_size         = trial_step.step_size;
     StepContext<dim> motion = step;
     motion.time             = end_of_motion(step);
     for (const auto &condition : conditions)

@@ -291,7 +291,7 @@ namespace isochor
   {
     constexpr unsigned int n_parts = 16; // of a step
     const double           h = step.step_size(), part = h / n_parts;
-    const unsigned int     n_past = step.old_time >= 2 * part ? 2 : 0;
+    const unsigned int     n_past = step.old_time > 0 ? 2 : 0;
     const unsigned int     n_after =
       std::min(2. * n_parts, std::round((end - step.old_time) / part));
     constexpr unsigned int fewest   = 8; // to compare changes of both orders

@@ -131,7 +131,7 @@ namespace isochor
                  strain_energy + plastic_sum,
                  external_sum + initial_energy,
                  stiffness},
-                result.time.starts_anew,
+                result.time.motion_jumps,
                 result.step.points.has_stencils(),
                 result.step.warnings);
       for (unsigned int a = 0; a < dim; ++a)
@@ -316,19 +316,12 @@ namespace isochor
       return sum * state.J;
     }
 
-    /** Whether a motion has jumped at the start of the step. */
-    static bool
-    jumps(const StepResult<dim> &result)
-    {
-      return result.time.starts_anew && result.time.step > 0;
-    }
-
     /** What a motion that jumps does at once: points have another velocity when
      * the step begins than when the last one ended. This rank's part. */
     static double
     work_of_jump(const StepResult<dim> &result)
     {
-      if (!jumps(result))
+      if (!result.time.motion_jumps || result.time.step == 0)
         return 0;
       const PointArrays<dim> &points = result.step.points;
       const PointLayout      &l      = result.points.layout();
@@ -355,13 +348,9 @@ namespace isochor
       for (const auto &condition : result.conditions)
         {
           condition->add_external_force(start, force);
+          condition->add_boundary_force(start, rest, force);
           condition->add_external_force(step, force);
           condition->add_boundary_force(step, result.unknowns, force);
-          // where a motion jumps, so does its force
-          if (jumps(result))
-            condition->add_boundary_force(step, result.unknowns, force);
-          else
-            condition->add_boundary_force(start, rest, force);
         }
       force.compress(VectorOperation::add);
 
@@ -395,10 +384,9 @@ namespace isochor
       for (const HeldUnknown &one : held)
         {
           const auto   old    = reactions.find(one.entry);
-          const double before = old != reactions.end() && !jumps(result) ?
-                                  old->second :
-                                starts_unloaded ? 0. :
-                                                  one.reaction;
+          const double before = old != reactions.end() ? old->second :
+                                starts_unloaded        ? 0. :
+                                                         one.reaction;
           work += (one.reaction + before) / 2 * one.moved;
           new_reactions[one.entry] = one.reaction;
         }

@@ -14,17 +14,17 @@ namespace isochor
   void
   EnergyLoss::look(const double   time,
                    const Balance &balance,
-                   const bool     starts_anew,
+                   const bool     motion_jumps,
                    const bool     is_cpdi,
                    Warnings      &warnings)
   {
     constexpr double       threshold = 0.01, rounding = 1e-14;
-    constexpr unsigned int n_first_steps = 10;
+    constexpr unsigned int n_first_steps = 10, n_between = 50;
 
     const double total  = balance.kinetic + balance.internal;
     const double before = std::exchange(lost, balance.supplied - total);
     // jumps that follow each other don't hide all
-    if (starts_anew && n_since_start >= n_first_steps)
+    if (motion_jumps && n_since_start >= n_between)
       n_since_start = 0;
     if (n_since_start < n_first_steps)
       lost_at_starts += lost - before;

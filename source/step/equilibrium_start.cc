@@ -6,6 +6,7 @@
 // the weight that the stabilisation leaves out.
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/plain_message.h>
 #include <isochor/equations/connected_parts.h>
 #include <isochor/step/equilibrium.h>
 
@@ -127,8 +128,23 @@ namespace isochor
       if (report.converged)
         report = try_step(trial);
     inertia.let_walls_lead(false);
-    if (!report.converged)
+    if (!report.converged && scene.time.step == 0)
       return report;
+    if (!report.converged)
+      {
+        // as one-sided walls may have it: the body goes on as it came
+        scene.points.update(setup.point_arrays());
+        scene.warnings.add(
+          "a sudden start that fails",
+          "At t = " + rounded(scene.time.time) +
+            " a prescribed motion jumps, or steps get another size, and no "
+            "start was found that the body can follow at once: " +
+            report.failure +
+            ". What the steps don't resolve goes on as it came, and forces "
+            "may ring, with another sign in each step.");
+        report           = {};
+        report.converged = true;
+      }
     inertia.start_step(setup.context(),
                        scene.boundary_conditions,
                        scene.points,

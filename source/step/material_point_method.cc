@@ -118,14 +118,14 @@ namespace isochor
   MaterialPointMethod<dim>::look_for_jumps()
   {
     LoadStepping &time = scene.time;
-    time.starts_anew   = (time.step == 0);
     time.aim_at(Jumps::never);
+    time.motion_jumps           = false;
     const StepContext<dim> step = setup.context();
     double                 next = Jumps::never;
     for (const auto &condition : scene.boundary_conditions)
       {
         const Jumps jumps = find_jumps(step, *condition, time.end_time());
-        time.starts_anew  = time.starts_anew || jumps.at_start;
+        time.motion_jumps = time.motion_jumps || jumps.at_start;
         next              = std::min(next, jumps.next);
         if (jumps.of_place < step.time)
           scene.warnings.add(
@@ -139,8 +139,21 @@ namespace isochor
       }
     time.aim_at(next);
     // what a motion starts with depends on the size of the step
-    if (time.step > 0 && time.next_time() < step.time)
-      time.starts_anew = true;
+    const double     size = time.next_time() - time.time, last = time.last_size;
+    constexpr double much = 2.5;
+    const bool       other_size =
+      time.next_time() < step.time || size > much * last || last > much * size;
+    time.starts_anew = time.step == 0 || time.motion_jumps || other_size;
+    constexpr unsigned int many = 4;
+    n_jumps                     = time.motion_jumps ? n_jumps + 1 : 0;
+    if (n_jumps == many)
+      scene.warnings.add(
+        "a motion of many jumps",
+        "At t = " + rounded(time.time) + ", " + std::to_string(many) +
+          " steps in succession have begun where a prescribed motion jumps. "
+          "What happens between jumps is not resolved, and forces are not to "
+          "be trusted. Use a smaller <Time/Step size>, a tenth of the time "
+          "between jumps, or a smoother motion.");
   }
 
 

@@ -73,10 +73,10 @@ namespace isochor
     double       last_size = 0; ///< of the last step that was accepted
     unsigned int n_cuts    = 0;
     double       step_size = 1;
-    /** Whether the next step begins with a search for its acceleration
-     * (dynamics): the first one, and those where a prescribed motion jumps. Not
-     * saved, as it is looked for in each step. */
-    bool starts_anew = false;
+    /** In dynamics, not saved, as both are looked for in each step: whether the
+     * next step begins with a search for its acceleration, and whether a
+     * prescribed motion jumps there. */
+    bool starts_anew = false, motion_jumps = false;
 
     double
     end_time() const

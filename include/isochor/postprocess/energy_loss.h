@@ -29,15 +29,15 @@ namespace isochor
      * energy, or of that for each cycle: a vibration turns its energy into
      * kinetic energy and back twice, which changes that by four times as much.
      * What goes in the first steps doesn't count, nor in those after a
-     * prescribed motion that jumps (@p starts_anew): energies are small beside
-     * what is to come, and what sudden motions do faster than the steps is
-     * damped on purpose. Energies at strains of 1e-7 are those of rounding and
-     * of what Newton's method leaves.
+     * prescribed motion that jumps (@p motion_jumps) once in a while: energies
+     * are small beside what is to come, and what sudden motions do faster than
+     * the steps is damped on purpose. Energies at strains of 1e-7 are those of
+     * rounding and of what Newton's method leaves.
      */
     void
     look(const double   time,
          const Balance &balance,
-         const bool     starts_anew,
+         const bool     motion_jumps,
          const bool     is_cpdi,
          Warnings      &warnings);
 

@@ -123,9 +123,11 @@ namespace isochor
     void
     print_progress(const NewtonReport &newton);
 
-    const MPI_Comm     comm;
-    Terminal           terminal;
-    Scene<dim>         scene;
+    const MPI_Comm comm;
+    Terminal       terminal;
+    Scene<dim>     scene;
+    /** Steps in succession that began where a motion jumps. */
+    unsigned int       n_jumps = 0;
     StepSetup<dim>     setup;
     Equilibrium<dim>   equilibrium;
     GridToPoints<dim>  grid_to_points;
