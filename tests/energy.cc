@@ -271,6 +271,35 @@ test_work_on_changing_grid()
   test::check_error("work on a grid that changes", worst, 1e-6);
 }
 
+/** The same where the grid is stretched with the boundary that moves, and tied
+ * nodes at the body's corners are near to where it was. */
+void
+test_work_on_stretched_grid()
+{
+  test::run_scene<2>(
+    "Grid/Type = adaptive\nGrid/Lower corner = 0, -0.2\n"
+    "Grid/Upper corner = 1, 1.2\nGrid/Subdivisions = 10, 14\n"
+    "Grid/Stretch = x: 0 -> 0, 1 -> 0.5*t\nAdaptive grid/Maximum level = 5\n"
+    "Adaptive grid/Target number of leaves = 400\n"
+    "Material points/Region = y > 0 && y < 1\nQuadrature/Type = CPDI\n"
+    "Formulation/Type = u-p\nFormulation/Stabilisation = PPP\n"
+    "Material/Young modulus = 1e6\nMaterial/Poisson ratio = 0.3\n"
+    "Boundary conditions/Displacement = left: x=0, y=0; right: x=0.5*t, y=0\n"
+    "Postprocess/Reactions = right\nPostprocess/Write energies = always\n"
+    "Time/Step size = 0.1\n");
+  const std::vector<double> work  = column("External work (J)"),
+                            force = column("Reaction x on right (N)");
+  double sum = 0, worst = 0;
+  for (unsigned int n = 0; n < work.size(); ++n)
+    {
+      sum += (force[n] + (n > 0 ? force[n - 1] : 0.)) / 2 * 0.05;
+      worst = std::max(worst, std::abs(work[n] / sum - 1));
+    }
+  test::check_error("work on a grid that changes and is stretched",
+                    worst,
+                    1e-6);
+}
+
 /** The smooth box again, without weight, between walls that move by @p u(t)
  * from rest with the acceleration @p a(t): the body moves with them, so that
  * the walls exert its mass times a. */
@@ -399,6 +428,7 @@ main(int argc, char **argv)
   test_resting("Walls = bottom: n >= 0");
   test_work_of_first_step();
   test_work_on_changing_grid();
+  test_work_on_stretched_grid();
   test_walls(
     "0.1*t", [](const double) { return 0.; }, 1e-6);
   test_walls(

@@ -394,9 +394,23 @@ namespace isochor
       places.clear();
       for (const HeldUnknown &one : held)
         if (step.grid.is_adaptive())
-          places[one.entry] = place_of_entry(step, one.entry);
+          places[one.entry] = place_at_end(result, one.entry);
       held.clear();
       return work;
+    }
+
+    /** Where the vertex of @p entry is when the step is over: a grid that moves
+     * starts the next one there. */
+    static Point<dim>
+    place_at_end(const StepResult<dim> &result, const unsigned int entry)
+    {
+      const StepContext<dim> &step  = result.step;
+      Point<dim>              place = place_of_entry(step, entry);
+      if (step.grid.is_moving())
+        for (unsigned int a = 0; a < dim; ++a)
+          place[a] += result.unknowns.local_element(
+            step.nodes.node(entry / dim) * step.n_components + a);
+      return place;
     }
 
     void
