@@ -137,8 +137,8 @@ namespace isochor
         scene.warnings.add(
           "a sudden start that fails",
           "At t = " + rounded(scene.time.time) +
-            " a prescribed motion jumps, or steps get another size, and no "
-            "start was found that the body can follow at once: " +
+            " or soon a prescribed motion jumps, and no start was found that "
+            "the body can follow at once: " +
             report.failure +
             ". What the steps don't resolve goes on as it came, and forces "
             "may ring, with another sign in each step.");
