@@ -194,6 +194,7 @@ namespace isochor
     time           = saved.time;
     step           = saved.step;
     last_size      = saved.last_size;
+    starts_anew    = saved.starts_anew;
     n_cuts         = saved.n_cuts;
     step_size      = saved.first_step_size == first_step_size ?
                        std::min(saved.step_size, largest) :

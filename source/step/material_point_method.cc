@@ -138,12 +138,13 @@ namespace isochor
               "it move there over some steps.");
       }
     time.aim_at(next);
-    // what a motion starts with depends on the size of the step
+    // what a motion starts with depends on the size of the step; behind jumps
+    // that can't be told from each other sizes say where they are
     constexpr double much = 2.5;
     const double     size = time.next_time() - time.time, last = time.last_size;
     const bool       other_size =
       time.next_time() < step.time ||
-      (n_jumps > 0 && (size > much * last || last > much * size));
+      (time.starts_anew && (size > much * last || last > much * size));
     time.starts_anew = time.step == 0 || time.motion_jumps || other_size;
     constexpr unsigned int many = 4;
     n_jumps                     = time.motion_jumps ? n_jumps + 1 : 0;

@@ -73,9 +73,8 @@ namespace isochor
     double       last_size = 0; ///< of the last step that was accepted
     unsigned int n_cuts    = 0;
     double       step_size = 1;
-    /** In dynamics, not saved, as both are looked for in each step: whether the
-     * next step begins with a search for its acceleration, and whether a
-     * prescribed motion jumps there. */
+    /** In dynamics, looked for in each step: whether it begins with a search
+     * for its acceleration, and whether a prescribed motion jumps there. */
     bool starts_anew = false, motion_jumps = false;
 
     double
@@ -95,7 +94,7 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &time &step &last_size &n_cuts &step_size &reached_output
-        &first_step_size &output_interval;
+        &first_step_size &output_interval &starts_anew;
     }
 
   private:
