@@ -247,6 +247,22 @@ test_work_of_first_step()
                     1e-10);
 }
 
+/** The external work, step by step: the mean of the reactions in @p name times
+ * the @p way of a step. */
+void
+check_work(const std::string &what, const std::string &name, const double way)
+{
+  const std::vector<double> work  = column("External work (J)"),
+                            force = column(name);
+  double sum = 0, worst = 0;
+  for (unsigned int n = 0; n < work.size(); ++n)
+    {
+      sum += (force[n] + (n > 0 ? force[n - 1] : 0.)) / 2 * way;
+      worst = std::max(worst, std::abs(work[n] / sum - 1));
+    }
+  test::check_error(what, worst, 1e-6);
+}
+
 /** On a grid that is another one in each step: the work of a boundary that is
  * moved is the mean of its reactions times its way, step by step. */
 void
@@ -260,15 +276,7 @@ test_work_on_changing_grid()
     "Boundary conditions/Displacement = left: x=0; bottom: y=0; "
     "top: y=-0.05*t\nPostprocess/Reactions = top\n"
     "Postprocess/Write energies = always\nTime/Step size = 0.1\n");
-  const std::vector<double> work  = column("External work (J)"),
-                            force = column("Reaction y on top (N)");
-  double sum = 0, worst = 0;
-  for (unsigned int n = 0; n < work.size(); ++n)
-    {
-      sum += (force[n] + (n > 0 ? force[n - 1] : 0.)) / 2 * -0.005;
-      worst = std::max(worst, std::abs(work[n] / sum - 1));
-    }
-  test::check_error("work on a grid that changes", worst, 1e-6);
+  check_work("work on a grid that changes", "Reaction y on top (N)", -0.005);
 }
 
 /** The same where the grid is stretched with the boundary that moves, and tied
@@ -287,17 +295,9 @@ test_work_on_stretched_grid()
     "Boundary conditions/Displacement = left: x=0, y=0; right: x=0.5*t, y=0\n"
     "Postprocess/Reactions = right\nPostprocess/Write energies = always\n"
     "Time/Step size = 0.1\n");
-  const std::vector<double> work  = column("External work (J)"),
-                            force = column("Reaction x on right (N)");
-  double sum = 0, worst = 0;
-  for (unsigned int n = 0; n < work.size(); ++n)
-    {
-      sum += (force[n] + (n > 0 ? force[n - 1] : 0.)) / 2 * 0.05;
-      worst = std::max(worst, std::abs(work[n] / sum - 1));
-    }
-  test::check_error("work on a grid that changes and is stretched",
-                    worst,
-                    1e-6);
+  check_work("work on a grid that changes and is stretched",
+             "Reaction x on right (N)",
+             0.05);
 }
 
 /** The smooth box again, without weight, between walls that move by @p u(t)

@@ -55,6 +55,7 @@ namespace
     /** In steps that begin at its jumps or later. */
     double (*acceleration)(const double);
     std::vector<double> jumps;
+    double              shortest_step = 0.005;
   };
 
   double
@@ -77,7 +78,8 @@ namespace
     {"starts for an eighth of a step",
      "max(0, min(t - 0.0213, 0.0006))",
      none,
-     {0.0213, 0.0219}},
+     {0.0213, 0.0219},
+     0.0006},
     {"starts shortly after a step", "max(0, t - 0.020001)", none, {0.020001}},
     {"starts shortly before a step's end",
      "max(0, t - 0.024999)",
@@ -143,14 +145,8 @@ namespace
       "Time/End time = 0.08\n" +
       settings);
 
-    const double mass     = solid ? 0.25 : 0.5;
-    double       shortest = 0.005, before = 0; // step
-    for (const Row &row : rows)
-      {
-        shortest = std::min(shortest, row.time - before);
-        before   = row.time;
-      }
-    const double scale = mass / shortest;
+    const double mass  = solid ? 0.25 : 0.5;
+    const double scale = mass / motion.shortest_step;
     double       worst = 0, lost = 0;
     bool         lands = true;
     for (const Row &row : rows)

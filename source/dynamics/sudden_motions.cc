@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/dynamics/sudden_motions.h>
+#include <isochor/equations/smallest_cell.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +37,7 @@ namespace isochor
     {
     public:
       JumpSearch(const StepContext<dim>       &step,
-                 const BoundaryCondition<dim> &condition,
-                 const double                  smallest_cell);
+                 const BoundaryCondition<dim> &condition);
 
       /** Samples of @p n_parts of equal @p length, of which the first begins at
        * @p start. */
@@ -94,7 +94,7 @@ namespace isochor
       const BoundaryCondition<dim> &condition;
       const MPI_Comm                comm;
       /** What is too small a way in a step to matter (m). */
-      const double negligible;
+      double negligible = 0;
       /** Of each unknown: the size of its values, and the largest derivative of
        * the order that is looked at. */
       std::vector<double> size, most;
@@ -104,12 +104,10 @@ namespace isochor
 
     template <int dim>
     JumpSearch<dim>::JumpSearch(const StepContext<dim>       &step,
-                                const BoundaryCondition<dim> &condition,
-                                const double                  smallest_cell)
+                                const BoundaryCondition<dim> &condition)
       : step(step)
       , condition(condition)
       , comm(step.grid.communicator())
-      , negligible(1e-12 * smallest_cell)
     {}
 
 
@@ -193,6 +191,7 @@ namespace isochor
                          around = order + 1, n = samples.values[0].size();
       const double scale   = std::pow(samples.length, order);
       const auto   at_rest = sample(0., 0., 0);
+      negligible           = 1e-12 * smallest_cell(step);
       size.assign(n, 0.);
       most.assign(n, 0.);
       for (unsigned int i = 0; i < n; ++i)
@@ -294,17 +293,9 @@ namespace isochor
     const unsigned int     n_past = step.old_time > 0 ? 2 : 0;
     const unsigned int     n_after =
       std::min(2. * n_parts, std::round((end - step.old_time) / part));
-    constexpr unsigned int fewest   = 8; // to compare changes of both orders
-    double                 smallest = std::numeric_limits<double>::max();
-    for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
-      smallest =
-        std::min(smallest,
-                 std::pow(step.grid.geometry().measure(step.points.cell[k]),
-                          1. / dim));
-    smallest = Utilities::MPI::min(smallest, step.grid.communicator());
-
-    JumpSearch<dim> search(step, condition, smallest);
-    Jumps           jumps;
+    constexpr unsigned int fewest = 8; // to compare changes of both orders
+    JumpSearch<dim>        search(step, condition);
+    Jumps                  jumps;
     if (n_past + n_after < fewest ||
         !search.moves(search.sample(step.old_time - n_past * part,
                                     (n_past + n_after) * part / 3,

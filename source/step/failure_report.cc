@@ -6,7 +6,7 @@
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
-#include <isochor/grid/nearest_cells.h>
+#include <isochor/equations/smallest_cell.h>
 #include <isochor/postprocess/grid_fields.h>
 #include <isochor/postprocess/point_fields.h>
 #include <isochor/step/failure_report.h>
@@ -133,21 +133,6 @@ namespace isochor
 
 
 
-    /** The size of the smallest cell of this rank that holds points (m). */
-    template <int dim>
-    double
-    smallest_cell(const StepContext<dim> &step)
-    {
-      double smallest = std::numeric_limits<double>::max();
-      for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
-        smallest =
-          std::min(smallest,
-                   cell_size(step.grid.geometry(), step.points.cell[k]));
-      return smallest;
-    }
-
-
-
     /** What is prescribed in a step (m), on this rank. */
     double
     largest_prescribed(const NodalConstraints &constraints)
@@ -222,7 +207,7 @@ namespace isochor
     const MPI_Comm comm = step.grid.communicator();
     const double   u =
       Utilities::MPI::max(largest_displacement(step, unknowns), comm);
-    const double h = Utilities::MPI::min(smallest_cell(step), comm);
+    const double h = smallest_cell(step);
     const double told =
       Utilities::MPI::max(largest_prescribed(drive.constraints), comm);
     const bool dragged = Utilities::MPI::max(drive.dragged ? 1 : 0, comm) == 1;
@@ -234,9 +219,7 @@ namespace isochor
         dragged)
       return result;
     result.per_time = u / step.step_size();
-    // with the others a body at rest moves when points change cells
-    const int is_cpdi = step.points.has_stencils();
-    result.in_cells   = Utilities::MPI::max(is_cpdi, comm) == 1 ? far : u / h;
+    result.in_cells = u / h;
     if (const double change = drive.change_of_loads(); change > 0)
       result.per_load = u / change;
     return result;
@@ -262,8 +245,12 @@ namespace isochor
       }
     if (soft_since < 0)
       soft_since = step.old_time;
+    // with CPDI points that change cells don't move a body at rest
+    const int  is_cpdi = step.points.has_stencils();
+    const bool must_move =
+      Utilities::MPI::max(is_cpdi, step.grid.communicator()) == 0;
     const auto gives_way = [&]() {
-      return n_soft >= many_steps && soft_way >= far;
+      return n_soft >= many_steps && (!must_move || soft_way > far);
     };
     const bool gave_way_before = gives_way();
     ++n_soft;

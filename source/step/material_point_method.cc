@@ -128,14 +128,7 @@ namespace isochor
         time.motion_jumps = time.motion_jumps || jumps.at_start;
         next              = std::min(next, jumps.next);
         if (jumps.of_place < step.time)
-          scene.warnings.add(
-            "a motion that jumps",
-            "The place that <Boundary conditions/" + condition->name +
-              "> prescribes jumps, or its velocity has no bounds, at t = " +
-              rounded(jumps.of_place) +
-              ". In dynamics a body can't be elsewhere at once: forces grow as "
-              "steps get smaller, and ring, with another sign in each step. Let "
-              "it move there over some steps.");
+          warn_of_place(*condition, jumps.of_place);
       }
     time.aim_at(next);
     // what a motion starts with depends on the size of the step; behind jumps
@@ -156,6 +149,28 @@ namespace isochor
           "What happens between jumps is not resolved, and forces are not to "
           "be trusted. Use a smaller <Time/Step size>, a tenth of the time "
           "between jumps, or a smoother motion.");
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::warn_of_place(
+    const BoundaryCondition<dim> &condition,
+    const double                  time)
+  {
+    const bool by_surface =
+      Utilities::MPI::max(condition.moves_body(setup.context()) ? 1 : 0,
+                          comm) == 1;
+    scene.warnings.add(
+      "a motion that jumps",
+      "The place that <Boundary conditions/" +
+        (by_surface ? "Displacement of body" : condition.name) +
+        "> prescribes jumps, or its velocity has no bounds, at t = " +
+        rounded(time) +
+        ". In dynamics a body can't be elsewhere at once: forces grow as steps "
+        "get smaller, and ring, with another sign in each step. Let it move "
+        "there over some steps.");
   }
 
 

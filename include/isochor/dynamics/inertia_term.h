@@ -85,14 +85,14 @@ namespace isochor
     };
 
     /**
-     * Look for the acceleration at the start of a step, the first one or one at
-     * whose start a prescribed motion jumps. From now on the equations are
-     * those of the @p trial_step of size h whose acceleration is constant and
-     * in equilibrium with what acts at its end: Δu = h v_n + h²/2 a,   M a +
-     * f_int(u_n + Δu) = f_ext(t_n). Pressures that a constraint or a bulk
-     * modulus which the step does not resolve answer with are part of it.
-     * (Newmark's β = 1/2, γ = 1: a_n has no influence.) @p step is the step
-     * itself.
+     * Look for the acceleration at the start of @p step, the first one or one
+     * at whose start a prescribed motion jumps. From now on the equations are
+     * those of the @p trial_step of size h, whose acceleration is constant and
+     * in equilibrium with what acts at its end:
+     *   Δu = h v_n + h²/2 a,   M a + f_int(u_n + Δu) = f_ext(t_n).
+     * Pressures that a constraint or a bulk modulus which the step does not
+     * resolve answer with are part of it. (Newmark's β = 1/2, γ = 1: a_n has no
+     * influence.)
      */
     void
     start_trial(

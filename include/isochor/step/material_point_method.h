@@ -100,6 +100,10 @@ namespace isochor
     initialisation_phase();
     void
     look_for_jumps();
+    /** What @p condition prescribes is elsewhere at once at @p time.
+     * Collective. */
+    void
+    warn_of_place(const BoundaryCondition<dim> &condition, const double time);
     NewtonReport
     updated_lagrangian_phase();
     void
