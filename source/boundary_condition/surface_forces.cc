@@ -146,6 +146,8 @@ namespace isochor
     const auto      &u  = condition_at(b).displacement[a].front();
     const Point<dim> X  = points.reference_location(b);
     const double     dt = trial.end - trial.start;
+    if (dt == 0)
+      return {0., 0.};
     std::array<double, n_motion_places> places;
     for (unsigned int k = 0; k < n_motion_places; ++k)
       places[k] = u(X, trial.start + k * dt / (n_motion_places - 1));

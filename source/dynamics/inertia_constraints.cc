@@ -343,13 +343,11 @@ namespace isochor
 
   template <int dim>
   double
-  InertiaTerm<dim>::carried_acceleration(const WallMotion &wall) const
+  InertiaTerm<dim>::excess_acceleration(const WallMotion &wall) const
   {
-    return from_stresses && !in_trial() ?
-             wall.acceleration_at_end -
-               integrator->inertial_acceleration(wall.acceleration_at_start,
-                                                 wall.acceleration_at_end) :
-             wall.acceleration_at_end;
+    return wall.acceleration_at_end -
+           integrator->inertial_acceleration(wall.acceleration_at_start,
+                                             wall.acceleration_at_end);
   }
 
 
@@ -372,7 +370,8 @@ namespace isochor
     for (const StoppedAlong &wall : stopped_along)
       {
         set(wall, new_velocity, wall.wall.velocity_at_end);
-        set(wall, new_acceleration, carried_acceleration(wall.wall));
+        set(wall, new_acceleration, wall.wall.acceleration_at_end);
+        set(wall, new_excess, excess_acceleration(wall.wall));
       }
   }
 
@@ -385,6 +384,8 @@ namespace isochor
   {
     const unsigned int nc        = step.n_components;
     const auto         increment = [this](const unsigned int i) {
+      if (trial.settles)
+        return 0.;
       return trial.size * (velocity.local_element(i) +
                            trial.size / 2 * acceleration.local_element(i));
     };
@@ -440,7 +441,7 @@ namespace isochor
   template void
   InertiaTerm<2>::stop_at_walls();
   template double
-  InertiaTerm<2>::carried_acceleration(const WallMotion &) const;
+  InertiaTerm<2>::excess_acceleration(const WallMotion &) const;
   template void
   InertiaTerm<3>::prescribe(
     const StepContext<3> &,
@@ -454,5 +455,5 @@ namespace isochor
   template void
   InertiaTerm<3>::stop_at_walls();
   template double
-  InertiaTerm<3>::carried_acceleration(const WallMotion &) const;
+  InertiaTerm<3>::excess_acceleration(const WallMotion &) const;
 } // namespace isochor

@@ -75,11 +75,11 @@ namespace isochor
     const StepContext<dim>                                     &step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
     MaterialPoints<dim>                                        &points,
-    const bool                                                  is_first)
+    const bool                                                  carries)
   {
     if (!is_active())
       return;
-    by_stresses = from_stresses && !is_first;
+    by_stresses = from_stresses && !carries;
     mass.reinit(step, by_stresses);
     mass.collect(step, step.points.velocity, momentum);
     if (by_stresses)
@@ -135,8 +135,7 @@ namespace isochor
         }
     });
     loads.compress(VectorOperation::add);
-    // the points have what a_n differs by from the acceleration of the forces
-    mass.collect(step, step.points.acceleration, force);
+    mass.collect(step, step.points.excess_acceleration, force);
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       for (unsigned int a = 0; a < dim; ++a)
         force.local_element(node * dim + a) +=
@@ -238,13 +237,13 @@ namespace isochor
         {
           const unsigned int i   = node * dim + d;
           const double       a_n = acceleration.local_element(i);
+          const double v_n = trial.settles ? 0. : velocity.local_element(i);
           inertial_acceleration.local_element(i) =
             scheme().inertial_acceleration(
               a_n,
-              scheme().acceleration(unknowns.local_element(node * nc + d),
-                                    velocity.local_element(i),
-                                    a_n,
-                                    dt));
+              scheme().acceleration(
+                unknowns.local_element(node * nc + d), v_n, a_n, dt)) +
+            (trial.settles ? a_n : 0.);
         }
     for (unsigned int e = 0; e < mass.n_elements(step); ++e)
       {
@@ -287,9 +286,11 @@ namespace isochor
     const double dt = step_size(step);
     step.nodes.initialize(new_velocity, dim);
     step.nodes.initialize(new_acceleration, dim);
+    step.nodes.initialize(new_excess, dim);
     // ranks write all that they hold themselves
     new_velocity.set_ghost_state(true);
     new_acceleration.set_ghost_state(true);
+    new_excess.set_ghost_state(true);
     for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
       for (unsigned int d = 0; d < dim; ++d)
         {
@@ -299,18 +300,37 @@ namespace isochor
           const double       a   = scheme().acceleration(
             unknowns.local_element(node * step.n_components + d), v_n, a_n, dt);
           new_velocity.local_element(i) = scheme().velocity(v_n, a_n, a, dt);
-          new_acceleration.local_element(i) =
-            from_stresses && !in_trial() ?
-              a - scheme().inertial_acceleration(a_n, a) :
-              a;
+          new_acceleration.local_element(i) = a;
+          new_excess.local_element(i) =
+            a - scheme().inertial_acceleration(a_n, a);
         }
     for (const Stopped &node : stopped)
       {
         new_velocity.local_element(node.entry) = node.wall.velocity_at_end;
         new_acceleration.local_element(node.entry) =
-          carried_acceleration(node.wall);
+          node.wall.acceleration_at_end;
+        new_excess.local_element(node.entry) = excess_acceleration(node.wall);
       }
     stop_at_walls();
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  InertiaTerm<dim>::interpolate(
+    const StepContext<dim>                   &step,
+    const typename PointArrays<dim>::Stencil &stencil,
+    const NodalField                         &field)
+  {
+    Tensor<1, dim> value;
+    for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+      {
+        const unsigned int first = step.nodes.node(stencil.vertex[I]) * dim;
+        for (unsigned int d = 0; d < dim; ++d)
+          value[d] += stencil.shape[I] * field.local_element(first + d);
+      }
+    return value;
   }
 
 
@@ -355,6 +375,12 @@ namespace isochor
       {
         properties[layout.velocity + a]     = motion.first[a];
         properties[layout.acceleration + a] = motion.second[a];
+      }
+    if (layout.with_excess)
+      {
+        const Tensor<1, dim> excess = interpolate(step, stencil, new_excess);
+        for (unsigned int a = 0; a < dim; ++a)
+          properties[layout.excess + a] = excess[a];
       }
     return properties[layout.mass] / 2 * motion.first.norm_square();
   }

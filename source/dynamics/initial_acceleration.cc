@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace isochor
 {
@@ -42,6 +43,7 @@ namespace isochor
   {
     trial.size    = 0;
     trial.is_past = false;
+    trial.settles = false;
     for (const auto &condition : conditions)
       condition->set_trial(step, 0., {});
   }
@@ -83,9 +85,96 @@ namespace isochor
                   points.velocity[q])
               .second;
           points.acceleration[q] += sign / 2 * a;
+          if (from_stresses)
+            points.excess_acceleration[q] += sign / 2 * a;
           if (impulse)
             points.velocity[q] += sign * trial.size / 4 * a;
         }
+  }
+
+
+
+  template <int dim>
+  bool
+  InertiaTerm<dim>::steps_over_waves(const StepContext<dim> &step) const
+  {
+    double speed = 0; // of shear waves
+    for (const auto &material : step.kernel.materials)
+      speed =
+        std::max(speed,
+                 std::sqrt(material->shear_modulus() / material->density()));
+    constexpr double    infinity = std::numeric_limits<double>::max();
+    std::vector<double> most(2 * dim, -infinity);
+    for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+      for (unsigned int q = step.points.cell_start[k];
+           q < step.points.cell_start[k + 1];
+           ++q)
+        {
+          const Point<dim> x = step.points.location(step.grid.geometry(), k, q);
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              most[2 * d]     = std::max(most[2 * d], x[d]);
+              most[2 * d + 1] = std::max(most[2 * d + 1], -x[d]);
+            }
+        }
+    Utilities::MPI::max(most, step.grid.communicator(), most);
+    double extent = infinity;
+    for (unsigned int d = 0; d < dim; ++d)
+      extent = std::min(extent, most[2 * d] + most[2 * d + 1]);
+    return speed * step.step_size() > extent / 2;
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::start_settling(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
+  {
+    trial = Trial();
+    // such that the matrix is that of the step, where this starts
+    trial.size        = std::sqrt(trial_integrator.stiffness(1.) /
+                           integrator->stiffness(step.step_size()));
+    trial.step_size   = step.step_size();
+    trial.walls_judge = false;
+    trial.settles     = true;
+    prescribed        = false;
+    // without what the scheme adds to the acceleration of the forces
+    NodalField excess;
+    mass.collect(step, step.points.excess_acceleration, excess);
+    for (unsigned int i = 0; i < step.nodes.n_owned() * dim; ++i)
+      force.local_element(i) -= excess.local_element(i);
+    StepContext<dim> moment = step;
+    moment.time             = step.old_time; // nothing moves
+    for (const auto &condition : conditions)
+      condition->set_trial(moment, trial.size, smooth_start(trial.step_size));
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::finish_settling(const StepContext<dim> &step,
+                                    const NodalField       &unknowns,
+                                    PointArrays<dim>       &points)
+  {
+    NodalField change;
+    step.nodes.initialize(change, dim);
+    change.set_ghost_state(true); // ranks write all that they hold themselves
+    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
+      for (unsigned int d = 0; d < dim; ++d)
+        change.local_element(node * dim + d) =
+          scheme().acceleration(unknowns.local_element(
+                                  node * step.n_components + d),
+                                0.,
+                                0.,
+                                trial.size);
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        points.acceleration[q] +=
+          interpolate(step, points.stencil(step.grid.geometry(), k, q), change);
   }
 
 
@@ -167,6 +256,16 @@ namespace isochor
     const std::vector<std::unique_ptr<BoundaryCondition<2>>> &,
     PointArrays<2> &);
   template bool
+  InertiaTerm<2>::steps_over_waves(const StepContext<2> &) const;
+  template void
+  InertiaTerm<2>::start_settling(
+    const StepContext<2> &,
+    const std::vector<std::unique_ptr<BoundaryCondition<2>>> &);
+  template void
+  InertiaTerm<2>::finish_settling(const StepContext<2> &,
+                                  const NodalField &,
+                                  PointArrays<2> &);
+  template bool
   InertiaTerm<2>::walls_start_smoothly(const StepContext<2> &) const;
   template bool
   InertiaTerm<2>::starts_suddenly(const StepContext<2> &) const;
@@ -185,6 +284,16 @@ namespace isochor
     const NodalField &,
     const std::vector<std::unique_ptr<BoundaryCondition<3>>> &,
     PointArrays<3> &);
+  template bool
+  InertiaTerm<3>::steps_over_waves(const StepContext<3> &) const;
+  template void
+  InertiaTerm<3>::start_settling(
+    const StepContext<3> &,
+    const std::vector<std::unique_ptr<BoundaryCondition<3>>> &);
+  template void
+  InertiaTerm<3>::finish_settling(const StepContext<3> &,
+                                  const NodalField &,
+                                  PointArrays<3> &);
   template bool
   InertiaTerm<3>::walls_start_smoothly(const StepContext<3> &) const;
   template bool

@@ -19,8 +19,10 @@ namespace isochor
                            const bool         dynamic,
                            const bool         with_domains,
                            const bool         with_cell_size,
-                           const bool         with_ancestry)
-    : n_history(n_history)
+                           const bool         with_ancestry,
+                           const bool         with_excess)
+    : with_excess(with_excess)
+    , n_history(n_history)
     , dynamic(dynamic)
     , with_domains(with_domains)
     , with_cell_size(with_cell_size)
@@ -42,6 +44,8 @@ namespace isochor
         place(velocity, dim);
         place(acceleration, dim);
       }
+    if (with_excess)
+      place(excess, dim);
     place(history, n_history);
     if (with_domains)
       place(domain, dim * dim);
@@ -116,7 +120,8 @@ namespace isochor
     const bool                                              dynamic,
     const std::string                                      &initial_velocity,
     const bool                                              with_domains,
-    const bool                                              axisymmetric)
+    const bool                                              axisymmetric,
+    const bool                                              with_excess)
   {
     unsigned int n_history = 0;
     for (const auto &material : materials)
@@ -127,7 +132,8 @@ namespace isochor
                                dynamic,
                                with_domains,
                                grid.is_adaptive(),
-                               grid.is_adaptive() || keeps_ancestry);
+                               grid.is_adaptive() || keeps_ancestry,
+                               with_excess);
     point_layout.axisymmetric = axisymmetric;
     forget_order();
     particles.initialize(grid.triangulation(),
@@ -293,6 +299,7 @@ namespace isochor
     arrays.history.resize(n * std::size_t(point_layout.n_history));
     arrays.velocity.resize(point_layout.dynamic ? n : 0);
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
+    arrays.excess_acceleration.resize(point_layout.with_excess ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
     arrays.displacement.resize(point_layout.with_domains ? n : 0);
     arrays.seeded_volume.resize(point_layout.with_ancestry ? n : 0);
@@ -352,6 +359,9 @@ namespace isochor
             arrays.velocity[q][d]     = properties[l.velocity + d];
             arrays.acceleration[q][d] = properties[l.acceleration + d];
           }
+      if (l.with_excess)
+        for (unsigned int d = 0; d < dim; ++d)
+          arrays.excess_acceleration[q][d] = properties[l.excess + d];
     });
   }
 

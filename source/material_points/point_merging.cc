@@ -111,6 +111,8 @@ namespace isochor
         mean(l.velocity, dim, m);
         mean(l.acceleration, dim, m);
       }
+    if (l.with_excess)
+      mean(l.excess, dim, m);
     if (l.n_history > 0)
       {
         const MaterialModel<dim> &material =

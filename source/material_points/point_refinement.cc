@@ -175,7 +175,7 @@ namespace isochor
 
 
   template <int dim>
-  void
+  bool
   PointRefinement<dim>::refine(
     MaterialPoints<dim>                         &points,
     const BackgroundGrid<dim>                   &grid,
@@ -186,7 +186,8 @@ namespace isochor
     const double share =
       grid.is_adaptive() ? share_on_adaptive_grids : largest_share;
     if (share == 0)
-      return;
+      return false;
+    const auto n_before     = n_added + n_removed;
     const bool with_domains = points.layout().with_domains;
     // first, since splitting has the last word on how many are needed
     constexpr double              hysteresis = 0.8;
@@ -226,6 +227,7 @@ namespace isochor
       for (unsigned int round = 0; round < 8; ++round)
         if (!insert_parts(split(points, locator, share)))
           break;
+    return n_added + n_removed > n_before;
   }
 
 

@@ -115,7 +115,10 @@ namespace isochor
     terminal.work().count("searches for an acceleration",
                           scene.time.starts_anew);
     if (!scene.time.starts_anew)
-      return report;
+      {
+        settle_acceleration();
+        return report;
+      }
     // a trial errs by O(h); two, one of them back in time, by O(h²)
     using TrialStep               = typename InertiaTerm<dim>::TrialStep;
     const double           h      = scene.time.next_time() - scene.time.time;
@@ -151,7 +154,37 @@ namespace isochor
                        scene.time.step == 0);
     start_again();
     set_weight();
+    settle_acceleration();
     return report;
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::settle_acceleration()
+  {
+    InertiaTerm<dim> &inertia = scene.inertia;
+    const bool settles = inertia.is_from_stresses() && scene.time.step > 0 &&
+                         setup.was_disturbed() &&
+                         inertia.steps_over_waves(setup.context());
+    terminal.work().count("accelerations that settle", settles);
+    if (!settles)
+      return;
+    const StepContext<dim> step       = setup.context();
+    const auto            &conditions = scene.boundary_conditions;
+    inertia.start_step(step, conditions, scene.points, true);
+    inertia.start_settling(step, conditions);
+    start_again();
+    at_start                  = true;
+    const NewtonReport report = find_root(false);
+    if (report.converged)
+      inertia.finish_settling(step, unknowns, setup.point_arrays());
+    inertia.end_trial(step, conditions);
+    // without a solution, with what the points carry
+    inertia.start_step(step, conditions, scene.points, true);
+    start_again();
+    set_weight();
   }
 
 

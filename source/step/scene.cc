@@ -323,7 +323,8 @@ namespace isochor
                 has_inertia(),
                 inertia.initial_velocity,
                 points_have_domains(),
-                kernel.axisymmetric);
+                kernel.axisymmetric,
+                inertia.is_from_stresses());
     shape.initialize(grid, points_have_domains());
     for (auto &condition : boundary_conditions)
       {

@@ -208,10 +208,12 @@ namespace isochor
       is_current && !(scene.has_inertia() && scene.time.step == 0);
     laid_out      = !repeated && grid_reset.due();
     nodes_changed = false;
-    if (repeated && scene.has_inertia() && scene.time.starts_anew)
+    if (repeated && scene.has_inertia() &&
+        (scene.time.starts_anew || disturbed))
       scene.points.update(arrays);
     if (repeated)
       return;
+    disturbed = false;
     if (laid_out)
       {
         reset_grid(terms, last_motion);
@@ -221,8 +223,14 @@ namespace isochor
       scene.points.update(arrays);
     nodes.set_control_nodes(control_nodes());
     nodes_changed = nodes.update(touched_vertices) || is_fresh;
-    is_fresh      = false;
-    is_current    = true;
+    if (laid_out && scene.inertia.is_from_stresses())
+      {
+        const std::uint64_t before = free_nodes;
+        free_nodes                 = extension.hash_free_nodes(nodes);
+        disturbed                  = disturbed || free_nodes != before;
+      }
+    is_fresh   = false;
+    is_current = true;
   }
 
 
@@ -251,7 +259,10 @@ namespace isochor
         TimerOutput::Scope scope(timer, "grid adaptation");
         if (scene.adaptation.adapt(
               scene.grid, scene.points, *locator, time, last_motion))
-          grid_changed();
+          {
+            grid_changed();
+            disturbed = true;
+          }
       }
     if (partition.is_needed(scene.grid))
       {
@@ -264,8 +275,9 @@ namespace isochor
       TimerOutput::Scope scope(timer, "splitting and merging of points");
       // what is split at once disturbs the next step the less, the less it is
       const bool merges = is_due || !scene.adaptation.has_more_changes();
-      refinement.refine(
-        scene.points, scene.grid, *locator, scene.kernel.materials, merges);
+      if (refinement.refine(
+            scene.points, scene.grid, *locator, scene.kernel.materials, merges))
+        disturbed = true;
     }
     scene.points.gather(arrays);
     occupancy.allow_large_holes(scene.time.step > 0 &&
@@ -348,7 +360,8 @@ namespace isochor
                       scene.has_inertia(),
                       scene.inertia.initial_velocity,
                       scene.points_have_domains(),
-                      scene.kernel.axisymmetric);
+                      scene.kernel.axisymmetric,
+                      scene.inertia.is_from_stresses());
     grid_changed();
     is_current = false;
     return true;
@@ -434,7 +447,7 @@ namespace isochor
     std::ostringstream              stream(std::ios::binary);
     boost::archive::binary_oarchive archive(stream);
     archive << scene.adaptation.save_state(scene.grid) << partition.save_state()
-            << grid_reset << cavity_watch;
+            << grid_reset << cavity_watch << free_nodes;
     if (!grid_reset.due())
       archive << touched_vertices << arrays << extension;
     return stream.str();
@@ -454,7 +467,7 @@ namespace isochor
       grid_changed();
     if (partition.load_state(division, scene.grid, scene.points, *locator))
       owners_changed();
-    archive >> grid_reset >> cavity_watch;
+    archive >> grid_reset >> cavity_watch >> free_nodes;
     is_current = false;
     is_resumed = true;
     if (!grid_reset.due())

@@ -12,6 +12,7 @@
 #include <isochor/cut_cells/dependent_nodes.h>
 #include <isochor/equations/equation_term.h>
 
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -105,6 +106,11 @@ namespace isochor
     {
       return found;
     }
+
+    /** A hash of the set of active nodes that are not tied, the same for any
+     * number of ranks. Collective. */
+    std::uint64_t
+    hash_free_nodes(const ActiveNodes<dim> &nodes) const;
 
     /** Tie the nodes of the step. */
     void

@@ -55,14 +55,23 @@ namespace isochor
       return integrator && integrator->has_inertia();
     }
 
-    /** Take the points as they are at the start of the step. In the first one
-     * their accelerations count in any case. Collective. */
+    /** Whether steps start with the acceleration that stresses and loads give;
+     * points have an excess acceleration then. */
+    bool
+    is_from_stresses() const
+    {
+      return is_active() && from_stresses;
+    }
+
+    /** Take the points as they are at the start of the step. If it @p carries
+     * accelerations, as the first one does, those of the points count in any
+     * case. Collective. */
     void
     start_step(
       const StepContext<dim>                                     &step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       MaterialPoints<dim>                                        &points,
-      const bool                                                  is_first);
+      const bool                                                  carries);
 
     /** Nodes are held anew by @p constraints, in a way that has @p changed or
      * not; the step ends at @p end. Do what follows from that. Collective. */
@@ -151,6 +160,30 @@ namespace isochor
     {
       return trial.size != 0;
     }
+    /** Whether shear waves cross more than half of the smallest extent of the
+     * body within @p step: its vibrations are not resolved then. Collective. */
+    bool
+    steps_over_waves(const StepContext<dim> &step) const;
+    /**
+     * The grid has changed, or what holds on it. The stresses of the points,
+     * made on another one, are not in equilibrium here with the acceleration
+     * a_c that the points carry, and M a = f_ext - f_int would make of the
+     * difference, which is an error of discretisation, an acceleration at once.
+     * What the step of size h does not resolve would then oscillate with each
+     * step. From now on the equations are those for the change w,
+     *   M (a_c + w) + f_int(u_n + h²/2 w) = f_ext(t_n):
+     * an oscillation of frequency ω gets the part 1 / (1 + ω² h²/2) of what
+     * M a = f_ext - f_int gives it, and what is slow all of it. Collective.
+     */
+    void
+    start_settling(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
+    /** These are solved: add w to the accelerations of the points. */
+    void
+    finish_settling(const StepContext<dim> &step,
+                    const NodalField       &unknowns,
+                    PointArrays<dim>       &points);
     /** Back to the equations of a step. */
     void
     end_trial(
@@ -286,6 +319,12 @@ namespace isochor
     /** The same of pressures, in fields with one entry per node. */
     static Followers
     pressure_followers(const NodalConstraints &constraints);
+    /** Σ N_I f_I of a point, of a @p field with dim components per node. */
+    static Tensor<1, dim>
+    interpolate(const StepContext<dim>                   &step,
+                const typename PointArrays<dim>::Stencil &stencil,
+                const NodalField                         &field);
+
     /** What the @p conditions and @p ties demand of the unknowns a @p part of
      * the step after its start, without what holds in contact only; that is in
      * @p contact. */
@@ -334,6 +373,7 @@ namespace isochor
       double step_size   = 0;     ///< see TrialStep
       bool   walls_lead  = false; ///< see let_walls_lead()
       bool   walls_judge = true;  ///< see let_walls_follow()
+      bool   settles     = false; ///< see start_settling()
     };
 
     std::unique_ptr<TimeIntegrator> integrator;
@@ -348,7 +388,7 @@ namespace isochor
      * projection of v_p; velocity and acceleration at the start of the step;
      * and at its end, after finish_step(). */
     NodalField momentum, force, projected, velocity, acceleration, new_velocity,
-      new_acceleration;
+      new_acceleration, new_excess;
     /** Prescribed entries, of local nodes. */
     std::vector<unsigned char> held;
     /** The motion of a one-sided wall over the step, by what the scheme follows
@@ -361,9 +401,9 @@ namespace isochor
     };
     WallMotion
     wall_motion(const MotionAtStart &motion, const double dt) const;
-    /** The acceleration that points at the wall carry from the step. */
+    /** The excess acceleration of points at the wall at the end of the step. */
     double
-    carried_acceleration(const WallMotion &wall) const;
+    excess_acceleration(const WallMotion &wall) const;
     /** An entry that a one-sided wall holds. */
     struct Stopped
     {

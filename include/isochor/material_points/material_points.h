@@ -42,9 +42,13 @@ namespace isochor
     unsigned int stress   = 0; ///< Cauchy: xx, yy, zz, xy(, xz, yz) (Pa)
     unsigned int velocity = 0; ///< m/s, only in dynamics
     unsigned int acceleration = 0; ///< m/s^2, only in dynamics
-    unsigned int history      = 0; ///< of the material, n_history components
-    unsigned int n_history    = 0;
-    bool         dynamic      = false;
+    /** What the acceleration exceeds that of the forces in the last step by
+     * (m/s^2), see InertiaTerm; only if with_excess. */
+    unsigned int excess      = 0;
+    bool         with_excess = false;
+    unsigned int history     = 0; ///< of the material, n_history components
+    unsigned int n_history   = 0;
+    bool         dynamic     = false;
     /** Corners 1 ... dim of the point's simplex domain at t = 0, relative to
      * the point (m), the first being minus their sum; only if with_domains. */
     unsigned int domain       = 0;
@@ -69,7 +73,8 @@ namespace isochor
                 const bool         dynamic,
                 const bool         with_domains   = false,
                 const bool         with_cell_size = false,
-                const bool         with_ancestry  = false);
+                const bool         with_ancestry  = false,
+                const bool         with_excess    = false);
   };
 
   /** F of a point from its @p properties. */
@@ -126,7 +131,8 @@ namespace isochor
          const bool                                              dynamic,
          const std::string &initial_velocity,
          const bool         with_domains = false,
-         const bool         axisymmetric = false);
+         const bool         axisymmetric = false,
+         const bool         with_excess  = false);
 
     /** Points that are seeded from now on remember what they were part of
      * before they were split. On adaptive grids they do anyway. */

@@ -66,8 +66,9 @@ namespace isochor
 
     /** Split what is too large, if asked for; on adaptive grids, if it
      * @p merges, merge what was split and is small, see PointMerging.
-     * Invalidates what was gathered from the points. Collective. */
-    void
+     * Invalidates what was gathered from the points. Whether any point has
+     * come or gone. Collective. */
+    bool
     refine(MaterialPoints<dim>                         &points,
            const BackgroundGrid<dim>                   &grid,
            const PointLocator<dim>                     &locator,

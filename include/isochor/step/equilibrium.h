@@ -147,6 +147,10 @@ namespace isochor
      * with a prescribed component or a load. Collective. */
     bool
     is_supported(const Tensor<1, dim> &gravity) const;
+    /** If the grid or the points are others than in the last step, let the
+     * acceleration follow, see InertiaTerm::start_settling(). Collective. */
+    void
+    settle_acceleration();
     /** One trial step of find_initial_acceleration(). */
     NewtonReport
     try_step(const typename InertiaTerm<dim>::TrialStep &trial);

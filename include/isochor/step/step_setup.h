@@ -17,6 +17,7 @@
 #include <isochor/step/scene.h>
 #include <isochor/transfer/grid_reset.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -68,6 +69,14 @@ namespace isochor
     was_laid_out() const
     {
       return laid_out;
+    }
+
+    /** Whether the grid or its free nodes are others than in the last step, or
+     * points have been split or merged since. */
+    bool
+    was_disturbed() const
+    {
+      return disturbed;
     }
 
     /** The first step was solved: adapt the grid to the solution @p unknowns
@@ -222,6 +231,8 @@ namespace isochor
     bool             nodes_changed = false;
     bool             is_fresh      = false;
     bool             laid_out      = false;
+    bool             disturbed     = false; ///< see was_disturbed()
+    std::uint64_t    free_nodes    = 0;     ///< a hash of the set
     bool             is_resumed    = false; ///< without elements as yet
     /** Whether no point has moved since start_step(). */
     bool                      is_current = false;
