@@ -7,6 +7,7 @@
 #include <isochor/postprocess/carried_reactions.h>
 #include <isochor/postprocess/energy_loss.h>
 #include <isochor/postprocess/postprocessor.h>
+#include <isochor/postprocess/stabilisation_energy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,12 +23,13 @@ namespace isochor
    * angular momentum about the origin (per metre of thickness in plane strain):
    *
    *  - strain energy Σ_p V_p (W_dev + p²/(2K)) and, with PPP, that of the
-   *    stabilisation, Σ_e p·S_e p / 2 (doc/method.md);
+   *    stabilisation, Σ_e (p + h)·S_e (p - h) / 2 (doc/method.md);
    *  - plastic work: the work of the stresses at points whose law has a
    *    history, (τ_n : ∇_n Δu + τ_{n+1} : ∇_{n+1} Δu) V_p / 2 in a step, minus
    *    what is stored elastically;
    *  - external work of loads and of prescribed motions, by the mean of the
-   *    forces at both ends of a step times Δu_I;
+   *    forces at both ends of a step times Δu_I, and of a weight that changes
+   *    in the stabilisation;
    *  - what the scheme lost: external work minus the change of kinetic and
    *    strain energy, minus plastic work. In statics the errors of load
    *    stepping are in it, in dynamics also those of time integration and of
@@ -79,13 +81,13 @@ namespace isochor
         return;
       std::array<double, n_sums> sums = point_sums(result);
       sums[external] = external_work(result) + work_of_jump(result);
-      sums[strain] += stabilisation_energy(result);
       sum_over_ranks(sums, result.step.grid.communicator());
+      stabilisation.advance(result.step, result.unknowns, old_weight(result));
       if (result.time.step == 0)
         initial_energy = sums[old_strain] + sums[old_kinetic];
-      strain_energy = sums[strain];
+      strain_energy = sums[strain] + stabilisation.stored;
       stiffness     = sums[shear_modulus];
-      external_sum += sums[external];
+      external_sum += sums[external] + stabilisation.work;
       plastic_sum += sums[plastic];
     }
 
@@ -150,6 +152,7 @@ namespace isochor
       state.precision(std::numeric_limits<double>::max_digits10);
       state << initial_energy << ' ' << external_sum << ' ' << plastic_sum
             << ' ';
+      stabilisation.save(state);
       loss.save(state);
       state << reactions.size() << ' ';
       for (const auto &reaction : reactions)
@@ -166,6 +169,7 @@ namespace isochor
       std::istringstream state(text);
       std::size_t        n = 0;
       state >> initial_energy >> external_sum >> plastic_sum;
+      stabilisation.load(state);
       loss.load(state);
       state >> n;
       for (std::size_t i = 0; i < n; ++i)
@@ -270,37 +274,20 @@ namespace isochor
       return sums;
     }
 
-    /** Σ_e Φ_e of the stabilisation, of this rank's cells. */
-    double
-    stabilisation_energy(const StepResult<dim> &result) const
+    /** What the stabilisation takes for the body's weight at the start of the
+     * step. */
+    static Tensor<1, dim>
+    old_weight(const StepResult<dim> &result)
     {
-      const StepContext<dim> &step   = result.step;
-      const PointArrays<dim> &points = step.points;
-      double                  energy = 0;
-      if (!step.mixed() || !(step.kernel.ppp_coefficient > 0))
-        return energy;
-      const NodalUnknowns<dim> nodal(step, result.unknowns);
-      const auto               add = [&](const unsigned int                     cell,
-                           const CellCompliance                  &compliance,
-                           const std::array<Point<dim>, dim + 1> &corners) {
-        Element<dim, dim + 1, dim + 1> element;
-        nodal.gather(dim + 1,
-                     step.grid.geometry().vertex_indices(cell).data(),
-                     element);
-        energy +=
-          step.kernel.pressure_projection_energy(element, compliance, corners);
-      };
-      if (points.has_stencils())
-        for (const auto &cell : points.overlapped_cells)
-          add(cell.cell, cell.compliance, cell.corners);
-      else
-        for (unsigned int k = 0; k < points.cell.size(); ++k)
-          add(points.cell[k],
-              step.kernel.compliance_of_points(points,
-                                               points.cell_start[k],
-                                               points.cell_start[k + 1]),
-              points.corners(step.grid.geometry(), k));
-      return energy;
+      const MixedKernel<dim> &kernel = result.step.kernel;
+      Tensor<1, dim>          weight;
+      if (kernel.hydrostatic_acceleration.norm_square() == 0)
+        return weight;
+      for (const auto &condition : result.conditions)
+        weight += condition->body_acceleration(result.step.old_time);
+      if (kernel.axisymmetric)
+        weight[0] = 0.;
+      return weight;
     }
 
     /** τ : @p gradient, with @p hoop its component out of the plane. */
@@ -465,7 +452,8 @@ namespace isochor
     bool   in_statics = false, in_dynamics = true;
     double initial_energy = 0, strain_energy = 0, external_sum = 0,
            plastic_sum = 0;
-    EnergyLoss loss;
+    StabilisationEnergy<dim> stabilisation;
+    EnergyLoss               loss;
     /** Σ V_p G_p. */
     double stiffness = 0;
     /** Of held unknowns of this rank's vertices at the end of the last step, by

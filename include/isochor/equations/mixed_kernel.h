@@ -178,13 +178,27 @@ namespace isochor
                             const std::array<Point<dim>, dim + 1> &corners,
                             const bool with_matrix) const;
 
-    /** Φ (J) of the same cell. */
+    /** What the stabilisation of one cell stores. */
+    struct ProjectionEnergy
+    {
+      double         stored = 0; ///< J
+      Tensor<1, dim> moment;     ///< kg m
+    };
+    /**
+     * Of the same cell, for an acceleration g of @p weight that may be another
+     * one than hydrostatic_acceleration. As the pressure equation is
+     * θ = p/K + S d, the power of the volume p·θ' is that of p²/(2K) and
+     *   p·S d' = d/dt (p + h)·S (p - h) / 2 - h'·S d,
+     * where h' is the change of h in time at places that stay. The first term
+     * is the change of what is stored, the second the power of a weight that
+     * changes, as h'·S d = -g'·m with the moment m = Σ_IJ ρ x_I S_IJ d_J.
+     */
     template <std::size_t max_nodes>
-    double
-    pressure_projection_energy(
-      const Element<dim, dim + 1, max_nodes> &element,
-      const CellCompliance                   &compliance,
-      const std::array<Point<dim>, dim + 1>  &corners) const;
+    ProjectionEnergy
+    pressure_projection_energy(const Element<dim, dim + 1, max_nodes> &element,
+                               const CellCompliance &compliance,
+                               const std::array<Point<dim>, dim + 1> &corners,
+                               const Tensor<1, dim> &weight) const;
 
     /** The state at the end of the step of point @p q: what the convective
      * phase stores. */
@@ -239,26 +253,25 @@ namespace isochor
               1. / ((dim + 1) * (dim + 1)));
     }
 
-    /** ρ (g - ā) of a cell (N/m³). */
-    Tensor<1, dim>
-    weight_density(const CellCompliance &compliance) const
+    /** ρ g of a cell (N/m³). */
+    static Tensor<1, dim>
+    weight_density(const CellCompliance &compliance, const Tensor<1, dim> &g)
     {
-      return compliance.mass / compliance.volume * hydrostatic_acceleration;
+      return compliance.mass / compliance.volume * g;
     }
 
     /** d_I of a cell but for a constant, which doesn't matter. */
     template <std::size_t max_nodes>
     std::array<double, dim + 1>
     pressure_deviation(const Element<dim, dim + 1, max_nodes> &element,
-                       const CellCompliance                   &compliance,
+                       const Tensor<1, dim>                   &weight_density,
                        const std::array<Point<dim>, dim + 1>  &corners) const
     {
-      const Tensor<1, dim>        weight = weight_density(compliance);
       std::array<double, dim + 1> d;
       for (unsigned int I = 0; I <= dim; ++I)
         d[I] = element.pressure[I] +
-               weight * (corners[I] - corners[0] + element.increment[I] -
-                         element.increment[0]);
+               weight_density * (corners[I] - corners[0] +
+                                 element.increment[I] - element.increment[0]);
       return d;
     }
   };

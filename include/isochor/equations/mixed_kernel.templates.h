@@ -303,14 +303,15 @@ namespace isochor
   {
     constexpr unsigned int nc     = dim + 1;
     const unsigned int     n_dofs = element.n_dofs();
-    const Tensor<1, dim>   weight = weight_density(compliance);
+    const Tensor<1, dim>   weight =
+      weight_density(compliance, hydrostatic_acceleration);
     // derivatives of d_I: 1 by p_I, ρ (g - ā) by the displacement
     std::array<double, nc> derivative;
     for (unsigned int a = 0; a < dim; ++a)
       derivative[a] = weight[a];
-    derivative[dim]          = 1;
-    const unsigned int first = weight.norm_square() > 0 ? 0 : dim;
-    const auto deviation     = pressure_deviation(element, compliance, corners);
+    derivative[dim]              = 1;
+    const unsigned int first     = weight.norm_square() > 0 ? 0 : dim;
+    const auto         deviation = pressure_deviation(element, weight, corners);
     for (unsigned int I = 0; I <= dim; ++I)
       for (unsigned int J = 0; J <= dim; ++J)
         {
@@ -331,18 +332,28 @@ namespace isochor
 
   template <int dim>
   template <std::size_t max_nodes>
-  double
+  typename MixedKernel<dim>::ProjectionEnergy
   MixedKernel<dim>::pressure_projection_energy(
     const Element<dim, dim + 1, max_nodes> &element,
     const CellCompliance                   &compliance,
-    const std::array<Point<dim>, dim + 1>  &corners) const
+    const std::array<Point<dim>, dim + 1>  &corners,
+    const Tensor<1, dim>                   &weight) const
   {
-    const auto deviation = pressure_deviation(element, compliance, corners);
-    double     energy    = 0;
+    const double density = compliance.mass / compliance.volume;
+    const auto   deviation =
+      pressure_deviation(element, weight_density(compliance, weight), corners);
+    ProjectionEnergy energy;
     for (unsigned int I = 0; I <= dim; ++I)
-      for (unsigned int J = 0; J <= dim; ++J)
-        energy +=
-          deviation[I] / 2 * projection_entry(compliance, I, J) * deviation[J];
+      {
+        double volume = 0; // of the stabilisation, at node I
+        for (unsigned int J = 0; J <= dim; ++J)
+          volume += projection_entry(compliance, I, J) * deviation[J];
+        // p + h = 2 p - d
+        energy.stored += (element.pressure[I] - deviation[I] / 2) * volume;
+        energy.moment += density * volume *
+                         (corners[I] - corners[0] + element.increment[I] -
+                          element.increment[0]);
+      }
     return energy;
   }
 
