@@ -347,8 +347,6 @@ namespace isochor
             points.velocity.emplace_back();
             points.acceleration.emplace_back();
           }
-        if (!points.excess_acceleration.empty())
-          points.excess_acceleration.emplace_back();
         if (!points.domain.empty())
           points.domain.emplace_back();
       }

@@ -369,9 +369,9 @@ namespace isochor
       };
     for (const StoppedAlong &wall : stopped_along)
       {
-        set(wall, new_velocity, wall.wall.velocity_at_end);
-        set(wall, new_acceleration, wall.wall.acceleration_at_end);
-        set(wall, new_excess, excess_acceleration(wall.wall));
+        set(wall, at_end.velocity, wall.wall.velocity_at_end);
+        set(wall, at_end.acceleration, wall.wall.acceleration_at_end);
+        set(wall, at_end.excess, excess_acceleration(wall.wall));
       }
   }
 

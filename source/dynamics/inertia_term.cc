@@ -135,11 +135,34 @@ namespace isochor
         }
     });
     loads.compress(VectorOperation::add);
-    mass.collect(step, step.points.excess_acceleration, force);
+    collect_excess(step, points, force);
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       for (unsigned int a = 0; a < dim; ++a)
         force.local_element(node * dim + a) +=
           loads.local_element(node * step.n_components + a);
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::collect_excess(const StepContext<dim> &step,
+                                   MaterialPoints<dim>    &points,
+                                   NodalField             &result) const
+  {
+    std::vector<Tensor<1, dim>> excess(step.points.n_points());
+    const PointLayout          &l = points.layout();
+    points.for_each([&](const unsigned int /*k*/,
+                        const unsigned int q,
+                        Point<dim> & /*location*/,
+                        ArrayView<double> properties) {
+      // and what trials have added to the acceleration since
+      for (unsigned int d = 0; d < dim; ++d)
+        excess[q][d] = properties[l.excess + d] +
+                       step.points.acceleration[q][d] -
+                       properties[l.acceleration + d];
+    });
+    mass.collect(step, excess, result);
   }
 
 
@@ -284,13 +307,13 @@ namespace isochor
     if (!is_active())
       return;
     const double dt = step_size(step);
-    step.nodes.initialize(new_velocity, dim);
-    step.nodes.initialize(new_acceleration, dim);
-    step.nodes.initialize(new_excess, dim);
+    step.nodes.initialize(at_end.velocity, dim);
+    step.nodes.initialize(at_end.acceleration, dim);
+    step.nodes.initialize(at_end.excess, dim);
     // ranks write all that they hold themselves
-    new_velocity.set_ghost_state(true);
-    new_acceleration.set_ghost_state(true);
-    new_excess.set_ghost_state(true);
+    at_end.velocity.set_ghost_state(true);
+    at_end.acceleration.set_ghost_state(true);
+    at_end.excess.set_ghost_state(true);
     for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
       for (unsigned int d = 0; d < dim; ++d)
         {
@@ -299,17 +322,18 @@ namespace isochor
           const double       a_n = acceleration.local_element(i);
           const double       a   = scheme().acceleration(
             unknowns.local_element(node * step.n_components + d), v_n, a_n, dt);
-          new_velocity.local_element(i) = scheme().velocity(v_n, a_n, a, dt);
-          new_acceleration.local_element(i) = a;
-          new_excess.local_element(i) =
+          at_end.velocity.local_element(i) = scheme().velocity(v_n, a_n, a, dt);
+          at_end.acceleration.local_element(i) = a;
+          at_end.excess.local_element(i) =
             a - scheme().inertial_acceleration(a_n, a);
         }
     for (const Stopped &node : stopped)
       {
-        new_velocity.local_element(node.entry) = node.wall.velocity_at_end;
-        new_acceleration.local_element(node.entry) =
+        at_end.velocity.local_element(node.entry) = node.wall.velocity_at_end;
+        at_end.acceleration.local_element(node.entry) =
           node.wall.acceleration_at_end;
-        new_excess.local_element(node.entry) = excess_acceleration(node.wall);
+        at_end.excess.local_element(node.entry) =
+          excess_acceleration(node.wall);
       }
     stop_at_walls();
   }
@@ -348,10 +372,10 @@ namespace isochor
         const unsigned int first = step.nodes.node(stencil.vertex[I]) * dim;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            v[d] += N * new_velocity.local_element(first + d);
+            v[d] += N * at_end.velocity.local_element(first + d);
             if (kept_part > 0)
               v[d] -= N * kept_part * projected.local_element(first + d);
-            a[d] += N * new_acceleration.local_element(first + d);
+            a[d] += N * at_end.acceleration.local_element(first + d);
           }
       }
     return {v, a};
@@ -378,7 +402,7 @@ namespace isochor
       }
     if (layout.with_excess)
       {
-        const Tensor<1, dim> excess = interpolate(step, stencil, new_excess);
+        const Tensor<1, dim> excess = interpolate(step, stencil, at_end.excess);
         for (unsigned int a = 0; a < dim; ++a)
           properties[layout.excess + a] = excess[a];
       }

@@ -73,7 +73,7 @@ namespace isochor
     // to reach the points, too, as the first step starts with what they bring
     if (trial.walls_lead)
       for (unsigned int i = 0; i < step.nodes.n_local() * dim; ++i)
-        new_acceleration.local_element(i) +=
+        at_end.acceleration.local_element(i) +=
           2 / trial.size * velocity.local_element(i);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
@@ -85,8 +85,6 @@ namespace isochor
                   points.velocity[q])
               .second;
           points.acceleration[q] += sign / 2 * a;
-          if (from_stresses)
-            points.excess_acceleration[q] += sign / 2 * a;
           if (impulse)
             points.velocity[q] += sign * trial.size / 4 * a;
         }
@@ -130,7 +128,8 @@ namespace isochor
   void
   InertiaTerm<dim>::start_settling(
     const StepContext<dim>                                     &step,
-    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    MaterialPoints<dim>                                        &points)
   {
     trial = Trial();
     // such that the matrix is that of the step, where this starts
@@ -142,7 +141,7 @@ namespace isochor
     prescribed        = false;
     // without what the scheme adds to the acceleration of the forces
     NodalField excess;
-    mass.collect(step, step.points.excess_acceleration, excess);
+    collect_excess(step, points, excess);
     for (unsigned int i = 0; i < step.nodes.n_owned() * dim; ++i)
       force.local_element(i) -= excess.local_element(i);
     StepContext<dim> moment = step;
@@ -260,7 +259,8 @@ namespace isochor
   template void
   InertiaTerm<2>::start_settling(
     const StepContext<2> &,
-    const std::vector<std::unique_ptr<BoundaryCondition<2>>> &);
+    const std::vector<std::unique_ptr<BoundaryCondition<2>>> &,
+    MaterialPoints<2> &);
   template void
   InertiaTerm<2>::finish_settling(const StepContext<2> &,
                                   const NodalField &,
@@ -289,7 +289,8 @@ namespace isochor
   template void
   InertiaTerm<3>::start_settling(
     const StepContext<3> &,
-    const std::vector<std::unique_ptr<BoundaryCondition<3>>> &);
+    const std::vector<std::unique_ptr<BoundaryCondition<3>>> &,
+    MaterialPoints<3> &);
   template void
   InertiaTerm<3>::finish_settling(const StepContext<3> &,
                                   const NodalField &,

@@ -299,7 +299,6 @@ namespace isochor
     arrays.history.resize(n * std::size_t(point_layout.n_history));
     arrays.velocity.resize(point_layout.dynamic ? n : 0);
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
-    arrays.excess_acceleration.resize(point_layout.with_excess ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
     arrays.displacement.resize(point_layout.with_domains ? n : 0);
     arrays.seeded_volume.resize(point_layout.with_ancestry ? n : 0);
@@ -359,9 +358,6 @@ namespace isochor
             arrays.velocity[q][d]     = properties[l.velocity + d];
             arrays.acceleration[q][d] = properties[l.acceleration + d];
           }
-      if (l.with_excess)
-        for (unsigned int d = 0; d < dim; ++d)
-          arrays.excess_acceleration[q][d] = properties[l.excess + d];
     });
   }
 

@@ -174,7 +174,7 @@ namespace isochor
     const StepContext<dim> step       = setup.context();
     const auto            &conditions = scene.boundary_conditions;
     inertia.start_step(step, conditions, scene.points, true);
-    inertia.start_settling(step, conditions);
+    inertia.start_settling(step, conditions, scene.points);
     start_again();
     at_start                  = true;
     const NewtonReport report = find_root(false);

@@ -178,7 +178,8 @@ namespace isochor
     void
     start_settling(
       const StepContext<dim>                                     &step,
-      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      MaterialPoints<dim>                                        &points);
     /** These are solved: add w to the accelerations of the points. */
     void
     finish_settling(const StepContext<dim> &step,
@@ -319,6 +320,13 @@ namespace isochor
     /** The same of pressures, in fields with one entry per node. */
     static Followers
     pressure_followers(const NodalConstraints &constraints);
+    /** Σ_p m_p N_I d_p with the excess acceleration d_p of the @p points.
+     * Collective. */
+    void
+    collect_excess(const StepContext<dim> &step,
+                   MaterialPoints<dim>    &points,
+                   NodalField             &result) const;
+
     /** Σ N_I f_I of a point, of a @p field with dim components per node. */
     static Tensor<1, dim>
     interpolate(const StepContext<dim>                   &step,
@@ -362,7 +370,7 @@ namespace isochor
                  const NodalConstraints &constraints,
                  const Places           &contact,
                  const Places           &at);
-    /** Let new_velocity and new_acceleration have the motion of these walls. */
+    /** Let what is at_end have the motion of these walls. */
     void
     stop_at_walls();
 
@@ -385,10 +393,15 @@ namespace isochor
 
     MassMatrix<dim> mass;
     /** All with dim components per node. Σ_p m_p N_I v_p and M a_n; the
-     * projection of v_p; velocity and acceleration at the start of the step;
-     * and at its end, after finish_step(). */
-    NodalField momentum, force, projected, velocity, acceleration, new_velocity,
-      new_acceleration, new_excess;
+     * projection of v_p; velocity and acceleration at the start of the step. */
+    NodalField momentum, force, projected, velocity, acceleration;
+    /** The same at its end, after finish_step(), and what the acceleration
+     * exceeds that of the forces by. */
+    struct AtEnd
+    {
+      NodalField velocity, acceleration, excess;
+    };
+    AtEnd at_end;
     /** Prescribed entries, of local nodes. */
     std::vector<unsigned char> held;
     /** The motion of a one-sided wall over the step, by what the scheme follows

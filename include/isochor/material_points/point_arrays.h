@@ -81,7 +81,6 @@ namespace isochor
     std::vector<double>         radius;
     std::vector<double>         history; ///< n_history values a point
     std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
-    std::vector<Tensor<1, dim>> excess_acceleration; ///< if the layout has it
     /** V_0 of what the point was part of as it was seeded, before it was split;
      * empty on grids that don't adapt. */
     std::vector<double> seeded_volume;
@@ -333,10 +332,9 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
-        &pressure &F &material &history &velocity &acceleration
-          &excess_acceleration &domain &stencil_start &stencil_vertex
-            &stencil_shape &stencil_gradient &corner_cells &overlapped_cells
-              &deformed_cell &n_history &radius;
+        &pressure &F &material &history &velocity &acceleration &domain
+          &stencil_start &stencil_vertex &stencil_shape &stencil_gradient
+            &corner_cells &overlapped_cells &deformed_cell &n_history &radius;
     }
   };
 } // namespace isochor
