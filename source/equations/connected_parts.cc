@@ -14,8 +14,8 @@
 namespace isochor
 {
   template <int dim>
-  unsigned int
-  number_of_parts(const StepContext<dim> &step, const ElementNodes &elements)
+  std::vector<unsigned int>
+  part_names(const StepContext<dim> &step, const ElementNodes &elements)
   {
     const unsigned int n_local = step.nodes.n_local();
     DisjointSets       sets(n_local);
@@ -24,26 +24,9 @@ namespace isochor
            ++i)
         sets.merge(elements.node[elements.start[e]], elements.node[i]);
 
-    const auto is_vertex = [&](const unsigned int node) {
-      return step.nodes.control_node(node) == nullptr;
-    };
-    const MPI_Comm comm    = step.grid.communicator();
-    unsigned int   n_parts = 0;
-    if (Utilities::MPI::n_mpi_processes(comm) == 1)
-      {
-        std::vector<bool> seen(n_local, false);
-        for (unsigned int node = 0; node < n_local; ++node)
-          if (is_vertex(node) && !seen[sets.root(node)])
-            {
-              seen[sets.root(node)] = true;
-              ++n_parts;
-            }
-        return n_parts;
-      }
-
-    // the least vertex of a part is its name; what ranks have in common lets it
-    // go round
-    NodalField name;
+    // what ranks have in common lets a name go round
+    const MPI_Comm comm = step.grid.communicator();
+    NodalField     name;
     step.nodes.initialize(name, 1);
     for (unsigned int node = 0; node < n_local; ++node)
       name.local_element(node) = step.nodes.vertex(node);
@@ -63,20 +46,40 @@ namespace isochor
               name.local_element(node) = least_name;
               changed                  = true;
             }
+        if (Utilities::MPI::n_mpi_processes(comm) == 1)
+          break;
         changed = Utilities::MPI::max(changed ? 1 : 0, comm) != 0;
         name.set_ghost_state(false);
         name.compress(VectorOperation::min);
         name.update_ghost_values();
       }
-    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
-      if (is_vertex(node) &&
-          name.local_element(node) == step.nodes.vertex(node))
-        ++n_parts;
-    return Utilities::MPI::sum(n_parts, comm);
+    std::vector<unsigned int> names(n_local);
+    for (unsigned int node = 0; node < n_local; ++node)
+      names[node] = name.local_element(node);
+    return names;
   }
 
 
 
+  template <int dim>
+  unsigned int
+  number_of_parts(const StepContext<dim> &step, const ElementNodes &elements)
+  {
+    const std::vector<unsigned int> names   = part_names(step, elements);
+    unsigned int                    n_parts = 0;
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      if (step.nodes.control_node(node) == nullptr &&
+          names[node] == step.nodes.vertex(node))
+        ++n_parts;
+    return Utilities::MPI::sum(n_parts, step.grid.communicator());
+  }
+
+
+
+  template std::vector<unsigned int>
+  part_names(const StepContext<2> &, const ElementNodes &);
+  template std::vector<unsigned int>
+  part_names(const StepContext<3> &, const ElementNodes &);
   template unsigned int
   number_of_parts(const StepContext<2> &, const ElementNodes &);
   template unsigned int

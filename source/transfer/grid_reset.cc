@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace isochor
 {
@@ -25,7 +26,10 @@ namespace isochor
                       "points are located anew. 1: after each, the Material "
                       "Point Method as it is. Between resets the grid moves "
                       "with the body, as in updated Lagrangian finite "
-                      "elements. 0: only by 'Smallest element quality'.");
+                      "elements. 0: only by 'Smallest element quality'. "
+                      "In any case it is put back where the body comes near "
+                      "to a boundary that it did not touch, and in each step "
+                      "once bodies, or parts of one, come together.");
     prm.declare_entry("Smallest element quality",
                       "0.3",
                       Patterns::Double(0, 1),
@@ -58,6 +62,7 @@ namespace isochor
   {
     reset_time    = time;
     n_steps_since = 0;
+    approach_watch.start();
   }
 
 
@@ -70,7 +75,7 @@ namespace isochor
   {
     ++n_steps_since;
     bad_quality = 1;
-    is_due      = (n_steps_since == interval);
+    is_due      = in_contact || n_steps_since == interval;
     if (is_due)
       return;
     advance_massless_points(step, unknowns, points);
@@ -81,6 +86,34 @@ namespace isochor
     is_due = !(worst > 0 && worst >= smallest_quality);
     if (is_due)
       bad_quality = worst;
+  }
+
+
+
+  template <int dim>
+  void
+  GridReset<dim>::look_for_contact(const StepContext<dim>  &step,
+                                   const ElementNodes      &elements,
+                                   const PointLocator<dim> &locator,
+                                   MaterialPoints<dim>     &points)
+  {
+    using Approach = typename ApproachWatch<dim>::Approach;
+    if (is_due)
+      return;
+    const Approach approach =
+      approach_watch.look(step, elements, locator, points);
+    is_due = (approach != Approach::none);
+    if (approach != Approach::of_bodies)
+      return;
+    in_contact = true;
+    std::ostringstream text;
+    text << "At t = " << step.time << " bodies, or parts of one, are near to "
+         << "each other at (" << approach_watch.place_of_contact()
+         << "). They feel each other by nodes in common only, and the grid "
+            "moved with them until now, as <Grid reset/Steps between resets> "
+            "asks for. From now on it is put back in each step. Set 1 there "
+            "if contact is what the scene is about.";
+    step.warnings.add("contact on a grid that is kept", text.str());
   }
 
 

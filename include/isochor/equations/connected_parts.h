@@ -10,10 +10,15 @@
 
 namespace isochor
 {
-  /** How many parts the active nodes (control nodes don't count) fall into if
-   * the nodes of an element of
-   * @p elements (those of this rank) belong together: bodies that touch no cell
-   * in common are parts of their own. Collective. */
+  /** The part that each local node belongs to, by the least vertex (or number
+   * of a control node) of it, if the nodes of an element of @p elements (those
+   * of this rank) belong together: bodies that touch no cell in common are
+   * parts of their own. Collective. */
+  template <int dim>
+  std::vector<unsigned int>
+  part_names(const StepContext<dim> &step, const ElementNodes &elements);
+
+  /** How many parts there are; control nodes don't count. Collective. */
   template <int dim>
   unsigned int
   number_of_parts(const StepContext<dim> &step, const ElementNodes &elements);

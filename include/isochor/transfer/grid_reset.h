@@ -6,6 +6,7 @@
 #define isochor_grid_reset_h
 
 #include <isochor/equations/equation_term.h>
+#include <isochor/transfer/approach_watch.h>
 
 namespace isochor
 {
@@ -89,11 +90,21 @@ namespace isochor
             const NodalField       &unknowns,
             PointArrays<dim>       &points);
 
+    /** After advance(), if no reset is due: demand one where contact needs it,
+     * and, where bodies come together, one in each step from now on, with a
+     * warning. The @p points are where the step has ended, the @p elements
+     * those of all equations. Collective. */
+    void
+    look_for_contact(const StepContext<dim>  &step,
+                     const ElementNodes      &elements,
+                     const PointLocator<dim> &locator,
+                     MaterialPoints<dim>     &points);
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &is_due &n_steps_since &reset_time;
+      archive &is_due &n_steps_since &reset_time &in_contact;
     }
 
   private:
@@ -124,9 +135,12 @@ namespace isochor
     unsigned int interval         = 1;
     double       smallest_quality = 0;
 
-    bool         is_due        = true;
-    unsigned int n_steps_since = 0;
-    double       reset_time    = 0;
+    bool is_due = true;
+    /** Bodies have come together: each step starts with a reset. */
+    bool               in_contact = false;
+    ApproachWatch<dim> approach_watch;
+    unsigned int       n_steps_since = 0;
+    double             reset_time    = 0;
     /** The quality for which the grid was put back last; one: not for it. */
     double bad_quality = 1;
   };

@@ -1,0 +1,109 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_approach_watch_h
+#define isochor_approach_watch_h
+
+#include <isochor/equations/element_nodes.h>
+#include <isochor/equations/equation_term.h>
+#include <isochor/material_points/material_points.h>
+#include <isochor/material_points/point_locator.h>
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * On a grid that moves with the body bodies don't feel each other, nor the
+   * boundaries that they did not touch when it was last put back: contact is
+   * what points of the undeformed grid have in common, nodes. This finds where
+   * it would begin. After each step the points in cells at the surface of the
+   * body are located in the undeformed grid: if the cells that points of two
+   * bodies are in have come to share a vertex, or those of places of one that
+   * an empty cell lay between, or a cell at the boundary has vertices there
+   * that nothing touches, the grid has to be put back.
+   *
+   * On grids that are stretched boundaries are not looked at. Cells that touch
+   * the boundary with a vertex only don't count as cells at the boundary.
+   */
+  template <int dim>
+  class ApproachWatch
+  {
+  public:
+    /** The grid has been put back. */
+    void
+    start()
+    {
+      is_started = false;
+    }
+
+    enum class Approach
+    {
+      none,
+      to_boundary,
+      of_bodies
+    };
+    /** The step has converged, and the @p points are where it ended; the
+     * @p elements are those of all equations. Collective. */
+    Approach
+    look(const StepContext<dim>  &step,
+         const ElementNodes      &elements,
+         const PointLocator<dim> &locator,
+         MaterialPoints<dim>     &points);
+
+    /** Where bodies were found to come together. */
+    const Point<dim> &
+    place_of_contact() const
+    {
+      return place;
+    }
+
+  private:
+    /** What of the body is near a vertex. */
+    struct Mark
+    {
+      unsigned int least_part, largest_part;
+      double       cell_size;
+      /** The places at the last reset of the points that were furthest in -x,
+       * x, -y, y ... then. */
+      std::array<Point<dim>, 2 * dim> furthest;
+
+      void
+      add(const Mark &other);
+    };
+    using Marks = std::map<unsigned int, Mark>;
+
+    void
+    find_surface(const StepContext<dim> &step, const ElementNodes &elements);
+    /** Those of all ranks. */
+    static void
+    share(const MPI_Comm comm, Marks &marks);
+    /** Whether an empty cell lies between points that some of the @p marks
+     * name, in the grid as it was put back; finds the place where they are now.
+     */
+    bool
+    any_gap(const StepContext<dim>  &step,
+            const PointLocator<dim> &locator,
+            const Marks             &marks);
+    /** Whether any rank has a vertex among @p vertices that no rank has as an
+     * active node. */
+    static bool
+    any_is_new(const StepContext<dim>          &step,
+               const std::vector<unsigned int> &vertices);
+
+    bool       is_started = false;
+    Point<dim> place;
+    /** By occupied cell: whether a neighbour is empty; its part. */
+    std::vector<unsigned char> at_surface;
+    std::vector<unsigned int>  part;
+    /** By point: the cell that it was last found in. */
+    std::vector<unsigned int> hint;
+    /** Whether the body touched the boundary at the last reset. */
+    bool is_attached = false;
+  };
+} // namespace isochor
+
+#endif

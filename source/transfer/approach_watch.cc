@@ -1,0 +1,272 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/equations/connected_parts.h>
+#include <isochor/grid/nearest_cells.h>
+#include <isochor/transfer/approach_watch.h>
+
+#include <algorithm>
+#include <set>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Where point @p q of cell k was when the grid was put back. */
+    template <int dim>
+    Point<dim>
+    place_at_reset(const StepContext<dim> &step,
+                   const unsigned int      k,
+                   const unsigned int      q)
+    {
+      const SimplexGeometry<dim> &geometry = step.grid.geometry();
+      const auto &vertices = geometry.vertex_indices(step.points.cell[k]);
+      Point<dim>  x;
+      for (unsigned int v = 0; v <= dim; ++v)
+        x += step.points.shape[q][v] * geometry.vertices()[vertices[v]];
+      return x;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  ApproachWatch<dim>::Mark::add(const Mark &other)
+  {
+    least_part   = std::min(least_part, other.least_part);
+    largest_part = std::max(largest_part, other.largest_part);
+    cell_size    = std::max(cell_size, other.cell_size);
+    // of equals that which comes first, whatever rank it is on
+    const auto is_further = [](const unsigned int d,
+                               const double       sign,
+                               const Point<dim>  &a,
+                               const Point<dim>  &b) {
+      if (a[d] != b[d])
+        return sign * a[d] > sign * b[d];
+      for (unsigned int e = 0; e < dim; ++e)
+        if (a[e] != b[e])
+          return a[e] < b[e];
+      return false;
+    };
+    for (unsigned int i = 0; i < 2 * dim; ++i)
+      if (is_further(
+            i / 2, i % 2 == 0 ? -1. : 1., other.furthest[i], furthest[i]))
+        furthest[i] = other.furthest[i];
+  }
+
+
+
+  template <int dim>
+  void
+  ApproachWatch<dim>::find_surface(const StepContext<dim> &step,
+                                   const ElementNodes     &elements)
+  {
+    const PointArrays<dim>         &points   = step.points;
+    const SimplexGeometry<dim>     &geometry = step.grid.geometry();
+    const std::vector<unsigned int> name     = part_names(step, elements);
+    at_surface.assign(points.n_occupied_cells, 0);
+    part.assign(points.n_occupied_cells, 0);
+    hint.assign(points.n_points(), 0);
+    is_attached = false;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      {
+        const unsigned int c = points.cell[k];
+        for (const unsigned int neighbour : geometry.neighbours(c))
+          if (neighbour == SimplexGeometry<dim>::no_cell)
+            is_attached = true;
+          else if (!points.contains_cell(neighbour))
+            at_surface[k] = 1;
+        part[k] = name[step.nodes.node(
+          points.stencil(geometry, k, points.cell_start[k]).vertex[0])];
+        std::fill(hint.begin() + points.cell_start[k],
+                  hint.begin() + points.cell_start[k + 1],
+                  c);
+      }
+    is_attached =
+      Utilities::MPI::max(is_attached ? 1 : 0, step.grid.communicator()) == 1;
+    is_started = true;
+  }
+
+
+
+  template <int dim>
+  typename ApproachWatch<dim>::Approach
+  ApproachWatch<dim>::look(const StepContext<dim>  &step,
+                           const ElementNodes      &elements,
+                           const PointLocator<dim> &locator,
+                           MaterialPoints<dim>     &points)
+  {
+    if (!is_started)
+      find_surface(step, elements);
+    const SimplexGeometry<dim> &geometry = step.grid.geometry();
+    Marks                       marks;
+    std::set<unsigned int>      at_boundary;
+    bool                        is_outside = false;
+    points.for_each([&](const unsigned int k,
+                        const unsigned int q,
+                        Point<dim>        &location,
+                        const ArrayView<double> & /*properties*/) {
+      if (at_surface[k] == 0)
+        return;
+      const LocateResult<dim> found = locator.locate(location, hint[q]);
+      if (!found.found)
+        {
+          is_outside = true;
+          return;
+        }
+      hint[q]              = found.cell;
+      const auto &vertices = geometry.vertex_indices(found.cell);
+      Mark        mark{part[k], part[k], cell_size(geometry, found.cell), {}};
+      mark.furthest.fill(place_at_reset(step, k, q));
+      for (const unsigned int vertex : vertices)
+        {
+          const auto inserted = marks.emplace(vertex, mark);
+          if (!inserted.second)
+            inserted.first->second.add(mark);
+        }
+      const auto &neighbours = geometry.neighbours(found.cell);
+      for (unsigned int f = 0; f <= dim; ++f)
+        if (neighbours[f] == SimplexGeometry<dim>::no_cell)
+          for (unsigned int v = 0; v <= dim; ++v)
+            if (v != f)
+              at_boundary.insert(vertices[v]);
+    });
+
+    const MPI_Comm comm = step.grid.communicator();
+    share(comm, marks);
+    for (const auto &[vertex, mark] : marks)
+      if (mark.least_part != mark.largest_part)
+        {
+          place = geometry.vertices()[vertex];
+          return Approach::of_bodies;
+        }
+    if (any_gap(step, locator, marks))
+      return Approach::of_bodies;
+    if (step.grid.is_moving())
+      return Approach::none;
+    const bool touches =
+      any_is_new(step, {at_boundary.begin(), at_boundary.end()});
+    // so fast that it was never near
+    const bool is_gone =
+      !is_attached && Utilities::MPI::max(is_outside ? 1 : 0, comm) == 1;
+    return touches || is_gone ? Approach::to_boundary : Approach::none;
+  }
+
+
+
+  template <int dim>
+  void
+  ApproachWatch<dim>::share(const MPI_Comm comm, Marks &marks)
+  {
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return;
+    std::vector<double> values;
+    for (const auto &[vertex, mark] : marks)
+      {
+        values.insert(values.end(),
+                      {double(vertex),
+                       double(mark.least_part),
+                       double(mark.largest_part),
+                       mark.cell_size});
+        for (const Point<dim> &x : mark.furthest)
+          for (unsigned int d = 0; d < dim; ++d)
+            values.push_back(x[d]);
+      }
+    marks.clear();
+    for (const auto &of_rank : Utilities::MPI::all_gather(comm, values))
+      for (auto v = of_rank.begin(); v != of_rank.end();)
+        {
+          const unsigned int vertex = *v++;
+          Mark               mark;
+          mark.least_part   = *v++;
+          mark.largest_part = *v++;
+          mark.cell_size    = *v++;
+          for (Point<dim> &x : mark.furthest)
+            for (unsigned int d = 0; d < dim; ++d)
+              x[d] = *v++;
+          const auto inserted = marks.emplace(vertex, mark);
+          if (!inserted.second)
+            inserted.first->second.add(mark);
+        }
+  }
+
+
+
+  template <int dim>
+  bool
+  ApproachWatch<dim>::any_gap(const StepContext<dim>  &step,
+                              const PointLocator<dim> &locator,
+                              const Marks             &marks)
+  {
+    // nearer to each other there is hardly an empty cell between
+    constexpr double far = 2, spacing = 0.5; // cell sizes
+    // all ranks have the same marks
+    std::vector<unsigned int> cells, at_vertex;
+    for (const auto &[vertex, mark] : marks)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const Point<dim>    &from = mark.furthest[2 * d];
+          const Tensor<1, dim> way  = mark.furthest[2 * d + 1] - from;
+          if (way[d] < far * mark.cell_size)
+            continue;
+          const unsigned int n = way.norm() / (spacing * mark.cell_size);
+          for (unsigned int i = 1; i < n; ++i)
+            {
+              const LocateResult<dim> found =
+                locator.locate(from + double(i) / n * way,
+                               cells.empty() ? SimplexGeometry<dim>::no_cell :
+                                               cells.back());
+              if (!found.found)
+                continue;
+              cells.push_back(found.cell);
+              at_vertex.push_back(vertex);
+            }
+        }
+    if (cells.empty())
+      return false;
+    std::vector<int> is_filled;
+    for (const unsigned int cell : cells)
+      is_filled.push_back(step.points.contains_cell(cell) ? 1 : 0);
+    Utilities::MPI::max(is_filled, step.grid.communicator(), is_filled);
+    const auto gap = std::find(is_filled.begin(), is_filled.end(), 0);
+    if (gap == is_filled.end())
+      return false;
+    place = step.grid.geometry().vertices()[at_vertex[gap - is_filled.begin()]];
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  ApproachWatch<dim>::any_is_new(const StepContext<dim>          &step,
+                                 const std::vector<unsigned int> &vertices)
+  {
+    const MPI_Comm            comm = step.grid.communicator();
+    std::vector<unsigned int> all  = vertices;
+    if (Utilities::MPI::n_mpi_processes(comm) > 1)
+      {
+        all.clear();
+        for (const auto &of_rank : Utilities::MPI::all_gather(comm, vertices))
+          all.insert(all.end(), of_rank.begin(), of_rank.end());
+        std::sort(all.begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+      }
+    std::vector<int> is_active;
+    for (const unsigned int vertex : all)
+      is_active.push_back(
+        step.nodes.node(vertex) != numbers::invalid_unsigned_int ? 1 : 0);
+    if (!all.empty())
+      Utilities::MPI::max(is_active, comm, is_active);
+    return std::count(is_active.begin(), is_active.end(), 0) > 0;
+  }
+
+
+
+  template class ApproachWatch<2>;
+  template class ApproachWatch<3>;
+} // namespace isochor
