@@ -29,6 +29,20 @@ namespace isochor
         x += step.points.shape[q][v] * geometry.vertices()[vertices[v]];
       return x;
     }
+
+
+
+    /** The @p numbers of all ranks, ascending and each once. */
+    std::vector<unsigned int>
+    of_all_ranks(const MPI_Comm comm, const std::vector<unsigned int> &numbers)
+    {
+      std::vector<unsigned int> all;
+      for (const auto &of_rank : Utilities::MPI::all_gather(comm, numbers))
+        all.insert(all.end(), of_rank.begin(), of_rank.end());
+      std::sort(all.begin(), all.end());
+      all.erase(std::unique(all.begin(), all.end()), all.end());
+      return all;
+    }
   } // namespace
 
 
@@ -53,8 +67,10 @@ namespace isochor
       return false;
     };
     for (unsigned int i = 0; i < 2 * dim; ++i)
-      if (is_further(
-            i / 2, i % 2 == 0 ? -1. : 1., other.furthest[i], furthest[i]))
+      if (is_further(i / 2,
+                     i % 2 == 0 ? -1. : 1.,
+                     other.furthest[i].from,
+                     furthest[i].from))
         furthest[i] = other.furthest[i];
   }
 
@@ -71,14 +87,19 @@ namespace isochor
     at_surface.assign(points.n_occupied_cells, 0);
     part.assign(points.n_occupied_cells, 0);
     hint.assign(points.n_points(), 0);
-    is_attached = false;
+    std::vector<unsigned int> touched; // vertices at the boundary
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       {
-        const unsigned int c = points.cell[k];
-        for (const unsigned int neighbour : geometry.neighbours(c))
-          if (neighbour == SimplexGeometry<dim>::no_cell)
-            is_attached = true;
-          else if (!points.contains_cell(neighbour))
+        const unsigned int c          = points.cell[k];
+        const auto        &neighbours = geometry.neighbours(c);
+        for (unsigned int f = 0; f <= dim; ++f)
+          if (neighbours[f] == SimplexGeometry<dim>::no_cell)
+            {
+              for (unsigned int v = 0; v <= dim; ++v)
+                if (v != f)
+                  touched.push_back(geometry.vertex_indices(c)[v]);
+            }
+          else if (!points.contains_cell(neighbours[f]))
             at_surface[k] = 1;
         part[k] = name[step.nodes.node(
           points.stencil(geometry, k, points.cell_start[k]).vertex[0])];
@@ -86,8 +107,13 @@ namespace isochor
                   hint.begin() + points.cell_start[k + 1],
                   c);
       }
-    is_attached =
-      Utilities::MPI::max(is_attached ? 1 : 0, step.grid.communicator()) == 1;
+    touched     = of_all_ranks(step.grid.communicator(), touched);
+    is_attached = !touched.empty();
+    at_boundary.assign(points.n_occupied_cells, 0);
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (const unsigned int v : geometry.vertex_indices(points.cell[k]))
+        if (std::binary_search(touched.begin(), touched.end(), v))
+          at_boundary[k] = 1;
     is_started = true;
   }
 
@@ -104,7 +130,7 @@ namespace isochor
       find_surface(step, elements);
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
     Marks                       marks;
-    std::set<unsigned int>      at_boundary;
+    std::set<unsigned int>      near_boundary;
     bool                        is_outside = false;
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
@@ -121,19 +147,21 @@ namespace isochor
       hint[q]              = found.cell;
       const auto &vertices = geometry.vertex_indices(found.cell);
       Mark        mark{part[k], part[k], cell_size(geometry, found.cell), {}};
-      mark.furthest.fill(place_at_reset(step, k, q));
+      mark.furthest.fill({place_at_reset(step, k, q), location});
       for (const unsigned int vertex : vertices)
         {
           const auto inserted = marks.emplace(vertex, mark);
           if (!inserted.second)
             inserted.first->second.add(mark);
         }
+      if (at_boundary[k] != 0)
+        return;
       const auto &neighbours = geometry.neighbours(found.cell);
       for (unsigned int f = 0; f <= dim; ++f)
         if (neighbours[f] == SimplexGeometry<dim>::no_cell)
           for (unsigned int v = 0; v <= dim; ++v)
             if (v != f)
-              at_boundary.insert(vertices[v]);
+              near_boundary.insert(vertices[v]);
     });
 
     const MPI_Comm comm = step.grid.communicator();
@@ -149,7 +177,7 @@ namespace isochor
     if (step.grid.is_moving())
       return Approach::none;
     const bool touches =
-      any_is_new(step, {at_boundary.begin(), at_boundary.end()});
+      any_is_new(step, {near_boundary.begin(), near_boundary.end()});
     // so fast that it was never near
     const bool is_gone =
       !is_attached && Utilities::MPI::max(is_outside ? 1 : 0, comm) == 1;
@@ -172,9 +200,10 @@ namespace isochor
                        double(mark.least_part),
                        double(mark.largest_part),
                        mark.cell_size});
-        for (const Point<dim> &x : mark.furthest)
-          for (unsigned int d = 0; d < dim; ++d)
-            values.push_back(x[d]);
+        for (const typename Mark::Way &way : mark.furthest)
+          for (const Point<dim> &x : {way.from, way.to})
+            for (unsigned int d = 0; d < dim; ++d)
+              values.push_back(x[d]);
       }
     marks.clear();
     for (const auto &of_rank : Utilities::MPI::all_gather(comm, values))
@@ -185,9 +214,10 @@ namespace isochor
           mark.least_part   = *v++;
           mark.largest_part = *v++;
           mark.cell_size    = *v++;
-          for (Point<dim> &x : mark.furthest)
-            for (unsigned int d = 0; d < dim; ++d)
-              x[d] = *v++;
+          for (typename Mark::Way &way : mark.furthest)
+            for (Point<dim> *x : {&way.from, &way.to})
+              for (unsigned int d = 0; d < dim; ++d)
+                (*x)[d] = *v++;
           const auto inserted = marks.emplace(vertex, mark);
           if (!inserted.second)
             inserted.first->second.add(mark);
@@ -204,20 +234,23 @@ namespace isochor
   {
     // nearer to each other there is hardly an empty cell between
     constexpr double far = 2, spacing = 0.5; // cell sizes
+    constexpr double near = 0.5;             // of what it was
     // all ranks have the same marks
     std::vector<unsigned int> cells, at_vertex;
     for (const auto &[vertex, mark] : marks)
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const Point<dim>    &from = mark.furthest[2 * d];
-          const Tensor<1, dim> way  = mark.furthest[2 * d + 1] - from;
-          if (way[d] < far * mark.cell_size)
+          const auto &first        = mark.furthest[2 * d],
+                     &last         = mark.furthest[2 * d + 1];
+          const Tensor<1, dim> way = last.from - first.from;
+          if (way[d] < far * mark.cell_size ||
+              (last.to - first.to).norm() > near * way.norm())
             continue;
           const unsigned int n = way.norm() / (spacing * mark.cell_size);
           for (unsigned int i = 1; i < n; ++i)
             {
               const LocateResult<dim> found =
-                locator.locate(from + double(i) / n * way,
+                locator.locate(first.from + double(i) / n * way,
                                cells.empty() ? SimplexGeometry<dim>::no_cell :
                                                cells.back());
               if (!found.found)
@@ -246,16 +279,8 @@ namespace isochor
   ApproachWatch<dim>::any_is_new(const StepContext<dim>          &step,
                                  const std::vector<unsigned int> &vertices)
   {
-    const MPI_Comm            comm = step.grid.communicator();
-    std::vector<unsigned int> all  = vertices;
-    if (Utilities::MPI::n_mpi_processes(comm) > 1)
-      {
-        all.clear();
-        for (const auto &of_rank : Utilities::MPI::all_gather(comm, vertices))
-          all.insert(all.end(), of_rank.begin(), of_rank.end());
-        std::sort(all.begin(), all.end());
-        all.erase(std::unique(all.begin(), all.end()), all.end());
-      }
+    const MPI_Comm   comm = step.grid.communicator();
+    const auto       all  = of_all_ranks(comm, vertices);
     std::vector<int> is_active;
     for (const unsigned int vertex : all)
       is_active.push_back(

@@ -67,9 +67,13 @@ namespace isochor
     {
       unsigned int least_part, largest_part;
       double       cell_size;
-      /** The places at the last reset of the points that were furthest in -x,
-       * x, -y, y ... then. */
-      std::array<Point<dim>, 2 * dim> furthest;
+      /** Of the points that were furthest in -x, x, -y, y ... at the last
+       * reset: where they were, and where they are. */
+      struct Way
+      {
+        Point<dim> from, to;
+      };
+      std::array<Way, 2 * dim> furthest;
 
       void
       add(const Mark &other);
@@ -96,8 +100,9 @@ namespace isochor
 
     bool       is_started = false;
     Point<dim> place;
-    /** By occupied cell: whether a neighbour is empty; its part. */
-    std::vector<unsigned char> at_surface;
+    /** By occupied cell: whether a neighbour is empty, and whether it touches
+     * the boundary where the body does; its part. */
+    std::vector<unsigned char> at_surface, at_boundary;
     std::vector<unsigned int>  part;
     /** By point: the cell that it was last found in. */
     std::vector<unsigned int> hint;
