@@ -23,6 +23,7 @@ namespace isochor
     warn_of_maximum_level(const BodyState<dim>      &state,
                           const unsigned int         maximum,
                           const std::vector<double> &sizes,
+                          const bool                 by_number,
                           Warnings                  &warnings)
     {
       const AdaptiveGrid<dim> &forest = state.grid.adaptive_grid();
@@ -45,7 +46,10 @@ namespace isochor
       text << "At t = " << state.time << ", " << 100 * n_limited / n
            << " % of the material points ask for smaller cells (down to "
            << smallest << " m) than <Adaptive grid/Maximum level = " << maximum
-           << "> allows. Raise it, or ask for less.";
+           << "> allows. Raise it, or ask for less"
+           << (by_number ? ": for a smaller <Adaptive grid/Target number of "
+                           "leaves>, which can't be met." :
+                           ".");
       warnings.add("grid at its maximum level", text.str());
     }
   } // namespace
@@ -214,7 +218,11 @@ namespace isochor
     for (const auto &criterion : criteria)
       if (criterion->needs_state())
         criterion->limit_sizes(state, rule, sizes, statistics);
-    warn_of_maximum_level(state, rule.maximum, sizes, step.warnings);
+    const bool by_number =
+      std::any_of(criteria.begin(), criteria.end(), [](const auto &criterion) {
+        return criterion->largest_number_of_leaves() > 0;
+      });
+    warn_of_maximum_level(state, rule.maximum, sizes, by_number, step.warnings);
     constexpr unsigned int many_steps = 10;
     if (++n_waiting == many_steps && n_resets <= 1 && resets_between > 0)
       step.warnings.add(
@@ -434,9 +442,18 @@ namespace isochor
   void
   GridAdaptation<dim>::evaluate(const BackgroundGrid<dim> &grid,
                                 const MaterialPoints<dim> &points,
+                                const PointArrays<dim>    &arrays,
                                 Statistics                &statistics)
   {
-    const auto &leaves = grid.adaptive_grid().leaves();
+    const AdaptiveGrid<dim> &forest = grid.adaptive_grid();
+    const auto              &leaves = forest.leaves();
+    // all cells of a leaf belong to one rank
+    std::vector<unsigned int> filled;
+    for (unsigned int k = 0; k < arrays.n_occupied_cells; ++k)
+      filled.push_back(forest.leaf_of_cell(arrays.cell[k]));
+    std::sort(filled.begin(), filled.end());
+    const types::global_dof_index n_filled =
+      std::unique(filled.begin(), filled.end()) - filled.begin();
     const auto [coarsest, finest] =
       std::minmax_element(leaves.begin(),
                           leaves.end(),
@@ -445,6 +462,8 @@ namespace isochor
                           });
     statistics.set("Cells of grid", grid.geometry().n_cells());
     statistics.set("Leaves of grid", leaves.size());
+    statistics.set("Leaves with material",
+                   Utilities::MPI::sum(n_filled, grid.communicator()));
     statistics.set("Coarsest level of grid", coarsest->level);
     statistics.set("Finest level of grid", finest->level);
     statistics.set("Changes of grid", n_changes);

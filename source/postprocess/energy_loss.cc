@@ -49,7 +49,7 @@ namespace isochor
     if (!is_cpdi)
       text << "Points that change cells take their stresses with them: "
               "<Quadrature/Type = CPDI> or a grid that is kept (<Grid "
-              "reset/Steps between resets = 0>, where bodies don't come "
+              "reset/Steps between resets = 0>, up to where bodies come "
               "together) hardly lose any. Else smaller steps (<Time/Step "
               "size>) and cells.";
     else
@@ -58,7 +58,7 @@ namespace isochor
                           "larger" :
                           "a smaller")
            << " <Dynamics/Spectral radius>, or a grid that is kept (<Grid "
-              "reset/Steps between resets = 0>, where bodies don't come "
+              "reset/Steps between resets = 0>, up to where bodies come "
               "together).";
     warnings.add("energy lost or created by the scheme", text.str());
   }

@@ -168,8 +168,8 @@ namespace isochor
         "nothing loads the scene",
         "The first step, to t = " + std::to_string(scene.time.next_time()) +
           ", needed no iteration: no load and no displacement acts on the body "
-          "up to then. Set loads in <Boundary conditions>, <Dynamics/Initial "
-          "velocity>, or a larger <Time/Step size> if they begin later.");
+          "up to then. That is as it should be if they begin later. Otherwise "
+          "set loads in <Boundary conditions> or <Dynamics/Initial velocity>.");
   }
 
 

@@ -435,7 +435,7 @@ namespace isochor
     partition.evaluate(scene.grid, scene.points, statistics);
     if (!scene.grid.is_adaptive())
       return;
-    scene.adaptation.evaluate(scene.grid, scene.points, statistics);
+    scene.adaptation.evaluate(scene.grid, scene.points, arrays, statistics);
     refinement.evaluate(statistics);
   }
 

@@ -97,6 +97,7 @@ namespace isochor
     void
     evaluate(const BackgroundGrid<dim> &grid,
              const MaterialPoints<dim> &points,
+             const PointArrays<dim>    &arrays,
              Statistics                &statistics);
 
     /** What has to survive a restart, the mesh included. */
