@@ -80,8 +80,8 @@ run(COMMAND tail -n 1 adaptive_tube/statistics.txt IN ${place}/plugins
 file(READ ${place}/plugins/last_step_of_tube last_step)
 string(REGEX MATCHALL "(9[.]5[0-5][0-9]*e-04|0[.]00095[0-5][0-9]*)" walls "${last_step}")
 list(LENGTH walls n)
-# cells, leaves (384 coarse ones), coarsest and finest level, changes
-if(NOT n EQUAL 2 OR NOT last_step MATCHES " 1824 864 0 1 [12] ")
+# cells, leaves (384 coarse ones), all with material, coarsest and finest level, changes
+if(NOT n EQUAL 2 OR NOT last_step MATCHES " 1824 864 864 0 1 [12] ")
   message(FATAL_ERROR "the tube in an adaptive annulus gives ${last_step}")
 endif()
 

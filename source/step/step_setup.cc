@@ -70,7 +70,7 @@ namespace isochor
         n_control_nodes += condition->control_nodes().size();
       }
     share_held_vertices();
-    if (needs_occupancy)
+    if (needs_occupancy || !grid_reset.always())
       find_walls();
   }
 
@@ -160,6 +160,11 @@ namespace isochor
       }
     held.resolve(n_components);
     const HeldDirections<dim> directions(held, n_components);
+    std::vector<unsigned int> walls;
+    for (unsigned int v = 0; v < scene.grid.geometry().vertices().size(); ++v)
+      if (directions.is_held(all_nodes.node(v)))
+        walls.push_back(v);
+    grid_reset.set_walls(walls);
     occupancy.initialize(
       [&](const unsigned int vertex, const Tensor<1, dim> &n) {
         return directions.free_part(all_nodes.node(vertex), n);
@@ -319,7 +324,7 @@ namespace isochor
     for (const auto &postprocessor : scene.postprocessors)
       postprocessor->grid_changed(scene.grid);
     share_held_vertices();
-    if (needs_occupancy)
+    if (needs_occupancy || !grid_reset.always())
       find_walls();
   }
 

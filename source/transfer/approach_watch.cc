@@ -130,13 +130,13 @@ namespace isochor
       find_surface(step, elements);
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
     Marks                       marks;
-    std::set<unsigned int>      near_boundary;
+    std::set<unsigned int>      near_boundary, covered;
     bool                        is_outside = false;
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
                         Point<dim>        &location,
                         const ArrayView<double> & /*properties*/) {
-      if (at_surface[k] == 0)
+      if (at_surface[k] == 0 && at_boundary[k] == 0)
         return;
       const LocateResult<dim> found = locator.locate(location, hint[q]);
       if (!found.found)
@@ -146,7 +146,11 @@ namespace isochor
         }
       hint[q]              = found.cell;
       const auto &vertices = geometry.vertex_indices(found.cell);
-      Mark        mark{part[k], part[k], cell_size(geometry, found.cell), {}};
+      if (at_boundary[k] != 0)
+        covered.insert(vertices.begin(), vertices.end());
+      if (at_surface[k] == 0)
+        return;
+      Mark mark{part[k], part[k], cell_size(geometry, found.cell), {}};
       mark.furthest.fill({place_at_reset(step, k, q), location});
       for (const unsigned int vertex : vertices)
         {
@@ -154,13 +158,12 @@ namespace isochor
           if (!inserted.second)
             inserted.first->second.add(mark);
         }
-      if (at_boundary[k] != 0)
-        return;
       const auto &neighbours = geometry.neighbours(found.cell);
-      for (unsigned int f = 0; f <= dim; ++f)
+      for (unsigned int f = 0; f <= dim && at_boundary[k] == 0; ++f)
         if (neighbours[f] == SimplexGeometry<dim>::no_cell)
           for (unsigned int v = 0; v <= dim; ++v)
-            if (v != f)
+            if (v != f &&
+                std::binary_search(walls.begin(), walls.end(), vertices[v]))
               near_boundary.insert(vertices[v]);
     });
 
@@ -176,11 +179,10 @@ namespace isochor
       return Approach::of_bodies;
     if (step.grid.is_moving())
       return Approach::none;
-    const bool touches =
-      any_is_new(step, {near_boundary.begin(), near_boundary.end()});
+    const bool touches = any_is_new(step, near_boundary, covered);
     // so fast that it was never near
-    const bool is_gone =
-      !is_attached && Utilities::MPI::max(is_outside ? 1 : 0, comm) == 1;
+    const bool is_gone = !walls.empty() && !is_attached &&
+                         Utilities::MPI::max(is_outside ? 1 : 0, comm) == 1;
     return touches || is_gone ? Approach::to_boundary : Approach::none;
   }
 
@@ -276,15 +278,19 @@ namespace isochor
 
   template <int dim>
   bool
-  ApproachWatch<dim>::any_is_new(const StepContext<dim>          &step,
-                                 const std::vector<unsigned int> &vertices)
+  ApproachWatch<dim>::any_is_new(const StepContext<dim>       &step,
+                                 const std::set<unsigned int> &vertices,
+                                 const std::set<unsigned int> &covered)
   {
-    const MPI_Comm   comm = step.grid.communicator();
-    const auto       all  = of_all_ranks(comm, vertices);
+    const MPI_Comm comm = step.grid.communicator();
+    const auto     all = of_all_ranks(comm, {vertices.begin(), vertices.end()});
     std::vector<int> is_active;
     for (const unsigned int vertex : all)
-      is_active.push_back(
-        step.nodes.node(vertex) != numbers::invalid_unsigned_int ? 1 : 0);
+      is_active.push_back(step.nodes.node(vertex) !=
+                                numbers::invalid_unsigned_int ||
+                              covered.count(vertex) > 0 ?
+                            1 :
+                            0);
     if (!all.empty())
       Utilities::MPI::max(is_active, comm, is_active);
     return std::count(is_active.begin(), is_active.end(), 0) > 0;

@@ -72,6 +72,21 @@ namespace isochor
       return n.norm_square();
     }
 
+    /** Whether any direction is held at @p node. */
+    bool
+    is_held(const unsigned int node) const
+    {
+      bool held = directions.count(node) > 0;
+      for (unsigned int a = 0; a < dim; ++a)
+        {
+          const unsigned char how =
+            constraints.constrained[node * n_components + a];
+          held = held || how == NodalConstraints::prescribed ||
+                 how == NodalConstraints::in_contact;
+        }
+      return held;
+    }
+
   private:
     const NodalConstraints &constraints;
     const unsigned int      n_components;

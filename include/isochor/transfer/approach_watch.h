@@ -12,6 +12,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace isochor
@@ -21,10 +22,12 @@ namespace isochor
    * boundaries that they did not touch when it was last put back: contact is
    * what points of the undeformed grid have in common, nodes. This finds where
    * it would begin. After each step the points in cells at the surface of the
-   * body are located in the undeformed grid: if the cells that points of two
-   * bodies are in have come to share a vertex, or those of places of one that
-   * an empty cell lay between, or a cell at the boundary has vertices there
-   * that nothing touches, the grid has to be put back.
+   * body are located in the undeformed grid, which has to be put back if the
+   * cells that points of two bodies are in have come to share a vertex, or
+   * those of places of one that an empty cell lay between and that are half as
+   * far from each other as they were. Or if a point has come into a cell at the
+   * boundary with vertices there that conditions hold, nothing touches, and
+   * points that have been at the boundary are not in the way of.
    *
    * On grids that are stretched boundaries are not looked at. Cells that touch
    * the boundary with a vertex only don't count as cells at the boundary.
@@ -33,6 +36,14 @@ namespace isochor
   class ApproachWatch
   {
   public:
+    /** The vertices that boundary conditions hold in any direction, ascending.
+     */
+    void
+    set_walls(const std::vector<unsigned int> &vertices)
+    {
+      walls = vertices;
+    }
+
     /** The grid has been put back. */
     void
     start()
@@ -93,13 +104,15 @@ namespace isochor
             const PointLocator<dim> &locator,
             const Marks             &marks);
     /** Whether any rank has a vertex among @p vertices that no rank has as an
-     * active node. */
+     * active node, nor among those @p covered by what touches the boundary. */
     static bool
-    any_is_new(const StepContext<dim>          &step,
-               const std::vector<unsigned int> &vertices);
+    any_is_new(const StepContext<dim>       &step,
+               const std::set<unsigned int> &vertices,
+               const std::set<unsigned int> &covered);
 
-    bool       is_started = false;
-    Point<dim> place;
+    std::vector<unsigned int> walls;
+    bool                      is_started = false;
+    Point<dim>                place;
     /** By occupied cell: whether a neighbour is empty, and whether it touches
      * the boundary where the body does; its part. */
     std::vector<unsigned char> at_surface, at_boundary;

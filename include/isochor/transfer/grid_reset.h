@@ -90,6 +90,14 @@ namespace isochor
             const NodalField       &unknowns,
             PointArrays<dim>       &points);
 
+    /** The vertices that boundary conditions hold in any direction, ascending.
+     */
+    void
+    set_walls(const std::vector<unsigned int> &vertices)
+    {
+      approach_watch.set_walls(vertices);
+    }
+
     /** After advance(), if no reset is due: demand one where contact needs it,
      * and, where bodies come together, one in each step from now on, with a
      * warning. The @p points are where the step has ended, the @p elements
