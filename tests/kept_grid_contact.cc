@@ -50,6 +50,13 @@ test_collision(const std::string &discs, const std::string &grid)
   test::check(name + "most steps before keep their grid",
               problem->work().row("searches for all points").skipped > 4,
               "");
+  // they meet when the grid is put back
+  const auto often =
+    test::run_scene<dim>(scene + "Grid reset/Steps between resets = 5\n");
+  test::check_error(name + "energy, resets now and then",
+                    test::relative(test::get(*often, column), energy),
+                    dim == 2 ? 0.02 : 0.05);
+  test::check(name + "warning", warns(*often), often->all_warnings().summary());
 }
 
 /** A block falls from a @p height (m) above the ground, which holds it, and the

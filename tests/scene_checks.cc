@@ -156,7 +156,7 @@ namespace
     expect(
       "nothing loads the scene",
       messages<2>(good + "Boundary conditions/Gravity = 0, 0\n", false),
-      {"WARNING", "no iteration", "Boundary conditions", "Time/Step size"});
+      {"WARNING", "no iteration", "Boundary conditions", "begin later"});
     expect("body much smaller than a cell",
            messages<2>("Grid/Upper corner = 10, 10\nGrid/Subdivisions = 4, 4\n"
                        "Material points/Lattice spacing = 0.02\n"

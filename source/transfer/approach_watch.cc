@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 namespace isochor
 {
@@ -28,6 +29,17 @@ namespace isochor
       for (unsigned int v = 0; v <= dim; ++v)
         x += step.points.shape[q][v] * geometry.vertices()[vertices[v]];
       return x;
+    }
+
+
+
+    template <int dim>
+    std::string
+    near(const Point<dim> &x)
+    {
+      std::ostringstream text;
+      text << " near (" << x << ')';
+      return text.str();
     }
 
 
@@ -114,6 +126,7 @@ namespace isochor
       for (const unsigned int v : geometry.vertex_indices(points.cell[k]))
         if (std::binary_search(touched.begin(), touched.end(), v))
           at_boundary[k] = 1;
+    n_parts    = number_of_parts(step, elements);
     is_started = true;
   }
 
@@ -126,8 +139,14 @@ namespace isochor
                            const PointLocator<dim> &locator,
                            MaterialPoints<dim>     &points)
   {
+    place.clear();
     if (!is_started)
-      find_surface(step, elements);
+      {
+        const unsigned int n_before = n_parts;
+        find_surface(step, elements);
+        if (n_parts < n_before)
+          return Approach::of_bodies;
+      }
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
     Marks                       marks;
     std::set<unsigned int>      near_boundary, covered;
@@ -172,7 +191,7 @@ namespace isochor
     for (const auto &[vertex, mark] : marks)
       if (mark.least_part != mark.largest_part)
         {
-          place = geometry.vertices()[vertex];
+          place = near(geometry.vertices()[vertex]);
           return Approach::of_bodies;
         }
     if (any_gap(step, locator, marks))
@@ -236,7 +255,7 @@ namespace isochor
   {
     // nearer to each other there is hardly an empty cell between
     constexpr double far = 2, spacing = 0.5; // cell sizes
-    constexpr double near = 0.5;             // of what it was
+    constexpr double nearer = 0.5;           // of what it was
     // all ranks have the same marks
     std::vector<unsigned int> cells, at_vertex;
     for (const auto &[vertex, mark] : marks)
@@ -246,7 +265,7 @@ namespace isochor
                      &last         = mark.furthest[2 * d + 1];
           const Tensor<1, dim> way = last.from - first.from;
           if (way[d] < far * mark.cell_size ||
-              (last.to - first.to).norm() > near * way.norm())
+              (last.to - first.to).norm() > nearer * way.norm())
             continue;
           const unsigned int n = way.norm() / (spacing * mark.cell_size);
           for (unsigned int i = 1; i < n; ++i)
@@ -270,7 +289,8 @@ namespace isochor
     const auto gap = std::find(is_filled.begin(), is_filled.end(), 0);
     if (gap == is_filled.end())
       return false;
-    place = step.grid.geometry().vertices()[at_vertex[gap - is_filled.begin()]];
+    place =
+      near(step.grid.geometry().vertices()[at_vertex[gap - is_filled.begin()]]);
     return true;
   }
 

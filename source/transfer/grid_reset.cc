@@ -107,12 +107,13 @@ namespace isochor
       return;
     in_contact = true;
     std::ostringstream text;
-    text << "At t = " << step.time << " bodies, or parts of one, are near to "
-         << "each other at (" << approach_watch.place_of_contact()
-         << "). They feel each other by nodes in common only, and the grid "
-            "moved with them until now, as <Grid reset/Steps between resets> "
-            "asks for. From now on it is put back in each step. Set 1 there "
-            "if contact is what the scene is about.";
+    text
+      << "At t = " << step.time << " bodies, or parts of one, have come "
+      << "together" << approach_watch.place_of_contact()
+      << ". They feel each other by nodes in common only, and the grid moved "
+         "with them until now, as <Grid reset/Steps between resets> asks "
+         "for. From now on it is put back in each step. Set 1 there if "
+         "contact is what the scene is about.";
     step.warnings.add("contact on a grid that is kept", text.str());
   }
 

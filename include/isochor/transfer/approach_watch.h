@@ -13,6 +13,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace isochor
@@ -27,7 +28,8 @@ namespace isochor
    * those of places of one that an empty cell lay between and that are half as
    * far from each other as they were. Or if a point has come into a cell at the
    * boundary with vertices there that conditions hold, nothing touches, and
-   * points that have been at the boundary are not in the way of.
+   * points that have been at the boundary are not in the way of. Bodies that
+   * have nodes in common at t = 0 are one.
    *
    * On grids that are stretched boundaries are not looked at. Cells that touch
    * the boundary with a vertex only don't count as cells at the boundary.
@@ -65,11 +67,19 @@ namespace isochor
          const PointLocator<dim> &locator,
          MaterialPoints<dim>     &points);
 
-    /** Where bodies were found to come together. */
-    const Point<dim> &
+    /** Where bodies were found to come together: " near (x y)", or nothing if
+     * they had nodes in common when the grid was put back. */
+    const std::string &
     place_of_contact() const
     {
       return place;
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &n_parts;
     }
 
   private:
@@ -112,7 +122,9 @@ namespace isochor
 
     std::vector<unsigned int> walls;
     bool                      is_started = false;
-    Point<dim>                place;
+    std::string               place;
+    /** How many bodies there were at the last reset; 0: not known. */
+    unsigned int n_parts = 0;
     /** By occupied cell: whether a neighbour is empty, and whether it touches
      * the boundary where the body does; its part. */
     std::vector<unsigned char> at_surface, at_boundary;

@@ -112,7 +112,7 @@ namespace isochor
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &is_due &n_steps_since &reset_time &in_contact;
+      archive &is_due &n_steps_since &reset_time &in_contact &approach_watch;
     }
 
   private:
