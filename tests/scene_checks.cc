@@ -153,10 +153,9 @@ namespace
            {"WARNING",
             "Boundary conditions/Gravity",
             "<Material/Density> is 0"});
-    expect(
-      "nothing loads the scene",
-      messages<2>(good + "Boundary conditions/Gravity = 0, 0\n", false),
-      {"WARNING", "no iteration", "Boundary conditions", "begin later"});
+    expect("nothing loads the scene",
+           messages<2>(good + "Boundary conditions/Gravity = 0, 0\n", false),
+           {"WARNING", "no iteration", "Boundary conditions", "begin later"});
     expect("body much smaller than a cell",
            messages<2>("Grid/Upper corner = 10, 10\nGrid/Subdivisions = 4, 4\n"
                        "Material points/Lattice spacing = 0.02\n"
