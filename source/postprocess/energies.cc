@@ -23,13 +23,12 @@ namespace isochor
    * angular momentum about the origin (per metre of thickness in plane strain):
    *
    *  - strain energy Σ_p V_p (W_dev + p²/(2K)) and, with PPP, that of the
-   *    stabilisation, Σ_e (p + h)·S_e (p - h) / 2 (doc/method.md);
+   *    stabilisation (StabilisationEnergy, doc/method.md);
    *  - plastic work: the work of the stresses at points whose law has a
    *    history, (τ_n : ∇_n Δu + τ_{n+1} : ∇_{n+1} Δu) V_p / 2 in a step, minus
    *    what is stored elastically;
    *  - external work of loads and of prescribed motions, by the mean of the
-   *    forces at both ends of a step times Δu_I, and of a weight that changes
-   *    in the stabilisation;
+   *    forces at both ends of a step times Δu_I;
    *  - what the scheme lost: external work minus the change of kinetic and
    *    strain energy, minus plastic work. In statics the errors of load
    *    stepping are in it, in dynamics also those of time integration and of
@@ -87,7 +86,7 @@ namespace isochor
         initial_energy = sums[old_strain] + sums[old_kinetic];
       strain_energy = sums[strain] + stabilisation.stored;
       stiffness     = sums[shear_modulus];
-      external_sum += sums[external] + stabilisation.work;
+      external_sum += sums[external];
       plastic_sum += sums[plastic];
     }
 

@@ -28,8 +28,8 @@ namespace isochor
       }
     const Tensor<1, dim> &new_weight = step.kernel.hydrostatic_acceleration;
     const auto            at_end     = sum(step, &unknowns, new_weight);
-    work   = (weight - new_weight) * (moment + at_end.moment) / 2;
-    stored = at_end.stored;
+    work += (weight - new_weight) * (moment + at_end.moment) / 2;
+    stored = at_end.stored - work;
     moment = at_end.moment;
     weight = new_weight;
   }
@@ -86,7 +86,7 @@ namespace isochor
   void
   StabilisationEnergy<dim>::save(std::ostream &out) const
   {
-    out << any << ' ' << weight << ' ' << moment << ' ';
+    out << any << ' ' << work << ' ' << weight << ' ' << moment << ' ';
   }
 
 
@@ -95,7 +95,7 @@ namespace isochor
   void
   StabilisationEnergy<dim>::load(std::istream &in)
   {
-    in >> any;
+    in >> any >> work;
     for (Tensor<1, dim> *vector : {&weight, &moment})
       for (unsigned int d = 0; d < dim; ++d)
         in >> (*vector)[d];

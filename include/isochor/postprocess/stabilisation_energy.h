@@ -28,13 +28,12 @@ namespace isochor
             const NodalField       &unknowns,
             const Tensor<1, dim>   &old_weight);
 
-    /** Of all ranks at the end of the step (J). Before the first one it is
-     * taken for zero, also under a weight that is there at once: volumes can't
-     * follow, and the pressure is h then but for what the body's
-     * compressibility takes. */
+    /** Of all ranks at the end of the step (J), without what changes of the
+     * weight have done since t = 0: of a load that grows in proportion p·S d /
+     * 2, as for any elastic body. Before the first step it is taken for zero,
+     * also under a weight that is there at once: volumes can't follow, and the
+     * pressure is h then but for what the body's compressibility takes. */
     double stored = 0;
-    /** What the change of the weight did in the step (J). */
-    double work = 0;
 
     void
     save(std::ostream &out) const;
@@ -50,7 +49,9 @@ namespace isochor
         const Tensor<1, dim>   &weight);
 
     /** At the end of the last step. */
-    bool           any = false;
+    bool any = false;
+    /** What changes of the weight have done (J). */
+    double         work = 0;
     Tensor<1, dim> weight, moment;
   };
 } // namespace isochor
