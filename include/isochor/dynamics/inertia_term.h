@@ -32,11 +32,13 @@ namespace isochor
    * The acceleration a_n that a step starts with is either this projection, or
    * (`Acceleration = from stresses`) the solution of
    *   M a_n = f_ext(t_n) - Σ_p V_p σ_p ∇_n N_I + Σ_p m_p N_I d_p,
-   * with d = a_n - ((1 - α) a_n + α a_{n-1}) all that is carried by the points
-   * then. Over a step the forces that do work are then those of one grid, and
-   * what kinetic energy loses strain energy gains, whatever cells the points
-   * are in. With nodal pressures σ_p is without what they can't represent on
-   * this grid, see leave_out_unfelt_pressure().
+   * with d = a_n - ((1 - α) a_n + α a_{n-1}), its excess over what forces gave,
+   * carried by the points beside a_n itself. Over a step the forces that do
+   * work are then those of one grid, and what kinetic energy loses strain
+   * energy gains, whatever cells the points are in. With nodal pressures σ_p is
+   * without what they can't represent on this grid, see
+   * leave_out_unfelt_pressure(), and where the grid changes a_n settles, see
+   * start_settling().
    */
   template <int dim>
   class InertiaTerm : public EquationTerm<dim>
@@ -171,9 +173,11 @@ namespace isochor
      * difference, which is an error of discretisation, an acceleration at once.
      * What the step of size h does not resolve would then oscillate with each
      * step. From now on the equations are those for the change w,
-     *   M (a_c + w) + f_int(u_n + h²/2 w) = f_ext(t_n):
-     * an oscillation of frequency ω gets the part 1 / (1 + ω² h²/2) of what
-     * M a = f_ext - f_int gives it, and what is slow all of it. Collective.
+     *   M (a_c - d + w) + f_int(u_n + h²/2 w) = f_ext(t_n),
+     * with d the excess of a_c over what forces gave (below) and h such that
+     * the matrix is that of the step: an oscillation of frequency ω gets the
+     * part 1 / (1 + ω² h²/2) of what M a = f_ext - f_int gives it, and what is
+     * slow all of it. Collective.
      */
     void
     start_settling(
