@@ -443,11 +443,13 @@ main(int argc, char **argv)
   test_collision();
   test_losses("cell-filled", "Quadrature/Type = cell-filled\n", 0.015, 0.2);
   test_losses("CPDI", "Quadrature/Type = CPDI\n", -0.002, 0.003);
-  test_losses("kept grid",
-              "Quadrature/Type = cell-filled\n"
-              "Grid reset/Steps between resets = 0\n",
-              -0.002,
-              0.003);
+  for (const std::string quadrature :
+       {"points", "cell-filled", "cell-filled + boundary"})
+    test_losses("kept grid, " + quadrature,
+                "Quadrature/Type = " + quadrature +
+                  "\nGrid reset/Steps between resets = 0\n",
+                -0.002,
+                0.003);
   test_pressures_that_no_node_feels();
   std::cerr.rdbuf(terminal);
 }
