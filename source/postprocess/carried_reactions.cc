@@ -51,7 +51,15 @@ namespace isochor
   Point<dim>
   place_of_entry(const StepContext<dim> &step, const unsigned int entry)
   {
-    return step.grid.geometry().vertices()[entry / dim];
+    const auto        &vertices = step.grid.geometry().vertices();
+    const unsigned int vertex   = entry / dim;
+    if (vertex < vertices.size())
+      return vertices[vertex];
+    // A control node has its number after those of the vertices, and is the
+    // same on each grid: a place where nothing else is, of each its own.
+    Point<dim> place;
+    place[0] = 1e100 * (1. + vertex - vertices.size());
+    return place;
   }
 
 
