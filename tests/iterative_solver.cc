@@ -7,6 +7,10 @@
 // solution, end where those solved by the direct one do; where the iterative
 // solver fails, the direct one takes over; `auto` chooses by size.
 
+#include <isochor/linear_solver/multigrid.h>
+
+#include <map>
+
 #include "scene.h"
 
 using namespace isochor;
@@ -121,6 +125,70 @@ namespace
                "top: x=0, y=-0.04*t\n");
   }
 
+  /** The body is in a corner of the grid, where one rank has all of it. */
+  void
+  test_ranks_without_rows()
+  {
+    for (const std::string form : {"u-p", "u"})
+      compare<3>("ranks without equations, " + form,
+                 "Grid/Upper corner = 8, 1, 1\nGrid/Subdivisions = 40, 5, 5\n"
+                 "Material points/Region = x < 0.6\n"
+                 "Grid reset/Tolerated imbalance = 100\nQuadrature/Type = CPDI\n"
+                 "Formulation/Type = " +
+                   form +
+                   "\nMaterial/Model = J2\nMaterial/J2/Yield stress = 1\n"
+                   "Material/Young modulus = 100\n"
+                   "Material/Poisson ratio = 0.3\nMaterial/Density = 1\n"
+                   "Boundary conditions/Displacement = left: x=0; front: z=0; "
+                   "back: z=0; bottom: x=0, y=0, z=0\n"
+                   "Boundary conditions/Gravity = 0, -1.5*t, 0\n"
+                   "Time/Step size = 0.5\n"
+                   "Postprocess/Point probes = A: 0.5, 0.5, 0.5\n"
+                   "Postprocess/Reactions = bottom\n");
+  }
+
+  /** Whatever approximates the inverse of the stiffness, also where the
+   * hierarchy is that of another matrix. */
+  void
+  test_multigrid()
+  {
+    const std::string names = PluginRegistry<Multigrid>::names();
+    const std::string flow =
+      cube + "Material/Model = J2\nMaterial/J2/Yield stress = 25\n";
+    const std::string method = "Linear solver/Block FGMRES/Multigrid = ";
+    const std::vector<std::string> scenes = {
+      flow,
+      flow + "Linear solver/Block FGMRES/Slowdown = 100\n",
+      cube + "Formulation/Type = u\nMaterial/Poisson ratio = 0.3\n"};
+    double                        worst = 0, n_fell_back = 0;
+    std::map<std::string, double> iterations;
+    for (const std::string &scene : scenes)
+      {
+        const Result direct = run<3>(scene + "Linear solver/Solver = MUMPS\n");
+        for (const std::string &name : Utilities::split_string_list(names, '|'))
+          {
+            const Result result =
+              run<3>(scene + iteratively + method + name + "\n");
+            test::add_error(worst, difference(result, direct));
+            n_fell_back += result.fell_back;
+            iterations.emplace(name, result.linear_iterations);
+          }
+      }
+    test::check_error("with each multigrid method", worst, 1e-8);
+    test::check("none of them needs help",
+                n_fell_back == 0.,
+                std::to_string(n_fell_back));
+
+    const bool   has_hypre = names.find("BoomerAMG") != std::string::npos;
+    const double automatic = run<3>(flow + iteratively).linear_iterations;
+    test::check("auto takes BoomerAMG where materials may yield",
+                automatic == iterations[has_hypre ? "BoomerAMG" : "ML"],
+                std::to_string(automatic));
+    test::check("where it needs less",
+                !has_hypre || automatic < 0.95 * iterations["ML"],
+                std::to_string(iterations["ML"]));
+  }
+
   void
   test_choice()
   {
@@ -157,5 +225,7 @@ main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_robustness();
+  test_ranks_without_rows();
+  test_multigrid();
   test_choice();
 }

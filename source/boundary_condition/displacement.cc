@@ -52,7 +52,9 @@ namespace isochor
         "all nodes of the boundary. With 'x >= formula' or 'x <= formula' the "
         "boundary only pushes: it is a smooth wall in this distance from where "
         "the grid's boundary is at t = 0, a node that would have to be pulled "
-        "leaves it, and is held again when it comes back. A boundary that "
+        "leaves it, and is held again when it comes back. On a grid that is put "
+        "back in each step bodies meet it, and leave it, up to one cell away "
+        "from it, so that impacts last longer. A boundary that "
         "pushes the body by more than half of a cell must take the grid along "
         "(<Grid/Stretch>), or the grid be kept.");
     }

@@ -4,14 +4,12 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
-#include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/vector_memory.h>
 
 #include <isochor/linear_solver/linear_solver.h>
+#include <isochor/linear_solver/multigrid.h>
 #include <isochor/linear_solver/packed_columns.h>
 #include <isochor/linear_solver/saddle_point_matrix.h>
-
-#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -52,17 +50,17 @@ namespace isochor
         K_inverse->vmult(dst.block(0), residual);
       }
 
-      const SaddlePointMatrix                 *matrix;
-      const TrilinosWrappers::PreconditionAMG *K_inverse;
-      DistributedVector                        minus_S_inverse;
-      mutable DistributedVector                residual, scaled_pressure;
+      const SaddlePointMatrix  *matrix;
+      const Multigrid          *K_inverse;
+      DistributedVector         minus_S_inverse;
+      mutable DistributedVector residual, scaled_pressure;
     };
   } // namespace
 
   /**
    * FGMRES on the saddle-point system with a block-triangular preconditioner
    * (Elman, Silvester & Wathen, Finite Elements and Fast Iterative Solvers,
-   * ch. 9): algebraic multigrid (ML) for the displacements, a diagonal for the
+   * ch. 9): algebraic multigrid for the displacements, a diagonal for the
    * Schur complement of the pressures. Systems without pressures are solved by
    * conjugate gradients, or FGMRES if unsymmetric, with the multigrid alone.
    *
@@ -100,6 +98,15 @@ namespace isochor
                         "needs that many times the iterations, for the same "
                         "accuracy, of the first one with it. 1: for each "
                         "matrix.");
+      prm.declare_entry("Multigrid",
+                        "auto",
+                        Patterns::Selection("auto|" +
+                                            PluginRegistry<Multigrid>::names()),
+                        "The algebraic multigrid method for the displacements. "
+                        "BoomerAMG: of hypre. ML: smoothed aggregation of "
+                        "Trilinos, takes less memory. auto: BoomerAMG where "
+                        "materials may yield, which takes it a third of the "
+                        "time, else ML.");
       prm.leave_subsection();
     }
 
@@ -111,6 +118,7 @@ namespace isochor
       n_maximum_iterations = prm.get_integer("Maximum iterations");
       basis_size           = prm.get_integer("Basis size");
       slowdown             = prm.get_double("Slowdown");
+      multigrid_name       = prm.get("Multigrid");
       prm.leave_subsection();
     }
 
@@ -185,7 +193,7 @@ namespace isochor
         matrix->copy_values(A);
       else
         {
-          multigrid.clear(); // refers to the matrix
+          multigrid = create_multigrid(A.may_yield); // refers to the matrix
           hierarchy_serves = false;
           matrix.reset();
           displacements =
@@ -202,6 +210,20 @@ namespace isochor
       set_up.memory_in_bytes = matrix->memory_consumption();
     }
 
+    /** The one that the parameters and what is there call for. */
+    std::unique_ptr<Multigrid>
+    create_multigrid(const bool may_yield) const
+    {
+      std::string name = multigrid_name;
+      if (name == "auto")
+        {
+          const std::string all = PluginRegistry<Multigrid>::names();
+          const bool has_hypre  = all.find("BoomerAMG") != std::string::npos;
+          name                  = may_yield && has_hypre ? "BoomerAMG" : "ML";
+        }
+      return PluginRegistry<Multigrid>::create(name);
+    }
+
     /** @p idle_matrix: null, or the matrix, which may be packed meanwhile. */
     void
     build_preconditioner(SparseSystem *idle_matrix)
@@ -213,6 +235,8 @@ namespace isochor
             packed.emplace(*idle_matrix);
           build_multigrid();
         }
+      else
+        multigrid->update_finest_level();
       if (pressures->locally_owned.size() > 0)
         build_block_preconditioner();
       set_up.factorised = true;
@@ -221,34 +245,17 @@ namespace isochor
     void
     build_multigrid()
     {
-      TrilinosWrappers::PreconditionAMG::AdditionalData data;
-      data.elliptic              = true;
-      data.smoother_sweeps       = 1; // degree of Chebyshev's polynomial
-      data.aggregation_threshold = 0.02;
-
-      const Epetra_CrsMatrix             &K = matrix->K.matrix();
-      Teuchos::ParameterList              parameters;
-      std::unique_ptr<Epetra_MultiVector> unused;
-      data.set_parameters(parameters, unused, K);
-      unused.reset();
-
-      Epetra_MultiVector modes = near_null_space(*system, *displacements);
-      parameters.set("PDE equations", static_cast<int>(system->dim));
-      parameters.set("null space: type", "pre-computed");
-      parameters.set("null space: dimension", modes.NumVectors());
-      // ML takes a null pointer, which a rank without rows has, for modes that
-      // are missing.
-      double no_values = 0.;
-      parameters.set("null space: vectors",
-                     modes.MyLength() > 0 ? modes.Values() : &no_values);
-      parameters.set("low memory usage", true);
-      multigrid.clear();
+      multigrid->clear();
       // The largest products of matrices are made now: the basis of the last
       // solve, which is kept for the next one, would only be in the way.
       GrowingVectorMemory<DistributedVector>::release_unused_memory();
       GrowingVectorMemory<DistributedBlockVector>::release_unused_memory();
       give_back_memory();
-      multigrid.initialize(K, parameters);
+      multigrid->build(
+        matrix->K.matrix(),
+        system->dim,
+        [this] { return near_null_space(*system, *displacements); },
+        pressures->locally_owned.size() == 0);
       give_back_memory(); // a quarter of what is in use
       hierarchy_serves = hierarchy_is_new = true;
     }
@@ -257,7 +264,7 @@ namespace isochor
     build_block_preconditioner()
     {
       preconditioner.matrix    = matrix.get();
-      preconditioner.K_inverse = &multigrid;
+      preconditioner.K_inverse = multigrid.get();
       preconditioner.residual.reinit(displacements->locally_owned, comm);
       preconditioner.scaled_pressure.reinit(pressures->locally_owned, comm);
 
@@ -324,10 +331,10 @@ namespace isochor
             SolverCG<DistributedVector>(control).solve(matrix->K,
                                                        solution,
                                                        rhs,
-                                                       multigrid);
+                                                       *multigrid);
           else
             SolverFGMRES<DistributedVector>(control, data)
-              .solve(matrix->K, solution, rhs, multigrid);
+              .solve(matrix->K, solution, rhs, *multigrid);
           DistributedVector residual(rhs);
           matrix->K.vmult(residual, solution);
           residual -= rhs;
@@ -355,6 +362,18 @@ namespace isochor
                     ". The matrix is singular or nearly so."));
     }
 
+    /** The iterations to reduce a residual by a @p factor after which to give
+     * up: with a hierarchy that has served before, many times those that it
+     * took. */
+    unsigned int
+    most_iterations(const double factor) const
+    {
+      if (hierarchy_is_new || !(factor > 1.))
+        return n_maximum_iterations;
+      const double usual = first_iterations_per_digit * std::log10(factor);
+      return std::min<double>(n_maximum_iterations, 20. + 4. * usual);
+    }
+
     /** Run @p iteration, which returns the true residual, until it is a part
      * of @p rhs_norm or below @p absolute; turn its failure into ours. */
     template <typename Iteration>
@@ -366,9 +385,9 @@ namespace isochor
       AssertThrow(std::isfinite(rhs_norm),
                   ExcLinearSolverFailed("Block FGMRES: the right-hand side "
                                         "has entries that are not finite."));
-      const double  part = std::max(relative_tolerance, accuracy.relative);
-      SolverControl control(n_maximum_iterations,
-                            std::max(part * rhs_norm, absolute));
+      const double  part      = std::max(relative_tolerance, accuracy.relative);
+      const double  tolerance = std::max(part * rhs_norm, absolute);
+      SolverControl control(most_iterations(rhs_norm / tolerance), tolerance);
       double        residual = 0;
       try
         {
@@ -411,6 +430,7 @@ namespace isochor
     unsigned int     n_maximum_iterations = 300;
     unsigned int     basis_size           = 100;
     double           slowdown             = 1.5;
+    std::string      multigrid_name       = "auto";
     SolutionAccuracy accuracy;
 
     LinearSolverReport  set_up; ///< of the last matrix
@@ -421,7 +441,7 @@ namespace isochor
     // In the order of dependence.
     std::unique_ptr<EquationSubset>    displacements, pressures;
     std::unique_ptr<SaddlePointMatrix> matrix;
-    TrilinosWrappers::PreconditionAMG  multigrid;
+    std::unique_ptr<Multigrid>         multigrid;
     BlockTriangularPreconditioner      preconditioner;
 
     /** Whether the hierarchy is good enough for the next matrix, and whether it

@@ -112,7 +112,7 @@ namespace isochor
 
     TrilinosWrappers::MPI::Vector diagonal(pressures.locally_owned,
                                            system.comm);
-    const double                  factor = (system.dim == 2 ? 2. : 3.);
+    const double factor = system.dim == 2 || system.may_yield ? 2. : 3.;
     for (int i = 0; i < sums.MyLength(); ++i)
       diagonal.begin()[i] = factor * (sums[i] - C_diagonal[i]);
     return diagonal;

@@ -201,6 +201,14 @@ namespace isochor
 
 
   bool
+  AxisymmetricMaterial::is_associated() const
+  {
+    return law->is_associated();
+  }
+
+
+
+  bool
   AxisymmetricMaterial::has_symmetric_tangent() const
   {
     return law->has_symmetric_tangent();

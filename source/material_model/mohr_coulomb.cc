@@ -130,6 +130,12 @@ namespace isochor
       return surface.sin_phi > 0;
     }
 
+    bool
+    is_associated() const override
+    {
+      return surface.sin_psi == surface.sin_phi;
+    }
+
     /** Symmetric for φ = 0 only. With friction dev τ depends on volume change
      * (u) or on p (u-p). With φ = ψ the tangent of τ and the matrix of u-p
      * would be symmetric, but not beyond the apex, and not the tangent of dev

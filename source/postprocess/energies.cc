@@ -87,7 +87,12 @@ namespace isochor
       strain_energy = sums[strain] + stabilisation.stored;
       stiffness     = sums[shear_modulus];
       external_sum += sums[external];
-      plastic_sum += sums[plastic];
+      stress_work += sums[plastic];
+      // at the points p θ' isn't what is stored, as the pressure equation holds
+      // in the mean and with the stabilisation: the sum has what that stores
+      plastic_sum =
+        stress_work -
+        (result.step.points.n_history > 0 ? stabilisation.stored : 0.);
     }
 
     void
@@ -149,7 +154,7 @@ namespace isochor
     {
       std::ostringstream state;
       state.precision(std::numeric_limits<double>::max_digits10);
-      state << initial_energy << ' ' << external_sum << ' ' << plastic_sum
+      state << initial_energy << ' ' << external_sum << ' ' << stress_work
             << ' ';
       stabilisation.save(state);
       loss.save(state);
@@ -167,7 +172,7 @@ namespace isochor
     {
       std::istringstream state(text);
       std::size_t        n = 0;
-      state >> initial_energy >> external_sum >> plastic_sum;
+      state >> initial_energy >> external_sum >> stress_work;
       stabilisation.load(state);
       loss.load(state);
       state >> n;
@@ -199,6 +204,14 @@ namespace isochor
       shear_modulus,
       n_sums
     };
+
+    /** Whether points of elastic materials, too, do work that they don't
+     * store. */
+    static bool
+    is_stabilised(const StepContext<dim> &step)
+    {
+      return step.mixed() && step.kernel.ppp_coefficient > 0;
+    }
 
     bool
     enabled(const StepResult<dim> &result) const
@@ -254,7 +267,7 @@ namespace isochor
               material.deviatoric_energy(points.F[q], old_history) +
               half_K * points.pressure[q] * points.pressure[q];
             sums[old_strain] += V * old_stored;
-            if (!material.dissipates())
+            if (!material.dissipates() && !is_stabilised(step))
               continue;
             const auto old_state =
               step.kernel.final_state(points,
@@ -364,8 +377,9 @@ namespace isochor
         carry_reactions(step, held, places, reactions);
       // in statics nothing reacts before the first step, unless the body is
       // stressed from the start
-      const bool starts_unloaded =
-        result.time.step == 0 && initial_energy == 0.;
+      const bool starts_unloaded = result.time.step == 0 &&
+                                   initial_energy == 0. &&
+                                   !result.points.layout().dynamic;
       std::map<unsigned int, double> new_reactions;
       for (const HeldUnknown &one : held)
         {
@@ -451,6 +465,8 @@ namespace isochor
     bool   in_statics = false, in_dynamics = true;
     double initial_energy = 0, strain_energy = 0, external_sum = 0,
            plastic_sum = 0;
+    /** Of the stresses at points that may yield, less what these store. */
+    double                   stress_work = 0;
     StabilisationEnergy<dim> stabilisation;
     EnergyLoss               loss;
     /** Σ V_p G_p. */

@@ -26,12 +26,16 @@ namespace isochor
     static void
     declare_parameters(ParameterHandler &prm)
     {
-      prm.declare_entry("Point probes",
-                        "",
-                        Patterns::Anything(),
-                        "Points of the body whose displacement (m) and "
-                        "pressure (Pa) go into the statistics, by their place "
-                        "at t = 0: 'name: x, y(, z); name: ...'.");
+      prm.declare_entry(
+        "Point probes",
+        "",
+        Patterns::Anything(),
+        "Points of the body whose displacement (m) and "
+        "pressure (Pa) go into the statistics, by their place "
+        "at t = 0: 'name: x, y(, z); name: ...'. The pressure is "
+        "that of the nodes around, which is the least accurate "
+        "at surfaces: there it converges with the cell size "
+        "only, that of the material points faster.");
     }
 
     void

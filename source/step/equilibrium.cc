@@ -274,11 +274,12 @@ namespace isochor
   void
   Equilibrium<dim>::lay_out_system(const bool with_other_nodes)
   {
-    const bool laid_out = system.reinit(with_other_nodes,
+    const bool laid_out       = system.reinit(with_other_nodes,
                                         scene.n_components,
                                         setup.all_elements(),
                                         constraints,
                                         scene.symmetric);
+    system.matrix().may_yield = scene.may_yield;
     terminal.work().count("patterns of the matrix", laid_out);
   }
 

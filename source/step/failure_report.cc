@@ -298,7 +298,7 @@ namespace isochor
            rounded(failed) +
            "). The former is that of the body as it was; what is carried beyond "
            "is so by the body as it has been deformed, or by a grid that is "
-           "too coarse";
+           "too coarse, which may have raised the former, too";
   }
 
 
@@ -334,6 +334,20 @@ namespace isochor
 
 
   template <int dim>
+  std::string
+  FailureReport<dim>::Evidence::advice_on_flow() const
+  {
+    if (is_associated || plastic_share <= 0)
+      return "";
+    return " With <Dilation angle> below <Friction angle> a body may also lose "
+           "its equilibria before it carries all that it could, and no step is "
+           "small enough then: compare with a dilation angle nearer to the "
+           "friction angle.";
+  }
+
+
+
+  template <int dim>
   typename FailureReport<dim>::Evidence
   FailureReport<dim>::collect(const Failure &failure) const
   {
@@ -342,12 +356,17 @@ namespace isochor
     // an iterate moves as far as it is told where displacements are prescribed
     const Softness trial =
       softness(failure.step, failure.unknowns, failure.drive);
-    evidence.growth          = last.growth(stiffest);
-    evidence.soft_since      = soft_since;
-    evidence.growth_of_trial = trial.growth(stiffest);
-    evidence.measure         = last.measure(stiffest);
+    evidence.growth     = last.growth(stiffest);
+    evidence.soft_since = soft_since;
+    // nor does an iterate say anything where the step before doesn't
+    evidence.growth_of_trial =
+      evidence.growth < 0 ? -1. : trial.growth(stiffest);
+    evidence.measure = last.measure(stiffest);
     evidence.plastic_share =
       isochor::plastic_share(failure.points, failure.step.kernel, comm);
+    for (const auto &material : failure.step.kernel.materials)
+      evidence.is_associated =
+        evidence.is_associated && material->is_associated();
     if (failure.solver.knows_pivots)
       evidence.n_negative_pivots =
         std::max(0l,
@@ -411,7 +430,8 @@ namespace isochor
               evidence.text() +
               "). Lower <Time/Minimum step size>, look for what happens at "
               "the place of the residual, or use <Dynamics/Inertia = true> "
-              "where the body snaps.";
+              "where the body snaps." +
+              evidence.advice_on_flow();
     else if (evidence.has_lost_stiffness() && evidence.plastic_share <= 0)
       text +=
         "No equilibrium found near t = " + rounded(time.time) +
@@ -436,7 +456,16 @@ namespace isochor
               evidence.limit(time.time, time.next_time()) +
               ". Evidence: " + evidence.text() +
               ". To follow the body beyond, prescribe displacements instead of "
-              "loads, or give it inertia (<Dynamics/Inertia = true>).";
+              "loads, or give it inertia (<Dynamics/Inertia = true>)." +
+              evidence.advice_on_flow();
+    else if (evidence.growth < 0 && evidence.plastic_share > 0)
+      text += "Whether this is the limit of what the body can carry, or a bad "
+              "step, can't be told (" +
+              evidence.text() +
+              "). Look for what happens at the place of the residual, use a "
+              "finer grid or more points there, or lower <Time/Minimum step "
+              "size>." +
+              evidence.advice_on_flow();
     else
       text += "The body has not lost its stiffness (" + evidence.text() +
               "), so that this is hardly a limit load, but a bad step: look "

@@ -144,7 +144,8 @@ namespace isochor
       "PPP",
       Patterns::Selection("none|PPP"),
       "Of u-p: none, or Polynomial Pressure Projection. Without it the "
-      "pressure oscillates from node to node.");
+      "pressure oscillates from node to node, and bodies that yield and are "
+      "unloaded may end in wrong states.");
     prm.declare_entry(
       "PPP coefficient",
       "1",
@@ -250,6 +251,7 @@ namespace isochor
         prm.leave_subsection();
         check_material(material, model, m);
         symmetric = symmetric && material.has_symmetric_tangent();
+        may_yield = may_yield || material.dissipates();
       }
   }
 

@@ -66,7 +66,7 @@ namespace isochor
    * counts grow as cells shrink, it is spectrally equivalent to the Schur
    * complement of a Stokes-like system whatever the mesh size, and it needs
    * no material constants. The factor is an experiment's: two takes the
-   * fewest iterations in 2D, three in 3D.
+   * fewest iterations in 2D and where materials may yield, three in 3D.
    */
   TrilinosWrappers::MPI::Vector
   schur_complement_diagonal(const SaddlePointMatrix &A,

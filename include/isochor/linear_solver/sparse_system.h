@@ -83,6 +83,10 @@ namespace isochor
       return c == a ? x[b] - centre[b] : c == b ? -(x[a] - centre[a]) : 0.;
     }
 
+    /** Whether materials may yield, so that the stiffness changes much from one
+     * matrix to the next and nearly vanishes in places. */
+    bool may_yield = false;
+
     /** Rows, columns (local numbers, ascending in a row) and values. */
     std::vector<std::size_t>  row_start;
     std::vector<unsigned int> column;

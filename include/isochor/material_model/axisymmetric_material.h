@@ -68,6 +68,8 @@ namespace isochor
     bool
     depends_on_pressure() const override;
     bool
+    is_associated() const override;
+    bool
     has_symmetric_tangent() const override;
     double
     shear_modulus() const override;

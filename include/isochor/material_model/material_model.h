@@ -214,6 +214,14 @@ namespace isochor
       return false;
     }
 
+    /** Whether plastic strains are normal to the yield surface. If not, a body
+     * may lose its equilibria before it carries all that it could. */
+    virtual bool
+    is_associated() const
+    {
+      return true;
+    }
+
     /** Whether the tangents of u and of u-p are symmetric. */
     virtual bool
     has_symmetric_tangent() const

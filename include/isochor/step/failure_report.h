@@ -112,6 +112,8 @@ namespace isochor
       /** Share of the volume whose plastic strain isn't 0, negative if no
        * material yields. */
       double plastic_share = -1;
+      /** Of all materials. */
+      bool is_associated = true;
       /** Negative pivots beyond those of the pressures, which any saddle point
        * has; negative if the solver doesn't know. */
       long n_negative_pivots = -1;
@@ -120,6 +122,9 @@ namespace isochor
       has_lost_stiffness() const;
       std::string
       text() const;
+      /** What follows if it isn't associated. */
+      std::string
+      advice_on_flow() const;
       /** Where the limit load is, given the times of the last equilibrium and
        * of the step that failed. */
       std::string

@@ -131,6 +131,8 @@ namespace isochor
     unsigned int n_components = dim + 1;
     /** Whether the matrix is symmetric. */
     bool symmetric = true;
+    /** Whether a material may dissipate energy. */
+    bool may_yield = false;
 
     /** Inertia and the scheme in time; without effect in statics. */
     InertiaTerm<dim> inertia;
