@@ -247,6 +247,33 @@ test_work_of_first_step()
                     1e-10);
 }
 
+/** Metal and soil that never yield do no plastic work, also where the
+ * stabilisation stores some, and beside an elastic body. */
+void
+test_no_plastic_work()
+{
+  for (
+    const std::string material :
+    {"Material/Model = J2\nMaterial/J2/Yield stress = 1e12\n",
+     "Material/Model = Mohr-Coulomb\nMaterial/Mohr-Coulomb/Cohesion = 1e12\n",
+     "Material points/Materials in zones = 2: x < 0.5\n"
+     "Material/Model = J2\nMaterial/J2/Yield stress = 1e12\n"
+     "Material 2/Young modulus = 3e7\nMaterial 2/Density = 1000\n"})
+    {
+      test::run_scene<2>(
+        "Grid/Subdivisions = 4, 4\nMaterial points/Region = y < 0.76\n"
+        "Quadrature/Type = CPDI\nMaterial/Young modulus = 1e7\n"
+        "Material/Density = 1000\nBoundary conditions/Gravity = 0, -10*t\n"
+        "Boundary conditions/Displacement = bottom: y=0; left: x=0; right: x=0\n"
+        "Postprocess/Write energies = always\nTime/Step size = 0.1\n" +
+        material);
+      test::check_error("no plastic work",
+                        std::abs(column("Plastic work (J)").back() /
+                                 column("Strain energy (J)").back()),
+                        3e-4);
+    }
+}
+
 /** The external work, step by step: the mean of the reactions in @p name times
  * the @p way of a step. */
 void
@@ -427,6 +454,7 @@ main(int argc, char **argv)
   test_resting("Displacement = bottom: y >= 0");
   test_resting("Walls = bottom: n >= 0");
   test_work_of_first_step();
+  test_no_plastic_work();
   test_work_on_changing_grid();
   test_work_on_stretched_grid();
   test_walls(

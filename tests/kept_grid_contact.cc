@@ -115,6 +115,56 @@ test_fork()
               problem->all_warnings().summary());
 }
 
+/** A slab of one layer of cells slides along the ground into a wall. */
+void
+test_thin_slab()
+{
+  const auto problem = test::run_scene<2>(
+    "Quadrature/Type = CPDI\nGrid/Upper corner = 2, 1\n"
+    "Grid/Subdivisions = 16, 8\n"
+    "Material points/Region = x > 0.5 && x < 1 && y < 0.125\n"
+    "Material/Young modulus = 1e5\nMaterial/Density = 1000\n"
+    "Dynamics/Inertia = true\nDynamics/Initial velocity = 2, 0\n"
+    "Boundary conditions/Displacement = bottom: y=0\n"
+    "Boundary conditions/Walls = right: n >= 0\n"
+    "Postprocess/Reactions = right\n"
+    "Postprocess/Point probes = nose: 0.95, 0.05\n"
+    "Time/Step size = 0.01\nTime/End time = 0.7\n" +
+    kept);
+  const double nose = test::get(*problem, "Displacement x of nose (m)");
+  test::check("slab: the wall throws it back",
+              nose < 1.05 && nose > 0.3,
+              std::to_string(nose));
+}
+
+/** One block rests, another falls where the first one does not lie, by more
+ * than its height in a step: it is not forgotten for the one that rests. */
+void
+test_second_body()
+{
+  bool told = false;
+  try
+    {
+      test::run_scene<2>(
+        "Quadrature/Type = CPDI\nGrid/Upper corner = 3, 2\n"
+        "Grid/Subdivisions = 24, 16\n"
+        "Material points/Region = (x < 1 && y < 0.5) || "
+        "(x > 2 && x < 2.5 && y > 0.5 && y < 1)\n"
+        "Material/Young modulus = 1e5\nMaterial/Density = 1000\n"
+        "Dynamics/Inertia = true\n"
+        "Dynamics/Initial velocity = 0, if(x > 1.5, -120, 0)\n"
+        "Boundary conditions/Walls = bottom: n >= 0\n"
+        "Time/Step size = 0.01\nTime/End time = 0.05\n" +
+        kept);
+    }
+  catch (const std::exception &exc)
+    {
+      told = std::string(exc.what()).find("left the background grid") !=
+             std::string::npos;
+    }
+  test::check("a body that shoots through the ground is told", told, "");
+}
+
 /** Blocks that are pressed to 0.6 of their height, one on a grid that it fills,
  * have nothing to come near to. */
 void
@@ -178,5 +228,7 @@ main(int argc, char **argv)
                "Boundary conditions/Displacement = left: x=0; back: z=0\n",
                "Dynamics/Initial velocity = 0, -2, 0\nTime/End time = 0.2\n");
   test_fork();
+  test_thin_slab();
+  test_second_body();
   test_no_contact();
 }

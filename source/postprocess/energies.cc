@@ -91,8 +91,7 @@ namespace isochor
       // at the points p θ' isn't what is stored, as the pressure equation holds
       // in the mean and with the stabilisation: the sum has what that stores
       plastic_sum =
-        stress_work -
-        (result.step.points.n_history > 0 ? stabilisation.stored : 0.);
+        stress_work - (any_dissipates(result.step) ? stabilisation.stored : 0.);
     }
 
     void
@@ -205,12 +204,22 @@ namespace isochor
       n_sums
     };
 
-    /** Whether points of elastic materials, too, do work that they don't
-     * store. */
+    static bool
+    any_dissipates(const StepContext<dim> &step)
+    {
+      for (const auto &material : step.kernel.materials)
+        if (material->dissipates())
+          return true;
+      return false;
+    }
+
+    /** Whether points of elastic materials, too, do work that they don't store,
+     * which is to be told from that of the others. */
     static bool
     is_stabilised(const StepContext<dim> &step)
     {
-      return step.mixed() && step.kernel.ppp_coefficient > 0;
+      return step.mixed() && step.kernel.ppp_coefficient > 0 &&
+             any_dissipates(step);
     }
 
     bool

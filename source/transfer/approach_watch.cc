@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace isochor
 {
@@ -44,16 +45,48 @@ namespace isochor
 
 
 
-    /** The @p numbers of all ranks, ascending and each once. */
-    std::vector<unsigned int>
-    of_all_ranks(const MPI_Comm comm, const std::vector<unsigned int> &numbers)
+    using VertexOfPart = std::pair<unsigned int, unsigned int>;
+
+    /** The @p pairs of all ranks. */
+    std::set<VertexOfPart>
+    of_all_ranks(const MPI_Comm comm, const std::set<VertexOfPart> &pairs)
     {
-      std::vector<unsigned int> all;
-      for (const auto &of_rank : Utilities::MPI::all_gather(comm, numbers))
-        all.insert(all.end(), of_rank.begin(), of_rank.end());
-      std::sort(all.begin(), all.end());
-      all.erase(std::unique(all.begin(), all.end()), all.end());
+      std::vector<unsigned int> values;
+      for (const VertexOfPart &pair : pairs)
+        values.insert(values.end(), {pair.first, pair.second});
+      std::set<VertexOfPart> all;
+      for (const auto &of_rank : Utilities::MPI::all_gather(comm, values))
+        for (std::size_t i = 0; i < of_rank.size(); i += 2)
+          all.emplace(of_rank[i], of_rank[i + 1]);
       return all;
+    }
+
+
+
+    /** Outward, of length 1. */
+    template <int dim>
+    Tensor<1, dim>
+    normal_of_face(const SimplexGeometry<dim> &geometry,
+                   const unsigned int          cell,
+                   const unsigned int          face)
+    {
+      const Tensor<1, dim> inward = geometry.gradients(cell)[face];
+      return -inward / inward.norm();
+    }
+
+
+
+    template <int dim>
+    bool
+    contains_direction(const std::vector<Tensor<1, dim>> &normals,
+                       const Tensor<1, dim>              &normal)
+    {
+      constexpr double along = 0.9;
+      return std::any_of(normals.begin(),
+                         normals.end(),
+                         [&](const Tensor<1, dim> &n) {
+                           return n * normal > along;
+                         });
     }
   } // namespace
 
@@ -90,6 +123,67 @@ namespace isochor
 
   template <int dim>
   void
+  ApproachWatch<dim>::set_walls(const std::vector<unsigned int> &vertices)
+  {
+    walls = vertices;
+    normals.clear();
+  }
+
+
+
+  template <int dim>
+  bool
+  ApproachWatch<dim>::is_wall(const unsigned int vertex) const
+  {
+    return std::binary_search(walls.begin(), walls.end(), vertex);
+  }
+
+
+
+  template <int dim>
+  void
+  ApproachWatch<dim>::find_normals(const SimplexGeometry<dim> &geometry)
+  {
+    if (!normals.empty() || walls.empty())
+      return;
+    for (unsigned int c = 0; c < geometry.n_cells(); ++c)
+      for (unsigned int f = 0; f <= dim; ++f)
+        if (geometry.neighbours(c)[f] == SimplexGeometry<dim>::no_cell)
+          for (unsigned int v = 0; v <= dim; ++v)
+            if (v != f)
+              {
+                auto &of_vertex        = normals[geometry.vertex_indices(c)[v]];
+                const Tensor<1, dim> n = normal_of_face(geometry, c, f);
+                if (!contains_direction(of_vertex, n))
+                  of_vertex.push_back(n);
+              }
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  ApproachWatch<dim>::touched_normals(const SimplexGeometry<dim> &geometry,
+                                      const unsigned int          cell,
+                                      const unsigned int          name) const
+  {
+    std::vector<Tensor<1, dim>> result;
+    for (const unsigned int v : geometry.vertex_indices(cell))
+      if (touched.count({v, name}) > 0)
+        {
+          const auto of_vertex = normals.find(v);
+          if (of_vertex != normals.end())
+            for (const Tensor<1, dim> &n : of_vertex->second)
+              if (!contains_direction(result, n))
+                result.push_back(n);
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
   ApproachWatch<dim>::find_surface(const StepContext<dim> &step,
                                    const ElementNodes     &elements)
   {
@@ -99,33 +193,55 @@ namespace isochor
     at_surface.assign(points.n_occupied_cells, 0);
     part.assign(points.n_occupied_cells, 0);
     hint.assign(points.n_points(), 0);
-    std::vector<unsigned int> touched; // vertices at the boundary
+    find_normals(geometry);
+    touched.clear();
+    known.clear();
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       {
-        const unsigned int c          = points.cell[k];
-        const auto        &neighbours = geometry.neighbours(c);
+        const unsigned int c              = points.cell[k];
+        const auto        &neighbours     = geometry.neighbours(c);
+        bool               is_at_boundary = false;
         for (unsigned int f = 0; f <= dim; ++f)
           if (neighbours[f] == SimplexGeometry<dim>::no_cell)
-            {
-              for (unsigned int v = 0; v <= dim; ++v)
-                if (v != f)
-                  touched.push_back(geometry.vertex_indices(c)[v]);
-            }
+            is_at_boundary = true;
           else if (!points.contains_cell(neighbours[f]))
             at_surface[k] = 1;
         part[k] = name[step.nodes.node(
           points.stencil(geometry, k, points.cell_start[k]).vertex[0])];
+        for (unsigned int f = 0; is_at_boundary && f <= dim; ++f)
+          if (neighbours[f] == SimplexGeometry<dim>::no_cell)
+            for (unsigned int v = 0; v <= dim; ++v)
+              if (v != f)
+                touched.emplace(geometry.vertex_indices(c)[v], part[k]);
+        for (unsigned int q = points.cell_start[k];
+             q < points.cell_start[k + 1];
+             ++q)
+          {
+            const auto stencil = points.stencil(geometry, k, q);
+            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+              if (is_wall(stencil.vertex[I]))
+                known.emplace(stencil.vertex[I], part[k]);
+          }
         std::fill(hint.begin() + points.cell_start[k],
                   hint.begin() + points.cell_start[k + 1],
                   c);
       }
-    touched     = of_all_ranks(step.grid.communicator(), touched);
-    is_attached = !touched.empty();
+    touched = of_all_ranks(step.grid.communicator(), touched);
+    known   = of_all_ranks(step.grid.communicator(), known);
     at_boundary.assign(points.n_occupied_cells, 0);
+    boundary_normals.clear();
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (const unsigned int v : geometry.vertex_indices(points.cell[k]))
-        if (std::binary_search(touched.begin(), touched.end(), v))
-          at_boundary[k] = 1;
+        if (touched.count({v, part[k]}) > 0)
+          {
+            boundary_normals.push_back(
+              touched_normals(geometry, points.cell[k], part[k]));
+            at_boundary[k] = boundary_normals.size();
+            break;
+          }
+    attached.clear();
+    for (const VertexOfPart &one : touched)
+      attached.insert(one.second);
     n_parts    = number_of_parts(step, elements);
     is_started = true;
   }
@@ -149,8 +265,8 @@ namespace isochor
       }
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
     Marks                       marks;
-    std::set<unsigned int>      near_boundary, covered;
-    bool                        is_outside = false;
+    std::set<VertexOfPart>      near_boundary, covered;
+    bool is_gone = false; // so fast that it was never near
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
                         Point<dim>        &location,
@@ -160,13 +276,19 @@ namespace isochor
       const LocateResult<dim> found = locator.locate(location, hint[q]);
       if (!found.found)
         {
-          is_outside = true;
+          is_gone = is_gone || attached.count(part[k]) == 0;
           return;
         }
       hint[q]              = found.cell;
       const auto &vertices = geometry.vertex_indices(found.cell);
-      if (at_boundary[k] != 0)
-        covered.insert(vertices.begin(), vertices.end());
+      static const std::vector<Tensor<1, dim>> none;
+      const auto                              &own =
+        at_boundary[k] == 0 ? none : boundary_normals[at_boundary[k] - 1];
+      for (unsigned int v = 0; !own.empty() && v <= dim; ++v)
+        if (is_wall(vertices[v]))
+          for (const Tensor<1, dim> &n : normals[vertices[v]])
+            if (contains_direction(own, n))
+              covered.emplace(vertices[v], part[k]);
       if (at_surface[k] == 0)
         return;
       Mark mark{part[k], part[k], cell_size(geometry, found.cell), {}};
@@ -178,12 +300,12 @@ namespace isochor
             inserted.first->second.add(mark);
         }
       const auto &neighbours = geometry.neighbours(found.cell);
-      for (unsigned int f = 0; f <= dim && at_boundary[k] == 0; ++f)
-        if (neighbours[f] == SimplexGeometry<dim>::no_cell)
+      for (unsigned int f = 0; f <= dim; ++f)
+        if (neighbours[f] == SimplexGeometry<dim>::no_cell &&
+            !contains_direction(own, normal_of_face(geometry, found.cell, f)))
           for (unsigned int v = 0; v <= dim; ++v)
-            if (v != f &&
-                std::binary_search(walls.begin(), walls.end(), vertices[v]))
-              near_boundary.insert(vertices[v]);
+            if (v != f && is_wall(vertices[v]))
+              near_boundary.emplace(vertices[v], part[k]);
     });
 
     const MPI_Comm comm = step.grid.communicator();
@@ -198,11 +320,13 @@ namespace isochor
       return Approach::of_bodies;
     if (step.grid.is_moving())
       return Approach::none;
-    const bool touches = any_is_new(step, near_boundary, covered);
-    // so fast that it was never near
-    const bool is_gone = !walls.empty() && !is_attached &&
-                         Utilities::MPI::max(is_outside ? 1 : 0, comm) == 1;
-    return touches || is_gone ? Approach::to_boundary : Approach::none;
+    bool is_new = !walls.empty() && is_gone;
+    covered     = of_all_ranks(comm, covered);
+    for (const VertexOfPart &one : near_boundary)
+      is_new = is_new || (known.count(one) == 0 && covered.count(one) == 0);
+    return Utilities::MPI::max(is_new ? 1 : 0, comm) == 1 ?
+             Approach::to_boundary :
+             Approach::none;
   }
 
 
@@ -292,28 +416,6 @@ namespace isochor
     place =
       near(step.grid.geometry().vertices()[at_vertex[gap - is_filled.begin()]]);
     return true;
-  }
-
-
-
-  template <int dim>
-  bool
-  ApproachWatch<dim>::any_is_new(const StepContext<dim>       &step,
-                                 const std::set<unsigned int> &vertices,
-                                 const std::set<unsigned int> &covered)
-  {
-    const MPI_Comm comm = step.grid.communicator();
-    const auto     all = of_all_ranks(comm, {vertices.begin(), vertices.end()});
-    std::vector<int> is_active;
-    for (const unsigned int vertex : all)
-      is_active.push_back(step.nodes.node(vertex) !=
-                                numbers::invalid_unsigned_int ||
-                              covered.count(vertex) > 0 ?
-                            1 :
-                            0);
-    if (!all.empty())
-      Utilities::MPI::max(is_active, comm, is_active);
-    return std::count(is_active.begin(), is_active.end(), 0) > 0;
   }
 
 

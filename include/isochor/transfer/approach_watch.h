@@ -27,9 +27,10 @@ namespace isochor
    * cells that points of two bodies are in have come to share a vertex, or
    * those of places of one that an empty cell lay between and that are half as
    * far from each other as they were. Or if a point has come into a cell at the
-   * boundary with vertices there that conditions hold, nothing touches, and
-   * points that have been at the boundary are not in the way of. Bodies that
-   * have nodes in common at t = 0 are one.
+   * boundary with vertices there that conditions hold, that its own part did
+   * not have as nodes, that points which slide along the boundary have not come
+   * to, and that face another way than the boundary its own cell touches.
+   * Bodies that have nodes in common at t = 0 are one.
    *
    * On grids that are stretched boundaries are not looked at. Cells that touch
    * the boundary with a vertex only don't count as cells at the boundary.
@@ -41,10 +42,7 @@ namespace isochor
     /** The vertices that boundary conditions hold in any direction, ascending.
      */
     void
-    set_walls(const std::vector<unsigned int> &vertices)
-    {
-      walls = vertices;
-    }
+    set_walls(const std::vector<unsigned int> &vertices);
 
     /** The grid has been put back. */
     void
@@ -113,26 +111,38 @@ namespace isochor
     any_gap(const StepContext<dim>  &step,
             const PointLocator<dim> &locator,
             const Marks             &marks);
-    /** Whether any rank has a vertex among @p vertices that no rank has as an
-     * active node, nor among those @p covered by what touches the boundary. */
-    static bool
-    any_is_new(const StepContext<dim>       &step,
-               const std::set<unsigned int> &vertices,
-               const std::set<unsigned int> &covered);
+    bool
+    is_wall(const unsigned int vertex) const;
+    void
+    find_normals(const SimplexGeometry<dim> &geometry);
+    /** Of the boundaries that a @p cell of the part @p name touched at the last
+     * reset. */
+    std::vector<Tensor<1, dim>>
+    touched_normals(const SimplexGeometry<dim> &geometry,
+                    const unsigned int          cell,
+                    const unsigned int          name) const;
 
     std::vector<unsigned int> walls;
-    bool                      is_started = false;
-    std::string               place;
+    /** Of the faces at the boundary, by vertex. */
+    std::map<unsigned int, std::vector<Tensor<1, dim>>> normals;
+    /** A vertex and a part: of the faces at which parts touched the boundary at
+     * the last reset, and those of the walls that were nodes of the part. Of
+     * all ranks. */
+    std::set<std::pair<unsigned int, unsigned int>> touched, known;
+    /** The parts that touched the boundary. */
+    std::set<unsigned int> attached;
+    bool                   is_started = false;
+    std::string            place;
     /** How many bodies there were at the last reset; 0: not known. */
     unsigned int n_parts = 0;
-    /** By occupied cell: whether a neighbour is empty, and whether it touches
-     * the boundary where the body does; its part. */
-    std::vector<unsigned char> at_surface, at_boundary;
-    std::vector<unsigned int>  part;
+    /** By occupied cell: whether a neighbour is empty; its part; the number of
+     * its entry in boundary_normals, from 1 on, if it touches the boundary
+     * where its part does, else 0. */
+    std::vector<unsigned char>               at_surface;
+    std::vector<unsigned int>                part, at_boundary;
+    std::vector<std::vector<Tensor<1, dim>>> boundary_normals;
     /** By point: the cell that it was last found in. */
     std::vector<unsigned int> hint;
-    /** Whether the body touched the boundary at the last reset. */
-    bool is_attached = false;
   };
 } // namespace isochor
 
