@@ -130,21 +130,22 @@ namespace
   test_ranks_without_rows()
   {
     for (const std::string form : {"u-p", "u"})
-      compare<3>("ranks without equations, " + form,
-                 "Grid/Upper corner = 8, 1, 1\nGrid/Subdivisions = 40, 5, 5\n"
-                 "Material points/Region = x < 0.6\n"
-                 "Grid reset/Tolerated imbalance = 100\nQuadrature/Type = CPDI\n"
-                 "Formulation/Type = " +
-                   form +
-                   "\nMaterial/Model = J2\nMaterial/J2/Yield stress = 1\n"
-                   "Material/Young modulus = 100\n"
-                   "Material/Poisson ratio = 0.3\nMaterial/Density = 1\n"
-                   "Boundary conditions/Displacement = left: x=0; front: z=0; "
-                   "back: z=0; bottom: x=0, y=0, z=0\n"
-                   "Boundary conditions/Gravity = 0, -1.5*t, 0\n"
-                   "Time/Step size = 0.5\n"
-                   "Postprocess/Point probes = A: 0.5, 0.5, 0.5\n"
-                   "Postprocess/Reactions = bottom\n");
+      compare<3>(
+        "ranks without equations, " + form,
+        "Grid/Upper corner = 8, 1, 1\nGrid/Subdivisions = 40, 5, 5\n"
+        "Material points/Region = x < 0.6\n"
+        "Grid reset/Tolerated imbalance = 100\nQuadrature/Type = CPDI\n"
+        "Formulation/Type = " +
+          form +
+          "\nMaterial/Model = J2\nMaterial/J2/Yield stress = 1\n"
+          "Material/Young modulus = 100\n"
+          "Material/Poisson ratio = 0.3\nMaterial/Density = 1\n"
+          "Boundary conditions/Displacement = left: x=0; front: z=0; "
+          "back: z=0; bottom: x=0, y=0, z=0\n"
+          "Boundary conditions/Gravity = 0, -1.5*t, 0\n"
+          "Time/Step size = 0.5\n"
+          "Postprocess/Point probes = A: 0.5, 0.5, 0.5\n"
+          "Postprocess/Reactions = bottom\n");
   }
 
   /** Whatever approximates the inverse of the stiffness, also where the

@@ -21,8 +21,6 @@ namespace isochor
 {
   namespace
   {
-    /** By which the displacement per load has grown where a body flows. */
-    constexpr double large_growth = 10;
     /** So many steps one after the other that are this fast are worth a
      * warning. */
     constexpr unsigned int many_steps = 5;
@@ -269,80 +267,6 @@ namespace isochor
           "; what is carried beyond is so by the body as it has been deformed, "
           "or by a grid that is too coarse. To follow the body beyond, use "
           "<Dynamics/Inertia = true>.");
-  }
-
-
-
-  template <int dim>
-  bool
-  FailureReport<dim>::Evidence::has_lost_stiffness() const
-  {
-    constexpr double significant = 3;
-    return growth > significant || growth_of_trial > significant ||
-           n_negative_pivots > 0;
-  }
-
-
-
-  template <int dim>
-  std::string
-  FailureReport<dim>::Evidence::limit(const double last_equilibrium,
-                                      const double failed) const
-  {
-    if (soft_since < 0 || soft_since >= last_equilibrium)
-      return "near t = " + rounded(last_equilibrium);
-    return "between t = " + rounded(soft_since) +
-           ", since when the body gives way, and t = " +
-           rounded(last_equilibrium) +
-           ", the last equilibrium that was found (none at t = " +
-           rounded(failed) +
-           "). The former is that of the body as it was; what is carried beyond "
-           "is so by the body as it has been deformed, or by a grid that is "
-           "too coarse, which may have raised the former, too";
-  }
-
-
-
-  template <int dim>
-  std::string
-  FailureReport<dim>::Evidence::text() const
-  {
-    std::string text =
-      growth < 0 ?
-        "displacements say nothing of it, as the body rests or is "
-        "moved by what is prescribed" :
-        "the displacement per " + measure + " was " + rounded(growth) +
-          " times that of the stiffest step in the last step "
-          "that converged";
-    if (soft_since >= 0)
-      text += " (more than " + rounded(large_growth) +
-              " times since t = " + rounded(soft_since) + ")";
-    if (growth_of_trial >= 0)
-      text += ", " + rounded(growth_of_trial) +
-              " times in the last iterate of the one that failed";
-    if (plastic_share > 0)
-      text +=
-        ", " + rounded(100 * plastic_share) + " % of the volume has yielded";
-    else if (plastic_share == 0)
-      text += ", nothing has yielded up to that step";
-    if (n_negative_pivots >= 0)
-      text += ", the last matrix has " + std::to_string(n_negative_pivots) +
-              " negative pivot(s) of displacements (a stable state has none)";
-    return text;
-  }
-
-
-
-  template <int dim>
-  std::string
-  FailureReport<dim>::Evidence::advice_on_flow() const
-  {
-    if (is_associated || plastic_share <= 0)
-      return "";
-    return " With <Dilation angle> below <Friction angle> a body may also lose "
-           "its equilibria before it carries all that it could, and no step is "
-           "small enough then: compare with a dilation angle nearer to the "
-           "friction angle.";
   }
 
 

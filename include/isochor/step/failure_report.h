@@ -98,6 +98,9 @@ namespace isochor
       take_smaller(const Softness &other);
     };
 
+    /** By which the displacement per load has grown where a body flows. */
+    static constexpr double large_growth = 10;
+
     /** What is known of the loss of stiffness. */
     struct Evidence
     {
