@@ -213,9 +213,11 @@ namespace isochor
             for (unsigned int v = 0; v <= dim; ++v)
               if (v != f)
                 touched.emplace(geometry.vertex_indices(c)[v], part[k]);
-        for (unsigned int q = points.cell_start[k];
-             q < points.cell_start[k + 1];
-             ++q)
+        // without stencils the points of a cell have its nodes
+        const unsigned int end = points.has_stencils() ?
+                                   points.cell_start[k + 1] :
+                                   points.cell_start[k] + 1;
+        for (unsigned int q = points.cell_start[k]; q < end; ++q)
           {
             const auto stencil = points.stencil(geometry, k, q);
             for (unsigned int I = 0; I < stencil.n_nodes; ++I)
