@@ -81,7 +81,7 @@ namespace isochor
     contains_direction(const std::vector<Tensor<1, dim>> &normals,
                        const Tensor<1, dim>              &normal)
     {
-      constexpr double along = 0.9;
+      constexpr double along = 0.5; // walls may be curved
       return std::any_of(normals.begin(),
                          normals.end(),
                          [&](const Tensor<1, dim> &n) {
