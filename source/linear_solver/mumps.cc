@@ -6,13 +6,12 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/linear_solver/linear_solver.h>
+#include <isochor/linear_solver/matrix_scaling.h>
+#include <isochor/linear_solver/mumps_instance.h>
 #include <isochor/linear_solver/nested_dissection.h>
-
-#include <dmumps_c.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -21,53 +20,6 @@ namespace isochor
 {
   namespace
   {
-    /** Where the MUMPS users' guide's 1-based "ICNTL(i)" etc. are found. */
-    template <typename Array>
-    auto &
-    entry(Array &array, const unsigned int i)
-    {
-      return array[i - 1];
-    }
-
-    /**
-     * One MUMPS instance: a factorisation of one matrix pattern. Ends with the
-     * object, which has to happen before MPI_Finalize().
-     */
-    class MumpsInstance
-    {
-    public:
-      MumpsInstance(const MPI_Comm comm, const bool symmetric)
-      {
-        std::memset(&id, 0, sizeof(id));
-        id.comm_fortran = MPI_Comm_c2f(comm);
-        id.par          = 1; // rank 0 takes part in the factorisation
-        id.sym          = symmetric ? 2 : 0;
-        run(-1);
-        for (const unsigned int output : {1, 2, 3, 4})
-          entry(id.icntl, output) = 0;
-      }
-
-      ~MumpsInstance()
-      {
-        run(-2);
-      }
-
-      MumpsInstance(const MumpsInstance &) = delete;
-      MumpsInstance &
-      operator=(const MumpsInstance &) = delete;
-
-      /** Do a phase and return INFOG(1), the same on all ranks. */
-      int
-      run(const int job)
-      {
-        id.job = job;
-        dmumps_c(&id);
-        return entry(id.infog, 1);
-      }
-
-      DMUMPS_STRUC_C id;
-    };
-
     /** What is left of this machine's memory, in bytes, or infinity if the
      * system doesn't tell. */
     double
@@ -156,6 +108,7 @@ namespace isochor
           report.analysed = true;
         }
       set_values(A);
+      set_scale(A);
       factorise_with_enough_memory();
       factorised        = true;
       report.factorised = true;
@@ -278,6 +231,17 @@ namespace isochor
         const_cast<double *>(A.values.data());
     }
 
+    /** The matrix of one rank is scaled here: MUMPS does it by sweeps that take
+     * a tenth of the time of a factorisation. */
+    void
+    set_scale(const SparseSystem &A)
+    {
+      if (n_ranks > 1)
+        return;
+      scale            = matrix_scaling(A);
+      mumps->id.rowsca = mumps->id.colsca = scale.data();
+    }
+
     void
     set_options()
     {
@@ -286,6 +250,8 @@ namespace isochor
       // Ask for null pivots to be detected; otherwise a singular matrix whose
       // last pivot is rounding noise passes for a regular one. Costs nothing.
       entry(id.icntl, 24) = 1;
+      if (n_ranks == 1)
+        entry(id.icntl, 8) = -1; // by set_scale()
       // ... on several ranks only if the last front stays out of ScaLAPACK
       entry(id.icntl, 13) = 1;
       // ... which are pivots below this, in the scaled matrix: by default just
@@ -494,6 +460,8 @@ namespace isochor
     /** On rank 0: the ranges of the ranks, and a vector over all equations. */
     std::vector<int>    n_owned_by, owned_begin_of;
     std::vector<double> centralised;
+
+    std::vector<double> scale; ///< of rows and columns
   };
 
   ISOCHOR_REGISTER(LinearSolver, MUMPS, "MUMPS")

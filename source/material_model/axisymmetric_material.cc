@@ -72,6 +72,7 @@ namespace isochor
     in_space.J            = determinant(in_space.F);
     in_space.pressure     = kinematics.pressure;
     in_space.with_tangent = kinematics.with_tangent;
+    in_space.with_history = kinematics.with_history;
     return law->evaluate(in_space,
                          history_n + n_own,
                          history + n_own,

@@ -356,6 +356,7 @@ namespace isochor
     set_elastic_volume_change(kinematics.J, response);
     const double radius =
       std::sqrt(2. / 3.) * current_yield_stress(trial.alpha);
+    double delta_gamma = 0;
     // The margin keeps a point that rests on the surface elastic.
     if (trial.norm <= radius * (1 + 1e-12))
       {
@@ -363,12 +364,15 @@ namespace isochor
         if (kinematics.with_tangent)
           response.tangent =
             isochoric_modulus<dim>(trial.mu_bar, trial.dev_stress);
-        store_symmetric<dim>(b_bar, history);
-        history[alpha_index] = trial.alpha;
+        if (kinematics.with_history)
+          {
+            store_symmetric<dim>(b_bar, history);
+            history[alpha_index] = trial.alpha;
+          }
       }
     else
       {
-        const double delta_gamma = solve_consistency_condition(trial);
+        delta_gamma        = solve_consistency_condition(trial);
         const double alpha = trial.alpha + std::sqrt(2. / 3.) * delta_gamma;
         response.deviatoric_stress =
           (std::sqrt(2. / 3.) * current_yield_stress(alpha) / trial.norm) *
@@ -376,16 +380,21 @@ namespace isochor
         if (kinematics.with_tangent)
           response.tangent = plastic_modulus(trial, delta_gamma);
 
-        // Simo keeps tr b̄^e over the return, and det b̄^e drifts from 1. The
-        // stress of this step doesn't depend on it; that of the next one does.
-        const SymmetricTensor<2, 3> q = response.deviatoric_stress / G;
-        store_symmetric<dim>(q + unimodular_mean(q, trace(b_bar) / 3) *
-                                   unit_symmetric_tensor<3>(),
-                             history);
-        history[alpha_index] = alpha;
+        if (kinematics.with_history)
+          {
+            // Simo keeps tr b̄^e over the return, and det b̄^e drifts from 1. The
+            // stress of this step doesn't depend on it; that of the next one
+            // does.
+            const SymmetricTensor<2, 3> q = response.deviatoric_stress / G;
+            store_symmetric<dim>(q + unimodular_mean(q, trace(b_bar) / 3) *
+                                       unit_symmetric_tensor<3>(),
+                                 history);
+            history[alpha_index] = alpha;
+          }
       }
     // what isn't finite in F or in the history shows in one of these
-    return std::isfinite(trial.norm + history[alpha_index] + kinematics.J) ?
+    return std::isfinite(trial.norm + trial.alpha + delta_gamma +
+                         kinematics.J) ?
              StressStatus::success :
              StressStatus::return_map_failed;
   }

@@ -25,14 +25,12 @@ namespace isochor
     void
     map_eigenvalues(const Function &function, double *components)
     {
-      const SpectralDecomposition spectrum =
+      const auto spectrum =
         spectral_decomposition<dim>(load_symmetric<dim>(components));
-      SymmetricTensor<2, 3> result;
+      std::array<double, 3> values;
       for (unsigned int A = 0; A < 3; ++A)
-        result +=
-          function(spectrum.values[A]) *
-          symmetrize(outer_product(spectrum.vectors[A], spectrum.vectors[A]));
-      store_symmetric<dim>(result, components);
+        values[A] = function(spectrum.values[A]);
+      spectrum.store(values, components);
     }
   } // namespace
 
@@ -170,12 +168,21 @@ namespace isochor
 
     /** Tensors from principal values: see the class's documentation. */
     void
-    assemble_response(const SpectralDecomposition       &trial,
+    assemble_response(const SpectralDecomposition<dim>  &spectrum,
                       const MohrCoulombReturn::Vector   &strain,
                       const std::array<unsigned int, 3> &order,
+                      const MohrCoulombReturn::Trial    &trial,
                       const MohrCoulombReturn::Response &principal,
                       const bool                         with_tangent,
                       StressResponse<dim>               &response) const;
+
+    /** b^e after plastic flow, and what is added to its measure. */
+    void
+    update_history(const SpectralDecomposition<dim>  &spectrum,
+                   const std::array<unsigned int, 3> &order,
+                   const MohrCoulombReturn::Trial    &trial,
+                   const MohrCoulombReturn::Response &principal,
+                   double                            *history) const;
   };
 
 
@@ -262,16 +269,14 @@ namespace isochor
 
 
 
-  /** The components of sym(v ⊗ w) in the order of the stored ones. */
-  static std::array<double, 6>
-  dyad(const Tensor<1, 3> &v, const Tensor<1, 3> &w)
+  /** x coth x; the series is exact to rounding where it is used. */
+  static inline double
+  x_coth_x(const double x)
   {
-    return {{v[0] * w[0],
-             v[1] * w[1],
-             v[2] * w[2],
-             0.5 * (v[0] * w[1] + v[1] * w[0]),
-             0.5 * (v[0] * w[2] + v[2] * w[0]),
-             0.5 * (v[1] * w[2] + v[2] * w[1])}};
+    const double y = x * x;
+    return y < 2.5e-3 ?
+             1 + y * (1. / 3 - y * (1. / 45 - y * (2. / 945 - y / 4725))) :
+             x / std::tanh(x);
   }
 
 
@@ -283,88 +288,118 @@ namespace isochor
    * m_A = n_A ⊗ n_A, N_AB = sym(n_A ⊗ n_B), and
    *   g_AB = (τ_A b_B - τ_B b_A) / (b_A - b_B)
    *        = (τ_A - τ_B)/x · (x coth x)/2 - (τ_A + τ_B)/2,  x = ε_A - ε_B,
-   * the second form being regular at x = 0. Applied to dev τ.
+   * the second form being regular at x = 0. Applied to dev τ. In plane strain
+   * the direction of z, which comes last, is neither sheared nor stretched.
    */
   template <int dim>
   void
   MohrCoulomb<dim>::assemble_response(
-    const SpectralDecomposition       &trial,
+    const SpectralDecomposition<dim>  &spectrum,
     const MohrCoulombReturn::Vector   &strain,
     const std::array<unsigned int, 3> &order,
+    const MohrCoulombReturn::Trial    &trial,
     const MohrCoulombReturn::Response &principal,
     const bool                         with_tangent,
     StressResponse<dim>               &response) const
   {
-    constexpr unsigned int n =
-      SymmetricTensor<2, dim>::n_independent_components;
+    using Components         = typename SpectralDecomposition<dim>::Components;
+    constexpr unsigned int n = std::tuple_size<Components>::value;
+
+    // rank[A]: where the stress of eigenvector A stands in descending order
+    std::array<unsigned int, 3> rank;
+    for (unsigned int a = 0; a < 3; ++a)
+      rank[order[a]] = a;
 
     response.volumetric_strain           = principal.theta;
     response.volumetric_pressure_tangent = principal.dtheta_dmean;
 
     // Components one by one: tensors that are written by numbers and read as
     // vectors right afterwards made this function three times slower.
-    std::array<std::array<double, 6>, 3> m;
-    std::array<double, 6>                stress{};
-    for (unsigned int a = 0; a < 3; ++a)
-      {
-        m[a] = dyad(trial.vectors[order[a]], trial.vectors[order[a]]);
-        for (unsigned int i = 0; i < 6; ++i)
-          stress[i] += principal.s[a] * m[a][i];
-      }
+    const std::array<Components, dim> &m = spectrum.dyads;
+    Components                         stress{}, volumetric{}, pressure{};
+    for (unsigned int A = 0; A < dim; ++A)
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          stress[i] += principal.s[rank[A]] * m[A][i];
+          volumetric[i] += principal.dtheta_dstrain[rank[A]] * m[A][i];
+          pressure[i] += principal.ds_dmean[rank[A]] * m[A][i];
+        }
     for (unsigned int i = 0; i < 6; ++i)
-      response.deviatoric_stress.access_raw_entry(i) = stress[i];
+      response.deviatoric_stress.access_raw_entry(i) = 0;
+    if (dim == 2)
+      response.deviatoric_stress.access_raw_entry(2) = principal.s[rank[2]];
     for (unsigned int i = 0; i < n; ++i)
       {
-        double volumetric = 0, pressure = 0;
-        for (unsigned int a = 0; a < 3; ++a)
-          {
-            const double m_ai = m[a][component_in_3d<dim>(i)];
-            volumetric += principal.dtheta_dstrain[a] * m_ai;
-            pressure += principal.ds_dmean[a] * m_ai;
-          }
-        response.volumetric_tangent.access_raw_entry(i)          = volumetric;
-        response.deviatoric_pressure_tangent.access_raw_entry(i) = pressure;
+        response.deviatoric_stress.access_raw_entry(component_in_3d<dim>(i)) =
+          stress[i];
+        response.volumetric_tangent.access_raw_entry(i) = volumetric[i];
+        response.deviatoric_pressure_tangent.access_raw_entry(i) = pressure[i];
       }
     if (!with_tangent)
       return;
 
     std::array<double, n * n> tangent{};
-    for (unsigned int a = 0; a < 3; ++a)
+    for (unsigned int A = 0; A < dim; ++A)
       {
-        // The z-direction of plane strain shears and stretches nothing.
-        if (order[a] >= dim)
-          continue;
-        // Row a of the first sum, in one piece.
-        std::array<double, n> row{};
-        for (unsigned int b = 0; b < 3; ++b)
-          if (order[b] < dim)
+        const unsigned int a = rank[A];
+        // row A of the first sum, in one piece
+        Components row{};
+        for (unsigned int B = 0; B < dim; ++B)
+          {
+            const double factor = principal.ds_dstrain[a][rank[B]] -
+                                  (A == B ? 2 * principal.s[a] : 0.);
             for (unsigned int j = 0; j < n; ++j)
-              row[j] += (principal.ds_dstrain[a][b] -
-                         (a == b ? 2 * principal.s[a] : 0.)) *
-                        m[b][component_in_3d<dim>(j)];
+              row[j] += factor * m[B][j];
+          }
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
-            tangent[i * n + j] += m[a][component_in_3d<dim>(i)] * row[j];
+            tangent[i * n + j] += m[A][i] * row[j];
 
-        for (unsigned int b = a + 1; b < 3; ++b)
+        for (unsigned int B = A + 1; B < dim; ++B)
           {
-            if (order[b] >= dim)
-              continue;
-            const double x = strain[order[a]] - strain[order[b]];
-            const double x_coth_x =
-              (std::abs(x) < 1e-4 ? 1 + x * x / 3 : x / std::tanh(x));
-            const double g = 0.5 * (principal.secant[a][b] * x_coth_x -
-                                    principal.s[a] - principal.s[b]);
-            const std::array<double, 6> N =
-              dyad(trial.vectors[order[a]], trial.vectors[order[b]]);
+            const unsigned int b = rank[B];
+            const double       secant =
+              surface.secant(trial, principal, std::min(a, b), std::max(a, b));
+            const double four_g =
+              2 * (secant * x_coth_x(strain[A] - strain[B]) - principal.s[a] -
+                   principal.s[b]);
+            const Components &N = spectrum.mixed_dyads[spectrum.pair(A, B)];
             for (unsigned int i = 0; i < n; ++i)
               for (unsigned int j = 0; j < n; ++j)
-                tangent[i * n + j] += 4 * g * N[component_in_3d<dim>(i)] *
-                                      N[component_in_3d<dim>(j)];
+                tangent[i * n + j] += four_g * N[i] * N[j];
           }
       }
     for (unsigned int i = 0; i < n * n; ++i)
       response.tangent.access_raw_entry(i) = tangent[i];
+  }
+
+
+
+  template <int dim>
+  void
+  MohrCoulomb<dim>::update_history(const SpectralDecomposition<dim>  &spectrum,
+                                   const std::array<unsigned int, 3> &order,
+                                   const MohrCoulombReturn::Trial    &trial,
+                                   const MohrCoulombReturn::Response &principal,
+                                   double *history) const
+  {
+    const double          two_G = 2 * elasticity.shear_modulus;
+    std::array<double, 3> b_elastic;
+    double                norm_square = 0;
+    // The excess is no stress and strains nothing.
+    const double theta =
+      principal.theta - principal.excess * elasticity.inverse_bulk_modulus;
+    for (unsigned int a = 0; a < 3; ++a)
+      {
+        const double s              = principal.s[a] + principal.excess;
+        const double elastic_strain = s / two_G + theta / 3;
+        const double plastic_increment =
+          (trial.s[a] - s) / two_G + (trial.theta - theta) / 3;
+        norm_square += plastic_increment * plastic_increment;
+        b_elastic[order[a]] = std::exp(2 * elastic_strain);
+      }
+    spectrum.store(b_elastic, history);
+    history[n_symmetric_components<dim>] += std::sqrt(2. / 3. * norm_square);
   }
 
 
@@ -385,7 +420,7 @@ namespace isochor
 
     const SymmetricTensor<2, 3> b_trial =
       push_forward(kinematics.F_increment, load_symmetric<dim>(history_n));
-    const SpectralDecomposition spectrum = spectral_decomposition<dim>(b_trial);
+    const auto spectrum = spectral_decomposition<dim>(b_trial);
 
     MohrCoulombReturn::Vector strain;
     for (unsigned int A = 0; A < 3; ++A)
@@ -413,35 +448,25 @@ namespace isochor
     const MohrCoulombReturn::Response principal =
       at_pressure ? surface.evaluate_at(trial, *kinematics.pressure) :
                     surface.evaluate(trial);
-    assemble_response(
-      spectrum, strain, order, principal, kinematics.with_tangent, response);
+    assemble_response(spectrum,
+                      strain,
+                      order,
+                      trial,
+                      principal,
+                      kinematics.with_tangent,
+                      response);
 
-    history[alpha_index] = history_n[alpha_index];
-    if (!principal.plastic)
-      store_symmetric<dim>(b_trial, history);
-    else
+    if (kinematics.with_history)
       {
-        SymmetricTensor<2, 3> b_elastic;
-        double                norm_square = 0;
-        // The excess is no stress and strains nothing.
-        const double theta =
-          principal.theta - principal.excess * elasticity.inverse_bulk_modulus;
-        for (unsigned int a = 0; a < 3; ++a)
-          {
-            const double s              = principal.s[a] + principal.excess;
-            const double elastic_strain = s / two_G + theta / 3;
-            const double plastic_increment =
-              (trial.s[a] - s) / two_G + (trial.theta - theta) / 3;
-            norm_square += plastic_increment * plastic_increment;
-
-            const Tensor<1, 3> &n = spectrum.vectors[order[a]];
-            b_elastic +=
-              std::exp(2 * elastic_strain) * symmetrize(outer_product(n, n));
-          }
-        store_symmetric<dim>(b_elastic, history);
-        history[alpha_index] += std::sqrt(2. / 3. * norm_square);
+        history[alpha_index] = history_n[alpha_index];
+        if (principal.plastic)
+          update_history(spectrum, order, trial, principal, history);
+        else
+          store_symmetric<dim>(b_trial, history);
       }
-    return is_finite(response) && std::isfinite(history[alpha_index]) ?
+    // what isn't finite in F, in p or in the history shows in one of these
+    return std::isfinite(principal.s[0] + principal.theta + mean_strain +
+                         history_n[alpha_index]) ?
              StressStatus::success :
              StressStatus::return_map_failed;
   }

@@ -46,10 +46,7 @@ namespace isochor
     result.dtheta_dstrain.fill(1);
     for (unsigned int A = 0; A < 3; ++A)
       for (unsigned int B = 0; B < 3; ++B)
-        {
-          result.ds_dstrain[A][B] = two_G * ((A == B ? 1. : 0.) - 1. / 3.);
-          result.secant[A][B]     = two_G;
-        }
+        result.ds_dstrain[A][B] = two_G * ((A == B ? 1. : 0.) - 1. / 3.);
     return result;
   }
 
@@ -66,16 +63,17 @@ namespace isochor
    * [[A, B], [B, A]] with A - B = 2 G (1 ± sin φ) (1 ± sin ψ) > 0 and, at a
    * given mean stress, A + B = 2/3 G (3 ∓ sin φ) (3 ∓ sin ψ) > 0.
    */
+  template <unsigned int n>
   MohrCoulombReturn::Response
-  MohrCoulombReturn::return_to(const ActivePlanes &planes,
-                               const Trial        &trial) const
+  MohrCoulombReturn::return_to(const ActivePlanes<n> &planes,
+                               const Trial           &trial) const
   {
     const double two_G = 2 * shear_modulus;
     const double K     = trial.mean_is_given ? 0. : bulk_modulus;
 
-    std::array<Vector, 2> a, b;
-    std::array<double, 2> f;
-    for (unsigned int k = 0; k < planes.n; ++k)
+    std::array<Vector, n> a, b;
+    std::array<double, n> f;
+    for (unsigned int k = 0; k < n; ++k)
       {
         const unsigned int i = planes.largest[k], j = planes.smallest[k];
         a[k] = deviatoric_normal(i, j, sin_phi);
@@ -88,23 +86,20 @@ namespace isochor
              4 * K * sin_phi * sin_psi;
     };
     const double A           = moduli(a[0], b[0]);
-    const double B           = (planes.n == 2 ? moduli(a[0], b[1]) : 0.);
+    const double B           = (n == 2 ? moduli(a[0], b[n - 1]) : 0.);
     const double determinant = (A - B) * (A + B);
 
     Response result = elastic_response(trial);
     result.plastic  = true;
-    for (unsigned int k = 0; k < planes.n; ++k)
+    for (unsigned int k = 0; k < n; ++k)
       {
         // Row k of the inverse matrix, on the left of f and of ∂f/∂ε.
-        std::array<double, 2> inverse = {{A / determinant, 0.}};
-        if (planes.n == 2)
-          {
-            inverse[k]     = A / determinant;
-            inverse[1 - k] = -B / determinant;
-          }
+        std::array<double, n> inverse;
+        for (unsigned int l = 0; l < n; ++l)
+          inverse[l] = (l == k ? A : -B) / determinant;
         double lambda = 0, dlambda_dmean = 0;
         Vector dlambda_dstrain{};
-        for (unsigned int l = 0; l < planes.n; ++l)
+        for (unsigned int l = 0; l < n; ++l)
           {
             lambda += inverse[l] * f[l];
             for (unsigned int D = 0; D < 3; ++D)
@@ -126,24 +121,8 @@ namespace isochor
           }
       }
 
-    // The secants. Two trial stresses that differ by nothing end on their
-    // edge; on a plane they would only if f = 0, where the elastic value holds.
-    for (unsigned int C = 0; C < 3; ++C)
-      for (unsigned int D = C + 1; D < 3; ++D)
-        {
-          const double trial_difference = trial.s[C] - trial.s[D];
-          const double ratio =
-            (trial_difference > 0 ?
-               (result.s[C] - result.s[D]) / trial_difference :
-               1.);
-          result.secant[C][D] = result.secant[D][C] =
-            two_G * std::min(1., std::max(0., ratio));
-        }
-    if (planes.n == 2)
-      {
-        const unsigned int C = (planes.largest[0] != planes.largest[1] ? 0 : 1);
-        result.secant[C][C + 1] = result.secant[C + 1][C] = 0;
-      }
+    if (n == 2)
+      result.edge = (planes.largest[0] != planes.largest[n - 1] ? 0 : 1);
     return result;
   }
 
@@ -154,8 +133,30 @@ namespace isochor
   {
     Response result{};
     result.theta   = c_cos_phi / (sin_phi * bulk_modulus);
-    result.plastic = true;
+    result.plastic = result.at_apex = true;
     return result;
+  }
+
+
+
+  /** Two trial stresses that differ by nothing end on their edge; on a plane
+   * they would only if f = 0, where the elastic value holds. */
+  double
+  MohrCoulombReturn::secant(const Trial       &trial,
+                            const Response    &returned,
+                            const unsigned int A,
+                            const unsigned int B) const
+  {
+    const double two_G = 2 * shear_modulus;
+    if (!returned.plastic)
+      return two_G;
+    if (returned.at_apex || (returned.edge == A && B == A + 1))
+      return 0;
+    const double trial_difference = trial.s[A] - trial.s[B];
+    if (!(trial_difference > 0))
+      return two_G;
+    const double ratio = (returned.s[A] - returned.s[B]) / trial_difference;
+    return two_G * std::min(1., std::max(0., ratio));
   }
 
 
@@ -232,7 +233,7 @@ namespace isochor
     result.s.fill(-result.excess);
     result.ds_dmean.fill(-1);
     result.ds_dstrain = Matrix{};
-    result.secant     = Matrix{};
+    result.at_apex    = true;
     return result;
   }
 } // namespace isochor

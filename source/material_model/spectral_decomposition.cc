@@ -5,56 +5,39 @@
 
 #include <isochor/material_model/spectral_decomposition.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace isochor
 {
-  template <>
-  SpectralDecomposition
-  spectral_decomposition<2>(const SymmetricTensor<2, 3> &t)
+  /** The components of sym(v ⊗ w) in deal.II's order. */
+  static std::array<double, 6>
+  dyad(const Tensor<1, 3> &v, const Tensor<1, 3> &w)
   {
-    const double mean   = 0.5 * (t[0][0] + t[1][1]);
-    const double half   = 0.5 * (t[0][0] - t[1][1]);
-    const double radius = std::sqrt(half * half + t[0][1] * t[0][1]);
-
-    // The eigenvector of mean + radius is (radius + half, t_xy), or
-    // (t_xy, radius - half): take the one that doesn't cancel.
-    double x = 1, y = 0;
-    if (radius > 0)
-      {
-        x                   = half >= 0 ? radius + half : t[0][1];
-        y                   = half >= 0 ? t[0][1] : radius - half;
-        const double length = std::sqrt(x * x + y * y);
-        x /= length;
-        y /= length;
-      }
-
-    SpectralDecomposition result;
-    result.values        = {{mean + radius, mean - radius, t[2][2]}};
-    result.vectors[0][0] = x;
-    result.vectors[0][1] = y;
-    result.vectors[1][0] = -y;
-    result.vectors[1][1] = x;
-    result.vectors[2][2] = 1;
-    return result;
+    return {{v[0] * w[0],
+             v[1] * w[1],
+             v[2] * w[2],
+             0.5 * (v[0] * w[1] + v[1] * w[0]),
+             0.5 * (v[0] * w[2] + v[2] * w[0]),
+             0.5 * (v[1] * w[2] + v[2] * w[1])}};
   }
 
 
 
   template <>
-  SpectralDecomposition
+  SpectralDecomposition<3>
   spectral_decomposition<3>(const SymmetricTensor<2, 3> &t)
   {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-    double                a[3][3];
-    SpectralDecomposition result;
+    double                      a[3][3];
+    std::array<Tensor<1, 3>, 3> vectors;
     for (unsigned int i = 0; i < 3; ++i)
       {
         for (unsigned int j = 0; j < 3; ++j)
           a[i][j] = t[i][j];
-        result.vectors[i][i] = 1;
+        vectors[i][i] = 1;
       }
 
     // Convergence is quadratic: 4 or 5 sweeps do; the bound is for NaN.
@@ -84,12 +67,20 @@ namespace isochor
               a[r][p] = a[p][r] = cosine * a_rp - sine * a_rq;
               a[r][q] = a[q][r] = sine * a_rp + cosine * a_rq;
 
-              const Tensor<1, 3> v_p = result.vectors[p];
-              result.vectors[p]      = cosine * v_p - sine * result.vectors[q];
-              result.vectors[q]      = sine * v_p + cosine * result.vectors[q];
+              const Tensor<1, 3> v_p = vectors[p];
+              vectors[p]             = cosine * v_p - sine * vectors[q];
+              vectors[q]             = sine * v_p + cosine * vectors[q];
             }
       }
+
+    SpectralDecomposition<3> result;
     result.values = {{a[0][0], a[1][1], a[2][2]}};
+    for (unsigned int A = 0; A < 3; ++A)
+      {
+        result.dyads[A] = dyad(vectors[A], vectors[A]);
+        for (unsigned int B = A + 1; B < 3; ++B)
+          result.mixed_dyads[result.pair(A, B)] = dyad(vectors[A], vectors[B]);
+      }
     return result;
   }
 } // namespace isochor

@@ -216,6 +216,7 @@ namespace isochor
     Kinematics<dim> kinematics;
     kinematics.set_increment(F_increment);
     kinematics.with_tangent                       = with_matrix;
+    kinematics.with_history                       = false;
     const Tensor<2, dim>                  inverse = invert(F_increment);
     std::array<Tensor<1, dim>, max_nodes> g;
     for (unsigned int I = 0; I < n; ++I)
@@ -417,7 +418,7 @@ namespace isochor
       material.volumetric_measure() == VolumetricMeasure::logarithmic;
     const double factor =
       logarithmic ? std::exp(correction) : 1 + correction / J;
-    F *= std::pow(factor, 1. / dim);
+    F *= dim == 2 ? std::sqrt(factor) : std::cbrt(factor);
     material.rescale_volume(factor, history);
     const SymmetricTensor<2, 3> one  = unit_symmetric_tensor<3>();
     const double                mean = trace(cauchy_stress) / 3;

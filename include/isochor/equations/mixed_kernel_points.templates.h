@@ -179,6 +179,7 @@ namespace isochor
       StressResponse<strain_dim>                         response;
       std::array<double, max_history>                    history;
       kinematics.with_tangent = with_matrix;
+      kinematics.with_history = false;
       for (unsigned int q = begin; q < end; ++q)
         {
           const auto           stencil     = stencil_of(q);

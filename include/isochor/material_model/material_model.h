@@ -42,6 +42,9 @@ namespace isochor
     std::optional<double> pressure = {};
     /** Whether the tangents of the response are asked for. */
     bool with_tangent = true;
+    /** Whether the history at t_{n+1} is asked for: only when a step has
+     * converged. */
+    bool with_history = true;
     /** r_{n+1} / r_n; only read by AxisymmetricMaterial. */
     double hoop_increment = 1;
 
@@ -86,7 +89,8 @@ namespace isochor
    * p (see MaterialModel::depends_on_pressure()). Its tangents are those at
    * fixed p, and the last two members complete them.
    *
-   * Without Kinematics::with_tangent a law may leave the tangents as they are.
+   * Without Kinematics::with_tangent a law may leave the tangents as they are,
+   * without Kinematics::with_history the history.
    */
   template <int dim>
   struct StressResponse

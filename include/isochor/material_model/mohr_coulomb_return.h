@@ -40,24 +40,31 @@ namespace isochor
       bool   mean_is_given;
     };
 
-    /**
-     * The return map in principal space, in descending order of the trial
-     * stress. @p secant holds, for each pair A, B, the ratio
-     * (s_A - s_B) / (ε_A - ε_B) of returned stress and trial strain, in the
-     * limit where the strains are equal.
-     */
+    /** The return map in principal space, in descending order of the trial
+     * stress. */
     struct Response
     {
       Vector s;          ///< deviatoric stresses
       double theta;      ///< θ^e = tr ε^e
       Matrix ds_dstrain; ///< ∂s_A/∂ε_B of the trial strains
       Vector dtheta_dstrain;
-      Matrix secant;
       bool   plastic;
       Vector ds_dmean{}; ///< at a given mean stress, else 0, like the next
       double dtheta_dmean = 0;
       double excess       = 0; ///< of the given mean stress over the apex
+
+      /** Where all stresses are equal, and the first of two that are. */
+      bool         at_apex = false;
+      unsigned int edge    = 3; ///< 3: no two
     };
+
+    /** The ratio (s_A - s_B) / (ε_A - ε_B), A < B, of returned stress and trial
+     * strain, in the limit where the strains are equal. */
+    double
+    secant(const Trial       &trial,
+           const Response    &returned,
+           const unsigned int A,
+           const unsigned int B) const;
 
     /** Choose the region and return. */
     Response
@@ -70,15 +77,15 @@ namespace isochor
   private:
     /** The yield planes through one corner of the surface, or one of them:
      * plane k is f with τ_1 and τ_3 replaced by τ_largest[k], τ_smallest[k]. */
+    template <unsigned int n>
     struct ActivePlanes
     {
-      unsigned int                n;
-      std::array<unsigned int, 2> largest, smallest;
+      std::array<unsigned int, n> largest, smallest;
     };
 
-    static constexpr ActivePlanes plane       = {1, {{0, 0}}, {{2, 0}}};
-    static constexpr ActivePlanes edge_1_is_2 = {2, {{0, 1}}, {{2, 2}}};
-    static constexpr ActivePlanes edge_2_is_3 = {2, {{0, 0}}, {{2, 1}}};
+    static constexpr ActivePlanes<1> plane       = {{{0}}, {{2}}};
+    static constexpr ActivePlanes<2> edge_1_is_2 = {{{0, 1}}, {{2, 2}}};
+    static constexpr ActivePlanes<2> edge_2_is_3 = {{{0, 0}}, {{2, 1}}};
 
     /** The deviatoric part of ∂f/∂τ (with φ) or ∂g/∂τ (with ψ). */
     static Vector
@@ -95,8 +102,9 @@ namespace isochor
     Response
     elastic_response(const Trial &trial) const;
 
+    template <unsigned int n>
     Response
-    return_to(const ActivePlanes &planes, const Trial &trial) const;
+    return_to(const ActivePlanes<n> &planes, const Trial &trial) const;
 
     Response
     return_to_apex() const;

@@ -7,33 +7,89 @@
 #define isochor_spectral_decomposition_h
 
 #include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/base/tensor.h>
+
+#include <isochor/material_model/tensor_tools.h>
 
 #include <array>
+#include <cmath>
 
 namespace isochor
 {
   using namespace dealii;
 
-  /** t = Σ_A values[A] vectors[A] ⊗ vectors[A], in no particular order. */
+  /**
+   * t = Σ_A values[A] n_A ⊗ n_A of a symmetric 3D tensor, in no particular
+   * order, by the dyads of its orthonormal eigenvectors. In plane strain
+   * (@p dim = 2) z is an eigen-direction and comes last; it has no dyads, as
+   * those hold the components only that work on motions of dimension dim, in
+   * deal.II's order.
+   */
+  template <int dim>
   struct SpectralDecomposition
   {
-    std::array<double, 3>       values;
-    std::array<Tensor<1, 3>, 3> vectors;
+    static constexpr unsigned int n_pairs = dim * (dim - 1) / 2;
+    using Components =
+      std::array<double, SymmetricTensor<2, dim>::n_independent_components>;
+
+    std::array<double, 3>           values;
+    std::array<Components, dim>     dyads;       ///< n_A ⊗ n_A
+    std::array<Components, n_pairs> mixed_dyads; ///< sym(n_A ⊗ n_B), see pair()
+
+    /** Where that of A and B > A stands. */
+    static constexpr unsigned int
+    pair(const unsigned int A, const unsigned int B)
+    {
+      return A + B - 1;
+    }
+
+    /** Store the tensor that has the eigenvectors of t and @p new_values, as
+     * store_symmetric() would. */
+    void
+    store(const std::array<double, 3> &new_values, double *components) const
+    {
+      components[2] = new_values[2];
+      for (unsigned int i = 0; i < dyads[0].size(); ++i)
+        {
+          double sum = 0;
+          for (unsigned int A = 0; A < dim; ++A)
+            sum += new_values[A] * dyads[A][i];
+          components[component_in_3d<dim>(i)] = sum;
+        }
+    }
   };
 
   /**
-   * Eigenvalues and orthonormal eigenvectors of a symmetric 3D tensor.
-   * @p dim = 2 (plane strain): z is an eigen-direction and comes last; closed
-   * form. @p dim = 3: cyclic Jacobi rotations until each off-diagonal entry is
+   * The eigenvalues and eigenvectors of @p t. @p dim = 2: closed form.
+   * @p dim = 3: cyclic Jacobi rotations until each off-diagonal entry is
    * below machine precision times the geometric mean of its diagonal entries,
    * which finds also the small eigenvalues of a positive definite tensor to a
    * high relative accuracy (Demmel & Veselić 1992). Equal eigenvalues need no
    * special treatment in either. Not-a-number in gives not-a-number out.
    */
   template <int dim>
-  SpectralDecomposition
+  SpectralDecomposition<dim>
   spectral_decomposition(const SymmetricTensor<2, 3> &t);
+
+  // here, so that hot loops have it in registers
+  template <>
+  inline SpectralDecomposition<2>
+  spectral_decomposition<2>(const SymmetricTensor<2, 3> &t)
+  {
+    const double mean   = 0.5 * (t[0][0] + t[1][1]);
+    const double half   = 0.5 * (t[0][0] - t[1][1]);
+    const double radius = std::sqrt(half * half + t[0][1] * t[0][1]);
+
+    // half of cosine and sine of twice the angle of the first eigenvector
+    const double c = radius > 0 ? 0.5 * half / radius : 0.5;
+    const double s = radius > 0 ? 0.5 * t[0][1] / radius : 0.;
+
+    SpectralDecomposition<2> result;
+    result.values         = {{mean + radius, mean - radius, t[2][2]}};
+    result.dyads[0]       = {{0.5 + c, 0.5 - c, s}};
+    result.dyads[1]       = {{0.5 - c, 0.5 + c, -s}};
+    result.mixed_dyads[0] = {{-s, s, c}};
+    return result;
+  }
 } // namespace isochor
 
 #endif
