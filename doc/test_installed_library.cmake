@@ -33,7 +33,8 @@ foreach(example step plugins)
 endforeach()
 
 run(COMMAND ./step_isochor IN ${place}/step OUTPUT ${place}/step/output)
-run(COMMAND ${NUMDIFF} -a 1e-6 -r 1e-8 ${place}/step/output
+# eight digits are printed: one unit of the last one
+run(COMMAND ${NUMDIFF} -a 1e-6 -r 1e-7 ${place}/step/output
   ${DOC}/step/step_isochor.output)
 
 # a library for the other one of deal.II's is refused, not loaded

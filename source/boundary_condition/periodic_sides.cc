@@ -116,9 +116,17 @@ namespace isochor
     }
 
     std::string
-    why_points_left(const StepContext<dim> & /*step*/) const override
+    why_points_left(const StepContext<dim> & /*step*/,
+                    const std::vector<std::string> &boundaries) const override
     {
-      return pairs.empty() ?
+      const auto is_one_of_a_pair = [&](const std::string &name) {
+        return std::any_of(pairs.begin(), pairs.end(), [&](const auto &pair) {
+          return pair.first == name || pair.second == name;
+        });
+      };
+      return std::none_of(boundaries.begin(),
+                          boundaries.end(),
+                          is_one_of_a_pair) ?
                "" :
                "Points do not pass from one of <" + parameter() +
                  "> to the other: where a periodic body moves through them, no "

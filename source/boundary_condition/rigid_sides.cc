@@ -317,11 +317,15 @@ namespace isochor
     }
 
     std::string
-    why_points_left(const StepContext<dim> &step) const override
+    why_points_left(const StepContext<dim>         &step,
+                    const std::vector<std::string> &boundaries) const override
     {
       std::string text;
       for (const auto &side : sides)
         {
+          if (std::find(boundaries.begin(), boundaries.end(), side.name()) ==
+              boundaries.end())
+            continue;
           const auto place =
             isochor::side_of(step.grid, side.name(), parameter());
           const double outward =

@@ -50,12 +50,10 @@ namespace isochor
     const MPI_Comm comm = grid.communicator();
     if (Utilities::MPI::n_mpi_processes(comm) == 1)
       return;
-    // vertices away from the ends of a rank's part know one rank, that of any
-    // of their cells
-    const SimplexGeometry<dim> &geometry = grid.geometry();
-    const auto                  owner_at = [&](const unsigned int v) {
-      return geometry.owner(cells_at_vertices[cells_at_start[v]]);
-    };
+    all_ranks.resize(Utilities::MPI::n_mpi_processes(comm));
+    std::iota(all_ranks.begin(), all_ranks.end(), 0);
+    this_rank = Utilities::MPI::this_mpi_process(comm);
+    const SimplexGeometry<dim>                    &geometry = grid.geometry();
     std::map<unsigned int, std::set<unsigned int>> ranks; // of the others
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       for (const unsigned int v : geometry.vertex_indices(cell))
@@ -75,17 +73,11 @@ namespace isochor
               }
         ranks.swap(wider);
       }
-    const unsigned int me = Utilities::MPI::this_mpi_process(comm);
     for (auto &[v, others] : ranks)
       {
-        others.erase(me);
-        if (!others.empty())
-          near_ranks[v].assign(others.begin(), others.end());
+        others.erase(this_rank);
+        near_ranks[v].assign(others.begin(), others.end());
       }
-    // where this rank is not near, there is one other
-    for (unsigned int v = 0; v < n_cells_at.size(); ++v)
-      if (n_cells_at[v] > 0 && ranks.count(v) == 0 && owner_at(v) != me)
-        near_ranks[v] = {owner_at(v)};
   }
 
 
@@ -209,9 +201,8 @@ namespace isochor
     std::set<unsigned int> ranks;
     for (const unsigned int v : grid.geometry().vertex_indices(cell))
       {
-        const auto near = near_ranks.find(v);
-        if (near != near_ranks.end())
-          ranks.insert(near->second.begin(), near->second.end());
+        const auto near = ranks_near(v);
+        ranks.insert(near.begin(), near.end());
       }
     return ranks;
   }
@@ -256,19 +247,14 @@ namespace isochor
   void
   CellOccupancy<dim>::exchange()
   {
-    if (near_ranks.empty() &&
-        Utilities::MPI::n_mpi_processes(grid.communicator()) == 1)
+    if (Utilities::MPI::n_mpi_processes(grid.communicator()) == 1)
       return;
 
     // per rank: the number of active vertices, these, and the cells
     std::map<unsigned int, std::vector<double>> messages, cells;
     for (const unsigned int v : active_list)
-      {
-        const auto near = near_ranks.find(v);
-        if (near != near_ranks.end())
-          for (const unsigned int rank : near->second)
-            messages[rank].push_back(v);
-      }
+      for (const unsigned int rank : ranks_near(v))
+        messages[rank].push_back(v);
     for (const Content &content : contents)
       {
         for (const unsigned int rank : ranks_near_cell(content.cell))

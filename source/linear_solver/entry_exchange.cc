@@ -5,11 +5,8 @@
 
 #include <isochor/linear_solver/entry_exchange.h>
 
-#include <Epetra_Map.h>
-
-#include <map>
+#include <functional>
 #include <numeric>
-#include <utility>
 
 namespace isochor
 {
@@ -39,6 +36,31 @@ namespace isochor
       double *value;
     };
 
+    /** A rank's consecutive range of global numbers. */
+    struct OwnedRange
+    {
+      explicit OwnedRange(const Epetra_Map &map)
+        : n(map.NumMyElements())
+        , begin(n > 0 ? map.MyGlobalElements()[0] : 0)
+      {}
+
+      bool
+      contains(const int number) const
+      {
+        return number >= begin && number < begin + n;
+      }
+
+      int n, begin;
+    };
+
+    void
+    check(const int error, const char *call)
+    {
+      AssertThrow(error >= 0,
+                  ExcMessage(std::string("Trilinos: ") + call + " returned " +
+                             std::to_string(error) + "."));
+    }
+
     bool
     are_consecutive(const std::vector<unsigned int> &numbers)
     {
@@ -47,54 +69,203 @@ namespace isochor
           return false;
       return true;
     }
+
+    void
+    sort_and_remove_copies(std::vector<int> &numbers)
+    {
+      std::sort(numbers.begin(), numbers.end());
+      numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    }
   } // namespace
 
 
 
-  EntryExchange::EntryExchange(const Epetra_CrsMatrix &local,
-                               Epetra_CrsMatrix       &sum,
-                               const MPI_Comm          comm)
+  std::unique_ptr<Epetra_CrsMatrix>
+  zero_matrix(const LocalPattern &pattern,
+              const Epetra_Map   &rows,
+              const Epetra_Map   &columns,
+              const Epetra_Map   &domain,
+              const Epetra_Map   &range)
+  {
+    const std::vector<int> &start = pattern.start;
+    std::vector<int>        length(start.size() - 1);
+    std::transform(start.begin() + 1,
+                   start.end(),
+                   start.begin(),
+                   length.begin(),
+                   std::minus<int>());
+    auto matrix = std::make_unique<Epetra_CrsMatrix>(
+      Copy, rows, columns, length.data(), true);
+    const std::vector<double> zeros(
+      length.empty() ? 0 : *std::max_element(length.begin(), length.end()), 0.);
+    for (unsigned int row = 0; row < length.size(); ++row)
+      if (length[row] > 0)
+        check(matrix->InsertMyValues(row,
+                                     length[row],
+                                     zeros.data(),
+                                     pattern.column.data() + start[row]),
+              "InsertMyValues");
+    check(matrix->FillComplete(domain, range), "FillComplete");
+    check(matrix->OptimizeStorage(), "OptimizeStorage");
+    return matrix;
+  }
+
+
+
+  EntryExchange::EntryExchange(const LocalPattern                &local,
+                               const Names                       &rows,
+                               const Names                       &columns,
+                               const MPI_Comm                     comm,
+                               std::unique_ptr<Epetra_CrsMatrix> &sum)
     : comm(comm)
   {
-    const Rows from(local), to(sum);
-    values   = to.value;
-    n_values = sum.NumMyNonzeros();
-
     // (RemoteIDList() of Epetra writes numbers that are no ranks where a rank
     // has no rows.)
-    std::vector<int> end = Utilities::MPI::all_gather(comm, sum.NumMyRows());
+    std::vector<int> end =
+      Utilities::MPI::all_gather(comm, rows.owned.NumMyElements());
     std::partial_sum(end.begin(), end.end(), end.begin());
-    const auto owner = [&](const int row) {
-      const auto found = std::upper_bound(end.begin(), end.end(), row);
-      AssertThrow(found != end.end(), ExcInternalError());
-      return static_cast<unsigned int>(found - end.begin());
-    };
-    const int        n_rows = local.NumMyRows();
-    std::vector<int> column_here(local.NumMyCols());
-    for (unsigned int c = 0; c < column_here.size(); ++c)
-      column_here[c] = sum.ColMap().LID(local.ColMap().GID(c));
-
-    // entries of other ranks' rows: their numbers, and the global numbers of
-    // their rows and columns
-    std::map<unsigned int, std::vector<unsigned int>>        entries;
-    std::map<unsigned int, std::vector<std::pair<int, int>>> names;
-    std::vector<unsigned int>                                places;
-    for (int r = 0; r < n_rows; ++r)
+    const OwnedRange owned(rows.owned);
+    Entries          to_others;
+    for (int r = 0; r < rows.local.NumMyElements(); ++r)
       {
-        const int row  = local.RowMap().GID(r);
-        const int here = sum.RowMap().LID(row);
+        const int row = rows.local.MyGlobalElements()[r];
+        if (owned.contains(row) || local.start[r] == local.start[r + 1])
+          continue;
+        const auto owner = std::upper_bound(end.begin(), end.end(), row);
+        AssertThrow(owner != end.end(), ExcInternalError());
+        auto &entries = to_others[owner - end.begin()];
+        for (int k = local.start[r]; k < local.start[r + 1]; ++k)
+          entries.emplace_back(
+            row, columns.local.MyGlobalElements()[local.column[k]]);
+      }
+    const Entries from_others = Utilities::MPI::some_to_some(comm, to_others);
+
+    lay_out(local, rows, columns, from_others, sum);
+    for (const auto &[rank, entries] : to_others)
+      {
+        outgoing.push_back({static_cast<int>(rank),
+                            static_cast<unsigned int>(to_send.size()),
+                            {},
+                            static_cast<unsigned int>(entries.size())});
+        to_send.resize(to_send.size() + entries.size());
+      }
+    const Rows   to(*sum);
+    unsigned int n_received = 0;
+    for (const auto &[rank, entries] : from_others)
+      {
+        Message message{static_cast<int>(rank), n_received, {}, 0};
+        for (const auto &[row, column] : entries)
+          message.places.push_back(
+            to.find(sum->RowMap().LID(row), sum->ColMap().LID(column)));
+        message.size = message.places.size();
+        n_received += message.size;
+        incoming.push_back(message);
+      }
+    received.resize(n_received);
+    values   = to.value;
+    n_values = sum->NumMyNonzeros();
+    number_entries(local, rows, columns, *sum);
+  }
+
+
+
+  void
+  EntryExchange::lay_out(const LocalPattern                &local,
+                         const Names                       &rows,
+                         const Names                       &columns,
+                         const Entries                     &received,
+                         std::unique_ptr<Epetra_CrsMatrix> &sum)
+  {
+    const OwnedRange owned_rows(rows.owned), owned_columns(columns.owned);
+    const int *const row_name    = rows.local.MyGlobalElements();
+    const int *const column_name = columns.local.MyGlobalElements();
+
+    // columns of others, and what the owned rows get from others
+    std::vector<int>              foreign;
+    std::vector<std::vector<int>> added(owned_rows.n);
+    for (const auto &of_rank : received)
+      for (const auto &[row, column] : of_rank.second)
+        {
+          added[row - owned_rows.begin].push_back(column);
+          if (!owned_columns.contains(column))
+            foreign.push_back(column);
+        }
+    for (int c = 0; c < columns.local.NumMyElements(); ++c)
+      if (!owned_columns.contains(column_name[c]))
+        foreign.push_back(column_name[c]);
+    sort_and_remove_copies(foreign);
+    std::vector<int> all_columns(owned_columns.n + foreign.size());
+    std::iota(all_columns.begin(),
+              all_columns.begin() + owned_columns.n,
+              owned_columns.begin);
+    std::copy(foreign.begin(),
+              foreign.end(),
+              all_columns.begin() + owned_columns.n);
+    const auto number = [&](const int name) -> int {
+      return owned_columns.contains(name) ?
+               name - owned_columns.begin :
+               owned_columns.n +
+                 (std::lower_bound(foreign.begin(), foreign.end(), name) -
+                  foreign.begin());
+    };
+
+    LocalPattern pattern;
+    pattern.start.assign(owned_rows.n + 1, 0);
+    pattern.column.reserve(local.column.size());
+    std::vector<int> of_row;
+    for (int r = 0; r < rows.local.NumMyElements(); ++r)
+      {
+        if (!owned_rows.contains(row_name[r]))
+          continue;
+        const int row = row_name[r] - owned_rows.begin;
+        of_row.clear();
+        for (int k = local.start[r]; k < local.start[r + 1]; ++k)
+          of_row.push_back(number(column_name[local.column[k]]));
+        for (const int name : added[row])
+          of_row.push_back(number(name));
+        sort_and_remove_copies(of_row);
+        pattern.column.insert(pattern.column.end(),
+                              of_row.begin(),
+                              of_row.end());
+        pattern.start[row + 1] = pattern.column.size();
+      }
+
+    const Epetra_Map column_map(
+      -1, all_columns.size(), all_columns.data(), 0, rows.owned.Comm());
+    sum =
+      zero_matrix(pattern, rows.owned, column_map, columns.owned, rows.owned);
+  }
+
+
+
+  void
+  EntryExchange::number_entries(const LocalPattern     &local,
+                                const Names            &rows,
+                                const Names            &columns,
+                                const Epetra_CrsMatrix &sum)
+  {
+    const Rows       to(sum);
+    const OwnedRange owned(rows.owned);
+    std::vector<int> column_here(columns.local.NumMyElements());
+    for (unsigned int c = 0; c < column_here.size(); ++c)
+      column_here[c] = sum.ColMap().LID(columns.local.MyGlobalElements()[c]);
+
+    // what goes to others stands in to_send in the order of the local rows
+    unsigned int              n_sent = 0;
+    std::vector<unsigned int> places;
+    for (int r = 0; r < rows.local.NumMyElements(); ++r)
+      {
+        const int begin = local.start[r], end = local.start[r + 1],
+                  row = rows.local.MyGlobalElements()[r];
         places.clear();
-        for (int k = from.start[r]; k < from.start[r + 1]; ++k)
-          if (here >= 0)
-            places.push_back(to.find(here, column_here[from.column[k]]));
-          else
-            {
-              entries[owner(row)].push_back(target.size() + places.size());
-              names[owner(row)].emplace_back(
-                row, local.ColMap().GID(from.column[k]));
-              places.push_back(0); // is set below
-            }
-        if (here >= 0 && are_consecutive(places))
+        if (!owned.contains(row))
+          for (int k = begin; k < end; ++k)
+            places.push_back(n_values + n_sent++);
+        else
+          for (int k = begin; k < end; ++k)
+            places.push_back(
+              to.find(row - owned.begin, column_here[local.column[k]]));
+        if (owned.contains(row) && are_consecutive(places))
           {
             first_entry.push_back(places.empty() ? 0 : places.front());
             continue;
@@ -102,30 +273,7 @@ namespace isochor
         first_entry.push_back(n_values + target.size());
         target.insert(target.end(), places.begin(), places.end());
       }
-    unsigned int n_to_send = 0;
-    for (const auto &of_rank : entries)
-      {
-        outgoing.push_back({static_cast<int>(of_rank.first),
-                            n_to_send,
-                            {},
-                            static_cast<unsigned int>(of_rank.second.size())});
-        for (const unsigned int k : of_rank.second)
-          target[k] = n_values + n_to_send++;
-      }
-    to_send.resize(n_to_send);
-
-    unsigned int n_received = 0;
-    for (const auto &of_rank : Utilities::MPI::some_to_some(comm, names))
-      {
-        Message message{static_cast<int>(of_rank.first), n_received, {}, 0};
-        for (const auto &[row, column] : of_rank.second)
-          message.places.push_back(
-            to.find(sum.RowMap().LID(row), sum.ColMap().LID(column)));
-        message.size = message.places.size();
-        n_received += message.size;
-        incoming.push_back(message);
-      }
-    received.resize(n_received);
+    AssertThrow(n_sent == to_send.size(), ExcInternalError());
   }
 
 

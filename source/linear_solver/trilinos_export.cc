@@ -5,13 +5,13 @@
 
 #include <isochor/linear_solver/trilinos_export.h>
 
-#include <Epetra_Export.h>
 #include <Epetra_Import.h>
 #include <Epetra_IntVector.h>
 #include <Epetra_MpiComm.h>
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace isochor
 {
@@ -188,20 +188,20 @@ namespace isochor
     : rows(rows)
     , columns(columns)
   {
-    block = local_pattern(A);
+    const LocalPattern local = local_pattern(A);
     if (Utilities::MPI::n_mpi_processes(A.comm) > 1)
-      {
-        const auto local = std::move(block);
-        block = std::make_unique<Epetra_CrsMatrix>(Copy, rows.owned_map, 0);
-        check(block->Export(*local,
-                            Epetra_Export(rows.local_map, rows.owned_map),
-                            ::Add),
-              "Export");
-        check(block->FillComplete(columns.owned_map, rows.owned_map),
-              "FillComplete");
-        check(block->OptimizeStorage(), "OptimizeStorage");
-        exchange = std::make_unique<EntryExchange>(*local, *block, A.comm);
-      }
+      exchange = std::make_unique<EntryExchange>(
+        local,
+        EntryExchange::Names{rows.local_map, rows.owned_map},
+        EntryExchange::Names{columns.local_map, columns.owned_map},
+        A.comm,
+        block);
+    else
+      block = zero_matrix(local,
+                          rows.local_map,
+                          columns.local_map,
+                          columns.owned_map,
+                          rows.owned_map);
     copy_values(A);
   }
 
@@ -250,33 +250,23 @@ namespace isochor
     });
   }
 
-  std::unique_ptr<Epetra_CrsMatrix>
+  LocalPattern
   TrilinosBlock::local_pattern(const SparseSystem &A) const
   {
     const std::size_t n_rows = rows.is_owned.size();
-    std::vector<int>  length(n_rows, 0), start(n_rows + 1, 0);
+    LocalPattern      local;
+    local.start.assign(n_rows + 1, 0);
     for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t) {
-      ++length[r];
+      ++local.start[r + 1];
     });
-    for (std::size_t r = 0; r < n_rows; ++r)
-      start[r + 1] = start[r] + length[r];
-    std::vector<int> column(start[n_rows]), next(start.begin(), start.end());
+    std::partial_sum(local.start.begin(),
+                     local.start.end(),
+                     local.start.begin());
+    local.column.resize(local.start.back());
+    std::vector<int> next(local.start);
     for_each_entry(A, [&](unsigned int r, unsigned int c, std::size_t) {
-      column[next[r]++] = c;
+      local.column[next[r]++] = c;
     });
-
-    auto local = std::make_unique<Epetra_CrsMatrix>(
-      Copy, rows.local_map, columns.local_map, length.data(), true);
-    const std::vector<double> zeros(
-      length.empty() ? 0 : *std::max_element(length.begin(), length.end()), 0.);
-    for (std::size_t r = 0; r < n_rows; ++r)
-      if (length[r] > 0)
-        check(local->InsertMyValues(
-                r, length[r], zeros.data(), column.data() + start[r]),
-              "InsertMyValues");
-    check(local->FillComplete(columns.owned_map, rows.owned_map),
-          "FillComplete");
-    check(local->OptimizeStorage(), "OptimizeStorage");
     return local;
   }
 

@@ -118,6 +118,18 @@ namespace isochor
       postprocessor->check_scene(step);
     if (!scene.has_inertia())
       check_supports(matrix, step.warnings);
+    if (scene.mixed() && scene.kernel.ppp_coefficient == 0)
+      step.warnings.add(
+        "pressures without stabilisation",
+        "<Formulation/Stabilisation = none> or <PPP coefficient = 0>: "
+        "displacements and pressures of the same order are not stable "
+        "together. Pressures may oscillate from node to node" +
+          std::string(scene.may_yield ?
+                        ", and a body that yields and is unloaded may end in a "
+                        "wrong state" :
+                        "") +
+          ". Set <Formulation/Stabilisation = PPP>, unless this is what you "
+          "want to see.");
     if (scene.mixed() && !may_let_go && has_free_pressure(matrix))
       step.warnings.add(
         "a pressure that nothing determines",

@@ -60,7 +60,8 @@ namespace isochor
     if (const std::string why = grid_reset.why(); !why.empty())
       text += (text.empty() ? "" : " ") + why;
     for (const auto &condition : scene.boundary_conditions)
-      if (const std::string why = condition->why_points_left(context());
+      if (const std::string why =
+            condition->why_points_left(context(), boundaries);
           !why.empty())
         text += (text.empty() ? "" : " ") + why;
     return text.empty() ? text : text + " ";

@@ -136,11 +136,12 @@ namespace isochor
       return {};
     }
 
-    /** Material points have left the grid as it was put back: what of this
-     * condition may be the cause, for the message. @p step is the one that
-     * would begin. The same on all ranks. */
+    /** Material points have left the grid as it was put back, through
+     * @p boundaries: what of this condition may be the cause, for the message.
+     * @p step is the one that would begin. The same on all ranks. */
     virtual std::string
-    why_points_left(const StepContext<dim> & /*step*/) const
+    why_points_left(const StepContext<dim> & /*step*/,
+                    const std::vector<std::string> & /*boundaries*/) const
     {
       return {};
     }

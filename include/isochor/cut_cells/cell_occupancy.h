@@ -164,11 +164,13 @@ namespace isochor
     ArrayView<const unsigned int>
     ranks_near(const unsigned int vertex) const
     {
+      if (all_ranks.size() <= 1 || n_cells_at[vertex] == 0)
+        return {};
       const auto near = near_ranks.find(vertex);
-      return near == near_ranks.end() ?
-               ArrayView<const unsigned int>() :
-               ArrayView<const unsigned int>(near->second.data(),
-                                             near->second.size());
+      if (near != near_ranks.end())
+        return {near->second.data(), near->second.size()};
+      const unsigned int owner = owner_at(vertex);
+      return {all_ranks.data() + owner, owner == this_rank ? 0u : 1u};
     }
 
     const BackgroundGrid<dim> &grid;
@@ -181,6 +183,13 @@ namespace isochor
     }
 
   private:
+    /** The rank of one of the cells at a vertex; where there is no other one,
+     * of all. */
+    unsigned int
+    owner_at(const unsigned int vertex) const
+    {
+      return grid.geometry().owner(cells_at_vertices[cells_at_start[vertex]]);
+    }
     void
     find_cells_at_vertices();
     void
@@ -247,9 +256,11 @@ namespace isochor
     std::vector<unsigned int>  cells_at_start, cells_at_vertices;
     std::vector<unsigned int>  n_cells_at;
     std::vector<unsigned char> open_vertex;
-    /** Other ranks with cells within n_near_layers around a vertex; only
-     * vertices where there are any. */
+    /** Other ranks with cells within n_near_layers around a vertex, where there
+     * are cells of several ranks; elsewhere there are those of owner_at(). */
     std::map<unsigned int, std::vector<unsigned int>> near_ranks;
+    std::vector<unsigned int>                         all_ranks; ///< 0, 1, ...
+    unsigned int                                      this_rank = 0;
 
     std::vector<Content>       contents;
     std::vector<Cavity>        cavities; ///< of which this rank knows

@@ -9,13 +9,34 @@
 #include <deal.II/base/mpi.h>
 
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_Map.h>
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace isochor
 {
   using namespace dealii;
+
+  /** Which entries a rank contributes to a matrix: row r has those from
+   * start[r] up to start[r + 1], their columns ascending. Rows and columns by
+   * local numbers, of which larger ones stand for larger global ones. */
+  struct LocalPattern
+  {
+    std::vector<int> start, column;
+  };
+
+  /** A matrix of zeros with the entries of @p pattern, filled, storage
+   * optimised. */
+  std::unique_ptr<Epetra_CrsMatrix>
+  zero_matrix(const LocalPattern &pattern,
+              const Epetra_Map   &rows,
+              const Epetra_Map   &columns,
+              const Epetra_Map   &domain,
+              const Epetra_Map   &range);
 
   /**
    * Sums matrices over ranks, again and again with the same pattern: where each
@@ -26,13 +47,23 @@ namespace isochor
   class EntryExchange
   {
   public:
-    /** @p local is this rank's contribution, of which only the pattern counts,
-     * @p sum the sum, whose rows are numbered rank by rank and whose pattern
-     * has those of all contributions. @p sum has to outlive the object. Both
-     * are filled, storage optimised. Collective. */
-    EntryExchange(const Epetra_CrsMatrix &local,
-                  Epetra_CrsMatrix       &sum,
-                  const MPI_Comm          comm);
+    /** What the rows or the columns of a matrix are called: the global numbers
+     * of the local ones, and of those that the rank owns, which are numbered
+     * rank by rank. */
+    struct Names
+    {
+      const Epetra_Map &local, &owned;
+    };
+
+    /** @p local is this rank's contribution. @p sum becomes the matrix that
+     * has the entries of all contributions, filled, storage optimised, its
+     * owned columns before the others; it has to outlive the object.
+     * Collective. */
+    EntryExchange(const LocalPattern                &local,
+                  const Names                       &rows,
+                  const Names                       &columns,
+                  const MPI_Comm                     comm,
+                  std::unique_ptr<Epetra_CrsMatrix> &sum);
 
     /** Let the sum be zero. */
     void
@@ -41,8 +72,8 @@ namespace isochor
       std::fill(values, values + n_values, 0.);
     }
 
-    /** For each row of @p local the number of its first entry, for add(). Those
-     * of a row are numbered one after the other. */
+    /** For each local row the number of its first entry, for add(). Those of a
+     * row are numbered one after the other. */
     const std::vector<unsigned int> &
     first_entries() const
     {
@@ -79,6 +110,26 @@ namespace isochor
       std::vector<unsigned int> places; ///< in the sum; only of incoming ones
       unsigned int              size;
     };
+
+    /** The entries that a rank has for others, and those that it gets, by
+     * rank: global numbers of rows and columns. */
+    using Entries = std::map<unsigned int, std::vector<std::pair<int, int>>>;
+
+    /** Let @p sum have the entries of @p local in owned rows and those of
+     * @p received. */
+    static void
+    lay_out(const LocalPattern                &local,
+            const Names                       &rows,
+            const Names                       &columns,
+            const Entries                     &received,
+            std::unique_ptr<Epetra_CrsMatrix> &sum);
+
+    /** Number the entries of @p local. */
+    void
+    number_entries(const LocalPattern     &local,
+                   const Names            &rows,
+                   const Names            &columns,
+                   const Epetra_CrsMatrix &sum);
 
     MPI_Comm     comm;
     double      *values;

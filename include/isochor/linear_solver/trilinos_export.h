@@ -126,7 +126,7 @@ namespace isochor
 
   private:
     /** This rank's contribution, without values. */
-    std::unique_ptr<Epetra_CrsMatrix>
+    LocalPattern
     local_pattern(const SparseSystem &A) const;
 
     /** Call @p action (row, column, index of the value in @p A) for all entries
