@@ -117,6 +117,34 @@ namespace isochor
 
 
   template <int dim>
+  void
+  PointRecords<dim>::move(const std::size_t from, const std::size_t to)
+  {
+    if (from == to)
+      return;
+    cells[to]     = cells[from];
+    ids[to]       = ids[from];
+    locations[to] = locations[from];
+    std::copy_n(payloads.begin() + from * n_payload,
+                n_payload,
+                payloads.begin() + to * n_payload);
+  }
+
+
+
+  template <int dim>
+  void
+  PointRecords<dim>::resize(const std::size_t n)
+  {
+    cells.resize(n);
+    ids.resize(n);
+    locations.resize(n);
+    payloads.resize(n * n_payload);
+  }
+
+
+
+  template <int dim>
   ArrayView<const double>
   PointRecords<dim>::payload(const std::size_t i) const
   {
@@ -137,32 +165,24 @@ namespace isochor
     const auto is_own = [&](const unsigned int cell) {
       return geometry.owner(cell) == my_rank;
     };
-    PointRecords<dim>                           owned(records.n_payload);
     std::map<unsigned int, std::vector<double>> messages;
-    n_shipped = 0;
-    // as they are, on one rank always
-    if (std::all_of(records.cells.begin(), records.cells.end(), is_own))
-      std::swap(owned, records);
+    std::size_t                                 n_own = 0;
     for (std::size_t i = 0; i < records.size(); ++i)
-      {
-        if (is_own(records.cells[i]))
-          owned.push_back(records.cells[i],
-                          records.ids[i],
-                          records.locations[i],
-                          records.payload(i));
-        else
-          {
-            std::vector<double> &message =
-              messages[geometry.owner(records.cells[i])];
-            if (message.empty())
-              message.push_back(records.n_payload);
-            pack(records, i, message);
-            ++n_shipped;
-          }
-      }
+      if (is_own(records.cells[i]))
+        records.move(i, n_own++);
+      else
+        {
+          std::vector<double> &message =
+            messages[geometry.owner(records.cells[i])];
+          if (message.empty())
+            message.push_back(records.n_payload);
+          pack(records, i, message);
+        }
+    n_shipped = records.size() - n_own;
+    records.resize(n_own);
     for (const auto &received : Utilities::MPI::some_to_some(comm, messages))
-      unpack(received.second, owned);
-    return owned;
+      unpack(received.second, records);
+    return records;
   }
 
 
@@ -251,6 +271,7 @@ namespace isochor
 
     RelocationReport<dim> report;
     PointRecords<dim>     moved(n_payload);
+    moved.reserve(n_previous); // what isn't written takes no memory
     report.lost = PointRecords<dim>(n_payload);
     detach_moved_particles(handler, locator, is_concerned, moved, report.lost);
 

@@ -42,6 +42,14 @@ namespace isochor
               const Point<dim>              &location,
               const ArrayView<const double> &values);
 
+    /** Let point @p to be what point @p from is. */
+    void
+    move(const std::size_t from, const std::size_t to);
+
+    /** Keep the first @p n points. */
+    void
+    resize(const std::size_t n);
+
     /** The payload of point @p i. */
     ArrayView<const double>
     payload(const std::size_t i) const;
