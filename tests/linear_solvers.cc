@@ -289,6 +289,43 @@ namespace
     return solver;
   }
 
+  /** In any units of displacements and pressures the solution is the same. */
+  void
+  check_units(const std::string &test, const SparseSystem &A)
+  {
+    for (const double factor : {1e-9, 1e9})
+      {
+        SparseSystem        B = A;
+        std::vector<double> unit(A.n_equations, 0.), x_exact(A.n_equations);
+        const auto          unit_of = [&](const unsigned int r) {
+          return A.field[r] == SparseSystem::Field::pressure ? factor :
+                                                                        1 / factor;
+        };
+        for (std::size_t r = 0; r + 1 < A.row_start.size(); ++r)
+          {
+            for (std::size_t k = A.row_start[r]; k < A.row_start[r + 1]; ++k)
+              B.values[k] *= unit_of(r) * unit_of(A.column[k]);
+            if (A.locally_owned.is_element(A.global_equation[r]))
+              unit[A.global_equation[r]] = unit_of(r);
+          }
+        Utilities::MPI::sum(unit, A.comm, unit);
+        for (types::global_dof_index i = 0; i < A.n_equations; ++i)
+          x_exact[i] = exact(i, 0.) / unit[i];
+        const auto solver = create("MUMPS");
+        solver->factorise(B);
+        DistributedVector x(B.locally_owned, B.comm);
+        solver->solve(distribute(multiply(B, x_exact), B), x);
+        std::vector<double> found = replicate(x, B);
+        for (types::global_dof_index i = 0; i < A.n_equations; ++i)
+          {
+            found[i] *= unit[i];
+            x_exact[i] *= unit[i];
+          }
+        const double error = relative_difference(found, x_exact);
+        report(test, error < 1e-9, std::to_string(error));
+      }
+  }
+
   /** What only MUMPS tells: a saddle point has a negative pivot for each
    * pressure (Sylvester's law of inertia), whatever the ordering. */
   void
@@ -310,6 +347,16 @@ namespace
                std::to_string(done.n_negative_pivots));
         check_solve("solution with " + ordering, *solver, A);
       }
+
+    check_units("units", A);
+    SparseSystem unstabilised = A; // no pressure has a diagonal entry
+    for (std::size_t r = 0; r + 1 < A.row_start.size(); ++r)
+      for (std::size_t k = A.row_start[r]; k < A.row_start[r + 1]; ++k)
+        if (A.field[r] == SparseSystem::Field::pressure && A.column[k] == r)
+          unstabilised.values[k] = 0.;
+    check_units("units, pressures without diagonal", unstabilised);
+    options.skewness = 0.1;
+    check_units("units, unsymmetric", make(options));
   }
 } // namespace
 

@@ -51,11 +51,13 @@ messages(const std::string &settings,
   return test::one_line(text);
 }
 
-/** The message has all @p words, and there is none but this one. */
+/** The messages have all @p words, and there is none but this one, or so many
+ * in all. */
 inline void
 expect(const std::string              &what,
        const std::string              &message,
-       const std::vector<std::string> &words)
+       const std::vector<std::string> &words,
+       const unsigned int              n_messages = 1)
 {
   std::string missing;
   for (const std::string &word : words)
@@ -67,7 +69,7 @@ expect(const std::string              &what,
          place      = message.find(word, place + 1))
       ++n;
   test::check(what,
-              missing.empty() && n == (words.empty() ? 0 : 1),
+              missing.empty() && n == (words.empty() ? 0 : n_messages),
               std::to_string(n) + " messages, missing" + missing + ": " +
                 message);
 }

@@ -127,11 +127,13 @@ namespace isochor
       }
 
     response.deviatoric_stress = deviator(G_b_bar);
-    response.tangent =
-      isochoric_modulus<dim>(trace(G_b_bar) / 3, response.deviatoric_stress);
+    if (kinematics.with_tangent)
+      response.tangent =
+        isochoric_modulus<dim>(trace(G_b_bar) / 3, response.deviatoric_stress);
     set_elastic_volume_change(J, response);
-    return is_finite(response) ? StressStatus::success :
-                                 StressStatus::return_map_failed;
+    // squares of all entries of F stand in the trace
+    return std::isfinite(trace(G_b_bar) + J) ? StressStatus::success :
+                                               StressStatus::return_map_failed;
   }
 
   ISOCHOR_REGISTER_FOR_DIMENSION(MaterialModel, NeoHookean, "Neo-Hookean")

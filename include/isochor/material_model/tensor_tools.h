@@ -11,9 +11,6 @@
 
 #include <isochor/material_model/material_model.h>
 
-#include <array>
-#include <cmath>
-#include <numeric>
 #include <string>
 
 namespace isochor
@@ -105,32 +102,6 @@ namespace isochor
     if (dim == 2)
       result[2][2] = b[2][2];
     return result;
-  }
-
-  /** Whether every number of @p response is finite. */
-  template <int dim>
-  inline bool
-  is_finite(const StressResponse<dim> &response)
-  {
-    // A sum is finite only if its terms are: NaN and infinity survive adding.
-    // Several sums, as each addition waits for the one before.
-    double scalars =
-      response.volumetric_strain + response.volumetric_pressure_tangent;
-    double stress = 0, vectors = 0;
-    for (unsigned int i = 0; i < 6; ++i)
-      stress += response.deviatoric_stress.access_raw_entry(i);
-    constexpr unsigned int n =
-      SymmetricTensor<2, dim>::n_independent_components;
-    std::array<double, n> columns{};
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        vectors += response.volumetric_tangent.access_raw_entry(i) +
-                   response.deviatoric_pressure_tangent.access_raw_entry(i);
-        for (unsigned int j = 0; j < n; ++j)
-          columns[j] += response.tangent.access_raw_entry(i * n + j);
-      }
-    return std::isfinite(scalars + stress + vectors +
-                         std::accumulate(columns.begin(), columns.end(), 0.));
   }
 } // namespace isochor
 
