@@ -90,6 +90,28 @@ test_fall(const std::string &name,
   test::check(name + ": no warning of bodies", !warns(*problem), "");
 }
 
+/** With resets now and then, on a grid of cells of several sizes: a block falls
+ * freely until it is there, on any number of ranks. */
+void
+test_fall_between_resets()
+{
+  const auto problem = test::run_scene<2>(
+    "Quadrature/Type = CPDI\nGrid/Type = adaptive\n"
+    "Grid/Upper corner = 2, 2\nGrid/Subdivisions = 4, 4\n"
+    "Adaptive grid/Maximum level = 2\nAdaptive grid/Cell size = 0.125\n"
+    "Material points/Region = x > 0.5 && x < 1.5 && y > 0.25 && y < 1\n"
+    "Material/Young modulus = 1e5\nMaterial/Density = 1000\n"
+    "Dynamics/Inertia = true\nBoundary conditions/Walls = bottom: n >= 0\n"
+    "Boundary conditions/Gravity = 0, -10\n"
+    "Postprocess/Point probes = foot: 1, 0.26\n"
+    "Time/Step size = 0.01\nTime/End time = 0.2\n"
+    "Grid reset/Steps between resets = 5\n");
+  test::check_error("a block 5 cm above the ground has only fallen",
+                    std::abs(test::get(*problem, "Displacement y of foot (m)") +
+                             0.2),
+                    1e-10);
+}
+
 /** The arms of a fork come together. */
 void
 test_fork()
@@ -227,6 +249,7 @@ main(int argc, char **argv)
                "Postprocess/Point probes = foot: 0.2, 0.51, 0.2\n"
                "Boundary conditions/Displacement = left: x=0; back: z=0\n",
                "Dynamics/Initial velocity = 0, -2, 0\nTime/End time = 0.2\n");
+  test_fall_between_resets();
   test_fork();
   test_thin_slab();
   test_second_body();

@@ -63,6 +63,50 @@ namespace isochor
 
 
 
+    /** For each of the @p cells, the same ones on all ranks, whether a rank has
+     * points in it. */
+    template <int dim>
+    std::vector<int>
+    are_filled(const StepContext<dim>          &step,
+               const std::vector<unsigned int> &cells)
+    {
+      std::vector<int> is_filled;
+      for (const unsigned int cell : cells)
+        is_filled.push_back(step.points.contains_cell(cell) ? 1 : 0);
+      Utilities::MPI::max(is_filled, step.grid.communicator(), is_filled);
+      return is_filled;
+    }
+
+
+
+    /** The empty cells that share a face with a cell of the body, sorted. Where
+     * only the parts of the body end that ranks have is no surface. */
+    template <int dim>
+    std::vector<unsigned int>
+    empty_neighbours(const StepContext<dim> &step)
+    {
+      const PointArrays<dim>     &points   = step.points;
+      const SimplexGeometry<dim> &geometry = step.grid.geometry();
+      std::set<unsigned int>      not_here, of_all;
+      for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+        for (const unsigned int n : geometry.neighbours(points.cell[k]))
+          if (n != SimplexGeometry<dim>::no_cell && !points.contains_cell(n))
+            not_here.insert(n);
+      for (const auto &of_rank : Utilities::MPI::all_gather(
+             step.grid.communicator(),
+             std::vector<unsigned int>(not_here.begin(), not_here.end())))
+        of_all.insert(of_rank.begin(), of_rank.end());
+
+      std::vector<unsigned int> cells(of_all.begin(), of_all.end()), empty;
+      const std::vector<int>    is_filled = are_filled(step, cells);
+      for (unsigned int i = 0; i < cells.size(); ++i)
+        if (is_filled[i] == 0)
+          empty.push_back(cells[i]);
+      return empty;
+    }
+
+
+
     /** Outward, of length 1. */
     template <int dim>
     Tensor<1, dim>
@@ -190,6 +234,7 @@ namespace isochor
     const PointArrays<dim>         &points   = step.points;
     const SimplexGeometry<dim>     &geometry = step.grid.geometry();
     const std::vector<unsigned int> name     = part_names(step, elements);
+    const std::vector<unsigned int> empty    = empty_neighbours(step);
     at_surface.assign(points.n_occupied_cells, 0);
     part.assign(points.n_occupied_cells, 0);
     hint.assign(points.n_points(), 0);
@@ -204,7 +249,9 @@ namespace isochor
         for (unsigned int f = 0; f <= dim; ++f)
           if (neighbours[f] == SimplexGeometry<dim>::no_cell)
             is_at_boundary = true;
-          else if (!points.contains_cell(neighbours[f]))
+          else if (std::binary_search(empty.begin(),
+                                      empty.end(),
+                                      neighbours[f]))
             at_surface[k] = 1;
         part[k] = name[step.nodes.node(
           points.stencil(geometry, k, points.cell_start[k]).vertex[0])];
@@ -408,10 +455,7 @@ namespace isochor
         }
     if (cells.empty())
       return false;
-    std::vector<int> is_filled;
-    for (const unsigned int cell : cells)
-      is_filled.push_back(step.points.contains_cell(cell) ? 1 : 0);
-    Utilities::MPI::max(is_filled, step.grid.communicator(), is_filled);
+    const std::vector<int> is_filled = are_filled(step, cells);
     const auto gap = std::find(is_filled.begin(), is_filled.end(), 0);
     if (gap == is_filled.end())
       return false;
