@@ -31,7 +31,10 @@ class Cook(Scene):
         "u-p, α = 8": {"Formulation/PPP coefficient": 8},
     }
     # a grid that is never put back moves with the body, as finite elements do
-    KEPT = {"Grid reset/Steps between resets": 1000}
+    KEPT = {
+        "Grid reset/Steps between resets": 0,
+        "Grid reset/Smallest element quality": 0,
+    }
     PROBES = ("24, 30", "12, 20", "40, 50")
 
     def __init__(self):

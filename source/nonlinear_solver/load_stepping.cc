@@ -45,6 +45,16 @@ namespace isochor
       "5",
       Patterns::Integer(1),
       "A step went well if it took at most so many factorisations.");
+    prm.declare_entry(
+      "Tolerated error",
+      "0",
+      Patterns::Double(0),
+      "In dynamics: what the displacements of the body may be wrong by (m, "
+      "root mean square) because of one step, by an estimate. Steps that are "
+      "worse are repeated with a smaller size, others grow up to 'Maximum step "
+      "size' or to what this allows, but by no more than a cell's size of "
+      "motion. About a ten-thousandth of the motion of interest is a start. 0: "
+      "sizes don't depend on the error.");
     prm.declare_entry("Output interval",
                       "0",
                       Patterns::Double(0),
@@ -80,6 +90,7 @@ namespace isochor
                   "size> <= <Step size> <= <Maximum step size>."));
     growth          = prm.get_double("Growth factor");
     easy_iterations = prm.get_integer("Iterations of an easy step");
+    tolerated_error = prm.get_double("Tolerated error");
     output_interval = prm.get_double("Output interval");
     prm.leave_subsection();
   }
@@ -128,8 +139,42 @@ namespace isochor
     time         = reached;
     extra_target = std::numeric_limits<double>::infinity();
     ++step;
+    const double before = step_size;
     if (n_iterations <= easy_iterations)
       step_size = std::min(largest, step_size * growth);
+    if (follows_error())
+      {
+        // little more is not worth another size: that would need another matrix
+        constexpr double little = 1.2;
+        const double     size   = tolerated_size(last_size);
+        step_size               = size > before && size < little * before ?
+                                    before :
+                                    std::max(smallest, std::min(step_size, size));
+        error = cells_crossed = 0;
+      }
+  }
+
+
+
+  bool
+  LoadStepping::tolerates(const double error, const double crossed)
+  {
+    this->error   = error;
+    cells_crossed = crossed;
+    return !follows_error() || !can_be_cut() ||
+           (error <= tolerated_error && crossed <= 1);
+  }
+
+
+
+  double
+  LoadStepping::tolerated_size(const double size) const
+  {
+    // the error of a step is of third order in its size, its way of first
+    constexpr double margin = 0.9, most = 1e3;
+    return size * std::min({most,
+                            margin * std::cbrt(tolerated_error / error),
+                            margin / cells_crossed});
   }
 
 
@@ -164,6 +209,9 @@ namespace isochor
                  "Minimum step size>, or look at the last output for what goes "
                  "wrong."));
     step_size = failed / 2;
+    if (error > tolerated_error || cells_crossed > 1)
+      step_size = std::max({smallest, failed / 10, tolerated_size(failed)});
+    error = cells_crossed = 0;
     ++n_cuts;
   }
 

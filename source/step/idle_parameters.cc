@@ -161,6 +161,9 @@ namespace isochor
           inspect.idle({"Formulation", name},
                        "with <Formulation/Stabilisation = none>");
       if (!has_inertia)
+        inspect.idle({"Time", "Tolerated error"},
+                     "in statics: it is about steps in dynamics");
+      if (!has_inertia)
         inspect.idle_section(
           {"Dynamics"},
           inspect.value({"Dynamics", "Scheme"}) == "statics" ?

@@ -5,6 +5,7 @@
 // The algorithm. What surrounds it, parameters, files and what is written to
 // the terminal, is in material_point_method_interface.cc.
 #include <isochor/base/plain_message.h>
+#include <isochor/equations/cells_crossed.h>
 #include <isochor/step/material_point_method.h>
 #include <isochor/step/scene_checks.h>
 
@@ -182,7 +183,40 @@ namespace isochor
   MaterialPointMethod<dim>::updated_lagrangian_phase()
   {
     const NewtonReport initial = equilibrium.find_initial_acceleration();
-    return initial.converged ? equilibrium.solve() : initial;
+    if (!initial.converged)
+      return initial;
+    NewtonReport report = equilibrium.solve();
+    if (report.converged && scene.time.follows_error())
+      check_error(report);
+    return report;
+  }
+
+
+
+  /** A step that is too inaccurate is none, unless it is the smallest. */
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::check_error(NewtonReport &report)
+  {
+    const StepContext<dim> step = setup.context();
+    const double           error =
+      scene.inertia.error_of_step(step, equilibrium.nodal_unknowns());
+    const double crossed = cells_crossed(step, equilibrium.nodal_unknowns());
+    report.converged     = scene.time.tolerates(error, crossed);
+    if (!report.converged)
+      report.failure = scene.time.exceeds_error() ?
+                         "its displacements are wrong by " + rounded(error) +
+                           " m, more than <Time/Tolerated error>" :
+                         "the body moves by " + rounded(crossed) + " cells";
+    else if (scene.time.exceeds_error())
+      scene.warnings.add(
+        "error of the smallest step",
+        "At t = " + rounded(step.time) + " displacements are wrong by " +
+          rounded(error) +
+          " m after a step of <Time/Minimum step size>, more than <Time/"
+          "Tolerated error>. Allow smaller steps, or a larger error: what "
+          "jumps, as the velocity of nodes that meet a wall does, is not "
+          "resolved by any step.");
   }
 
 
@@ -271,6 +305,7 @@ namespace isochor
     terminal.out() << "Step " << time.step + 1 << " to t = " << time.next_time()
                    << " is cut: " << newton.failure << std::endl;
     time.reject(newton.failure);
+    equilibrium.discard_step();
   }
 
 

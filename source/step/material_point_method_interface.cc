@@ -193,6 +193,8 @@ namespace isochor
     statistics.set("Newton iterations", newton.n_iterations());
     statistics.set("Factorisations", newton.n_factorisations);
     statistics.set("Step cuts", scene.time.n_cuts);
+    if (scene.time.follows_error())
+      statistics.set("Error of step (m)", scene.time.error);
     statistics.set("Relative residual of forces",
                    newton.iterations.back().displacement);
     statistics.set("Equations", result.system.matrix().n_equations);

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/mpi_sums.h>
 #include <isochor/equations/connected_parts.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/transfer/approach_watch.h>
@@ -92,9 +93,10 @@ namespace isochor
         for (const unsigned int n : geometry.neighbours(points.cell[k]))
           if (n != SimplexGeometry<dim>::no_cell && !points.contains_cell(n))
             not_here.insert(n);
-      for (const auto &of_rank : Utilities::MPI::all_gather(
-             step.grid.communicator(),
-             std::vector<unsigned int>(not_here.begin(), not_here.end())))
+      for (const auto &of_rank :
+           all_gather_arrays(step.grid.communicator(),
+                             std::vector<unsigned int>(not_here.begin(),
+                                                       not_here.end())))
         of_all.insert(of_rank.begin(), of_rank.end());
 
       std::vector<unsigned int> cells(of_all.begin(), of_all.end()), empty;

@@ -211,6 +211,19 @@ namespace isochor
     void
     finish_step(const StepContext<dim> &step, const NodalField &unknowns);
 
+    /**
+     * Estimate (m) of what the displacements that the @p step has found are
+     * wrong by, as it is not shorter: the part of third order in Δt of what the
+     * scheme says of a motion whose jerk is constant,
+     *   e = m Δt² (a_{n+1} - a_n)
+     * with m of NewmarkFamily::smooth_start() (1/6 - β of the trapezoidal rule:
+     * Zienkiewicz & Xie, Earthq. Eng. Struct. Dyn. 20 (1991) 871-887), root
+     * mean square over the mass of the body. Collective.
+     */
+    double
+    error_of_step(const StepContext<dim> &step,
+                  const NodalField       &unknowns) const;
+
     /** Write velocity and acceleration of point @p q at the end of the step
      * into its @p properties. Returns its kinetic energy (J). */
     double

@@ -17,7 +17,8 @@ namespace isochor
 
   /**
    * The sizes of the load (time) steps: cut back when a step fails, growing
-   * when it goes well, and hitting output times and the end exactly.
+   * when it goes well or, in dynamics, by the error that they make, and hitting
+   * output times and the end exactly.
    */
   class LoadStepping
   {
@@ -47,6 +48,28 @@ namespace isochor
     void
     accept(const unsigned int n_iterations);
 
+    /** Whether the sizes follow the error of the steps. */
+    bool
+    follows_error() const
+    {
+      return tolerated_error > 0;
+    }
+
+    /** The step to next_time() has converged, with the @p error (m), and the
+     * body has @p crossed so many cells in it. Returns whether that is
+     * tolerated: not, if a smaller step may be tried, an error above 'Tolerated
+     * error', nor that it moves by more than a cell, as it may have gone
+     * through what it should have met. */
+    bool
+    tolerates(const double error, const double crossed);
+
+    /** Whether the step to next_time() has more than the error tolerated. */
+    bool
+    exceeds_error() const
+    {
+      return follows_error() && error > tolerated_error;
+    }
+
     /** The parameters, by path, that a resumed run may set anew. */
     static std::vector<std::string>
     changeable_parameters();
@@ -73,6 +96,8 @@ namespace isochor
     double       last_size = 0; ///< of the last step that was accepted
     unsigned int n_cuts    = 0;
     double       step_size = 1;
+    /** Of the step to next_time(), see tolerates(). */
+    double error = 0, cells_crossed = 0;
     /** In dynamics, looked for in each step: whether it begins with a search
      * for its acceleration, and whether a prescribed motion jumps there. */
     bool starts_anew = false, motion_jumps = false;
@@ -98,6 +123,11 @@ namespace isochor
     }
 
   private:
+    /** The size (s) with which a step like one of size @p size, which has the
+     * error above, would have most of what is tolerated. */
+    double
+    tolerated_size(const double size) const;
+
     /** The next time that has to be hit. */
     double
     next_target() const;
@@ -107,6 +137,7 @@ namespace isochor
     double       smallest        = 0;
     double       largest         = 1;
     double       growth          = 1;
+    double       tolerated_error = 0; ///< (m); 0: any
     unsigned int easy_iterations = 5;
     double       output_interval = 0;
     unsigned int reached_output  = 0;

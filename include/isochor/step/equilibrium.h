@@ -75,6 +75,14 @@ namespace isochor
     void
     remember_motion();
 
+    /** The step is tried again with another size, for which the factorisation
+     * is not to be trusted. */
+    void
+    discard_step()
+    {
+      last_try_converged = false;
+    }
+
     /** Whether dead loads act in the step, weight included. Collective. */
     bool
     has_dead_loads() const

@@ -106,6 +106,10 @@ namespace isochor
     warn_of_place(const BoundaryCondition<dim> &condition, const double time);
     NewtonReport
     updated_lagrangian_phase();
+    /** Let the step of @p report fail if it is less accurate than demanded.
+     * Collective. */
+    void
+    check_error(NewtonReport &report);
     void
     convective_phase(const NewtonReport &newton);
 

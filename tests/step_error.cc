@@ -1,0 +1,180 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Step sizes that follow the error of the steps (Time/Tolerated error).
+
+#include <deal.II/base/numbers.h>
+
+#include "scene.h"
+
+using namespace isochor;
+
+template <int dim>
+bool
+warns(const MaterialPointMethod<dim> &problem, const std::string &subject)
+{
+  for (const auto &warning : problem.all_warnings().all())
+    if (warning.subject == subject)
+      return true;
+  return false;
+}
+
+constexpr double density = 2, modulus = 2000, speed = 0.1, length = 1;
+/** Of the first natural vibration of a bar (1/s). */
+const double frequency =
+  numbers::PI / 2 / length * std::sqrt(modulus / density);
+
+/** A bar, held on the left, whose first natural vibration starts from where it
+ * is fastest: the tip is at u = v_0 / ω sin(ω t). */
+const std::string bar =
+  "Grid/Upper corner = 1, 0.0625\nGrid/Subdivisions = 32, 2\n" +
+  test::keep_grid +
+  "Formulation/Type = u\nMaterial/Young modulus = 2000\n"
+  "Material/Poisson ratio = 0\nMaterial/Density = 2\n"
+  "Material points/Points per cell = 3\n"
+  "Dynamics/Inertia = true\nDynamics/Spectral radius = 1\n"
+  "Dynamics/Initial velocity = 0.1*sin(pi*x/2), 0\n"
+  "Boundary conditions/Displacement = left: x=0; bottom: y=0; top: y=0\n"
+  "Postprocess/Point probes = tip: 1, 0.03125\n"
+  "Time/Output interval = 1e9\n";
+
+/** The error of one step of the trapezoidal rule is Δt³ ω² v / 12, at the
+ * beginning, in the root mean square. */
+void
+test_estimate()
+{
+  for (const double dt : {1e-3, 5e-4})
+    {
+      const std::string size    = std::to_string(dt);
+      const auto        problem = test::run_scene<2>(
+        bar + "Time/Tolerated error = 1\nTime/Step size = " + size +
+        "\nTime/End time = " + size + '\n');
+      const double expected =
+        dt * dt * dt * frequency * frequency * speed / std::sqrt(2.) / 12;
+      test::check_error("estimate for a step of " + size + " s",
+                        test::relative(test::get(*problem, "Error of step (m)"),
+                                       expected),
+                        3e-3);
+    }
+}
+
+/** Of steps that have a hundredth of the error, sizes are a 4.6th, and the
+ * error at the end, of second order in them, is a 22nd. */
+void
+test_convergence()
+{
+  const double end   = 0.25,
+               exact = speed / frequency * std::sin(frequency * end);
+  double before      = 0;
+  for (const double tolerance : {1e-5, 1e-7})
+    {
+      std::ostringstream settings, name;
+      settings << "Time/Tolerated error = " << tolerance
+               << "\nTime/End time = " << end
+               << "\nTime/Step size = 1e-4\nTime/Maximum step size = 0.1\n";
+      name << "bar, tolerance " << tolerance << ": ";
+      const auto   problem = test::run_scene<2>(bar + settings.str());
+      const double error =
+        std::abs(test::get(*problem, "Displacement x of tip (m)") - exact);
+      test::check_error(name.str() + "error of a step, at most",
+                        test::largest_in_statistics("Error of step (m)"),
+                        tolerance);
+      test::check_error(name.str() + "error at the end",
+                        error,
+                        before == 0 ? 5e-4 : before / 12);
+      test::check(name.str() + "number of steps",
+                  test::recorded().times.size() < (before == 0 ? 50 : 200),
+                  std::to_string(test::recorded().times.size()));
+      before = error;
+    }
+}
+
+/** A block falls for 0.2 s and meets the ground: no step resolves the fall,
+ * many the rest. */
+void
+test_fall()
+{
+  const std::string block =
+    "Quadrature/Type = CPDI\nGrid/Upper corner = 2, 1\n"
+    "Grid/Subdivisions = 16, 8\n"
+    "Material points/Region = x > 0.5 && x < 1.5 && y > 0.25 && y < 0.75\n"
+    "Material/Young modulus = 1e5\nMaterial/Density = 1000\n"
+    "Formulation/Type = u\nDynamics/Inertia = true\n"
+    "Boundary conditions/Walls = bottom: n >= 0\n"
+    "Boundary conditions/Gravity = 0, -10\n"
+    "Postprocess/Point probes = foot: 1, 0.26\n"
+    "Time/Step size = 0.001\nTime/Maximum step size = 0.1\n"
+    "Time/Tolerated error = 1e-4\nTime/Output interval = 0.2\n";
+  const auto   fall    = test::run_scene<2>(block + "Time/End time = 0.2\n");
+  const double n_steps = test::recorded().times.size();
+  test::check("block that falls: steps grow",
+              n_steps <= 12,
+              std::to_string(n_steps));
+  test::check_error("it falls by g t²/2",
+                    std::abs(test::get(*fall, "Displacement y of foot (m)") +
+                             0.2),
+                    1e-10);
+  const auto impact = test::run_scene<2>(block + "Time/End time = 0.25\n");
+  test::check("it meets the ground: steps are cut",
+              test::get(*impact, "Step cuts") > 0 &&
+                test::recorded().times.size() > n_steps + 10,
+              std::to_string(test::recorded().times.size()));
+  test::check("no step was too small for that",
+              !warns(*impact, "error of the smallest step"),
+              impact->all_warnings().summary());
+  const auto coarse = test::run_scene<2>(
+    block + "Time/End time = 0.25\nTime/Minimum step size = 0.001\n"
+            "Time/Tolerated error = 1e-7\n");
+  test::check("steps that may not be smaller are told",
+              warns(*coarse, "error of the smallest step"),
+              coarse->all_warnings().summary());
+}
+
+/** A block on a grid that moves with it would be through the ground in one of
+ * the steps that its fall allows. */
+void
+test_cells_crossed()
+{
+  const auto problem = test::run_scene<2>(
+    "Quadrature/Type = CPDI\nGrid/Upper corner = 2, 2\n"
+    "Grid/Subdivisions = 16, 16\n"
+    "Material points/Region = x > 0.5 && x < 1.5 && y > 1.25 && y < 1.75\n"
+    "Material/Young modulus = 1e5\nMaterial/Density = 1000\n"
+    "Formulation/Type = u\nDynamics/Inertia = true\n"
+    "Boundary conditions/Walls = bottom: n >= 0\n"
+    "Boundary conditions/Gravity = 0, -10\n"
+    "Postprocess/Point probes = foot: 1, 1.26\n"
+    "Time/Step size = 0.02\nTime/Maximum step size = 0.5\n"
+    "Time/Tolerated error = 1e-3\nTime/Output interval = 0.54\n"
+    "Time/End time = 0.54\n" +
+    test::keep_grid);
+  test::check("a falling block doesn't cross more than a cell in a step",
+              test::get(*problem, "Displacement y of foot (m)") > -1.3 &&
+                test::recorded().times.size() > 10,
+              std::to_string(test::recorded().times.size()));
+}
+
+/** In statics there is no such error. */
+void
+test_statics()
+{
+  const auto problem = test::run_scene<2>(
+    "Grid/Subdivisions = 2, 2\nTime/Tolerated error = 1e-4\n"
+    "Boundary conditions/Displacement = bottom: x=0, y=0; top: y=0.1*t\n");
+  test::check("statics: no effect",
+              warns(*problem, "no effect of <Time/Tolerated error>"),
+              problem->all_warnings().summary());
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_estimate();
+  test_convergence();
+  test_fall();
+  test_cells_crossed();
+  test_statics();
+}
