@@ -195,6 +195,16 @@ test_resolved()
                   (row.done > 0) == (E == "1e7"),
                   std::to_string(row.done));
     }
+  // a wave would not cross all that the two lie in
+  const auto two = test::run_scene<2>(
+    stiff + soft +
+    "Material points/Region = (x < 1.1 && y < 1.1) || (x > 2.9 && y > 2.9)\n"
+    "Boundary conditions/Displacement = bottom: y=0; left: x=0; top: y=0; "
+    "right: x=0\nMaterial/Young modulus = 2e6\n");
+  const auto row = two->work().row("accelerations that settle");
+  test::check("two bodies: settles them",
+              row.done > 0,
+              std::to_string(row.done));
 }
 
 /** What is written as the acceleration of the points is all of it. */

@@ -3,11 +3,15 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 // The members of InertiaTerm that look for the acceleration at t = 0.
+#include <isochor/base/mpi_sums.h>
 #include <isochor/dynamics/inertia_term.h>
+#include <isochor/equations/connected_parts.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace isochor
 {
@@ -94,32 +98,61 @@ namespace isochor
 
   template <int dim>
   bool
-  InertiaTerm<dim>::steps_over_waves(const StepContext<dim> &step) const
+  InertiaTerm<dim>::steps_over_waves(const StepContext<dim> &step,
+                                     const ElementNodes     &elements) const
   {
-    double speed = 0; // of shear waves
-    for (const auto &material : step.kernel.materials)
-      speed =
-        std::max(speed,
-                 std::sqrt(material->shear_modulus() / material->density()));
-    constexpr double    infinity = std::numeric_limits<double>::max();
-    std::vector<double> most(2 * dim, -infinity);
+    // of each part of the body: the largest speed of shear waves and of x, -x
+    using Extent = std::array<double, 1 + 2 * dim>;
+    std::map<unsigned int, Extent>  parts;
+    const std::vector<unsigned int> name = part_names(step, elements);
+    const SimplexGeometry<dim>     &grid = step.grid.geometry();
+    const auto part = [&](const unsigned int part_name) -> Extent & {
+      const auto inserted = parts.emplace(part_name, Extent());
+      if (inserted.second)
+        inserted.first->second.fill(-std::numeric_limits<double>::max());
+      return inserted.first->second;
+    };
     for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
       for (unsigned int q = step.points.cell_start[k];
            q < step.points.cell_start[k + 1];
            ++q)
         {
-          const Point<dim> x = step.points.location(step.grid.geometry(), k, q);
+          Extent &most = part(
+            name[step.nodes.node(step.points.stencil(grid, k, q).vertex[0])]);
+          const auto &material =
+            *step.kernel.materials[step.points.material[q]];
+          most[0] =
+            std::max(most[0],
+                     std::sqrt(material.shear_modulus() / material.density()));
+          const Point<dim> x = step.points.location(grid, k, q);
           for (unsigned int d = 0; d < dim; ++d)
             {
-              most[2 * d]     = std::max(most[2 * d], x[d]);
-              most[2 * d + 1] = std::max(most[2 * d + 1], -x[d]);
+              most[1 + 2 * d] = std::max(most[1 + 2 * d], x[d]);
+              most[2 + 2 * d] = std::max(most[2 + 2 * d], -x[d]);
             }
         }
-    Utilities::MPI::max(most, step.grid.communicator(), most);
-    double extent = infinity;
-    for (unsigned int d = 0; d < dim; ++d)
-      extent = std::min(extent, most[2 * d] + most[2 * d + 1]);
-    return speed * step.step_size() > extent / 2;
+
+    std::vector<double> values;
+    for (const auto &[part_name, most] : parts)
+      {
+        values.push_back(part_name);
+        values.insert(values.end(), most.begin(), most.end());
+      }
+    for (const auto &of_rank :
+         all_gather_arrays(step.grid.communicator(), values))
+      for (auto v = of_rank.begin(); v != of_rank.end();)
+        {
+          Extent &most = part(static_cast<unsigned int>(*v++));
+          for (double &value : most)
+            value = std::max(value, *v++);
+        }
+    return std::all_of(parts.begin(), parts.end(), [&](const auto &one) {
+      const Extent &most   = one.second;
+      double        extent = std::numeric_limits<double>::max();
+      for (unsigned int d = 0; d < dim; ++d)
+        extent = std::min(extent, most[1 + 2 * d] + most[2 + 2 * d]);
+      return most[0] * step.step_size() > extent / 2;
+    });
   }
 
 
@@ -255,7 +288,8 @@ namespace isochor
     const std::vector<std::unique_ptr<BoundaryCondition<2>>> &,
     PointArrays<2> &);
   template bool
-  InertiaTerm<2>::steps_over_waves(const StepContext<2> &) const;
+  InertiaTerm<2>::steps_over_waves(const StepContext<2> &,
+                                   const ElementNodes &) const;
   template void
   InertiaTerm<2>::start_settling(
     const StepContext<2> &,
@@ -285,7 +319,8 @@ namespace isochor
     const std::vector<std::unique_ptr<BoundaryCondition<3>>> &,
     PointArrays<3> &);
   template bool
-  InertiaTerm<3>::steps_over_waves(const StepContext<3> &) const;
+  InertiaTerm<3>::steps_over_waves(const StepContext<3> &,
+                                   const ElementNodes &) const;
   template void
   InertiaTerm<3>::start_settling(
     const StepContext<3> &,

@@ -165,9 +165,10 @@ namespace isochor
   Equilibrium<dim>::settle_acceleration()
   {
     InertiaTerm<dim> &inertia = scene.inertia;
-    const bool settles = inertia.is_from_stresses() && scene.time.step > 0 &&
-                         setup.was_disturbed() &&
-                         inertia.steps_over_waves(setup.context());
+    const bool        settles =
+      inertia.is_from_stresses() && scene.time.step > 0 &&
+      setup.was_disturbed() &&
+      inertia.steps_over_waves(setup.context(), setup.all_elements());
     terminal.work().count("accelerations that settle", settles);
     if (!settles)
       return;

@@ -162,10 +162,12 @@ namespace isochor
     {
       return trial.size != 0;
     }
-    /** Whether shear waves cross more than half of the smallest extent of the
-     * body within @p step: its vibrations are not resolved then. Collective. */
+    /** Whether shear waves cross more than half of the smallest extent within
+     * @p step, in each of the parts that the @p elements form: their vibrations
+     * are not resolved then. Collective. */
     bool
-    steps_over_waves(const StepContext<dim> &step) const;
+    steps_over_waves(const StepContext<dim> &step,
+                     const ElementNodes     &elements) const;
     /**
      * The grid has changed, or what holds on it. The stresses of the points,
      * made on another one, are not in equilibrium here with the acceleration
