@@ -5,7 +5,7 @@
 is known to be right, and write CSV files, pictures and tables.
 
     run.py --quick              # four minutes of CPU
-    run.py                      # all, about two hours
+    run.py                      # all, a quarter of an hour
     run.py --scene cook --scene tube
     run.py --baseline /path/of/another/isochor    # ratios by pairs
     run.py --draw               # tables and pictures from the CSV files again
