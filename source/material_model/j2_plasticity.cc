@@ -157,7 +157,7 @@ namespace isochor
                         "costs a quarter less. Stresses are not affected; "
                         "Newton's method then converges linearly, with a rate "
                         "of the order of sigma_Y/G. auto: where that is at "
-                        "most 0.01, as with most metals, also with the stress "
+                        "most 0.02, as with most metals, also with the stress "
                         "after a plastic strain of one.");
     }
     prm.leave_subsection();
