@@ -158,13 +158,16 @@ namespace
         lands && std::any_of(rows.begin(), rows.end(), [=](const Row &row) {
           return std::abs(row.time - jump) < 5e-6;
         });
-    // what a sudden start costs at t = 0 is known, and not asked for here
+    // what jumps of velocities do is all found; where accelerations jump the
+    // work of one step goes by the mean of the forces before and after it
+    const bool is_found = motion.acceleration == none;
     for (const Row &row : rows)
-      if (row.time > motion.jumps.back() + 0.006)
-        test::add_error(lost, std::abs(row.lost - rows.back().lost) / mass);
+      if (is_found || row.time > motion.jumps.back() + 0.006)
+        test::add_error(
+          lost, std::abs(row.lost - (is_found ? 0. : rows.back().lost)) / mass);
     test::check(motion.what + ", " + name + ": a step ends there", lands, "");
     test::check_error("forces", worst, 1e-3);
-    test::check_error("energy after it", lost, 1e-4);
+    test::check_error("energy", lost, 1e-4);
   }
 
   /** The last row of the statistics of two separate bars, of which the left one

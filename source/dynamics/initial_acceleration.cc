@@ -71,7 +71,8 @@ namespace isochor
     const bool impulse =
       Utilities::MPI::max(by_body, step.grid.communicator()) != 0 ||
       starts_suddenly(step);
-    const double sign = trial.is_past ? -1 : 1;
+    starts_with_impulse = impulse;
+    const double sign   = trial.is_past ? -1 : 1;
     finish_step(step, unknowns);
     // the body is at rest, but its nodes have started with the walls: this is
     // to reach the points, too, as the first step starts with what they bring

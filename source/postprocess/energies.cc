@@ -79,7 +79,7 @@ namespace isochor
       if (!enabled(result))
         return;
       std::array<double, n_sums> sums = point_sums(result);
-      sums[external] = external_work(result) + work_of_jump(result);
+      sums[external] = external_work(result) + result.work_of_jump;
       sum_over_ranks(sums, result.step.grid.communicator());
       stabilisation.advance(result.step, result.unknowns, old_weight(result));
       if (result.time.step == 0)
@@ -324,25 +324,6 @@ namespace isochor
       return sum * state.J;
     }
 
-    /** What a motion that jumps does at once: points have another velocity when
-     * the step begins than when the last one ended. This rank's part. */
-    static double
-    work_of_jump(const StepResult<dim> &result)
-    {
-      if (!result.time.motion_jumps || result.time.step == 0)
-        return 0;
-      const PointArrays<dim> &points = result.step.points;
-      const PointLayout      &l      = result.points.layout();
-      double                  work   = 0;
-      for (unsigned int q = 0; q < points.velocity.size(); ++q)
-        work += points.mass[q] / 2 * points.velocity[q].norm_square();
-      for (const auto &particle : result.points.handler())
-        for (unsigned int d = 0; d < dim; ++d)
-          work -= particle.get_properties()[l.mass] / 2 *
-                  std::pow(particle.get_properties()[l.velocity + d], 2);
-      return work;
-    }
-
     /** Of the step, this rank's part. */
     double
     external_work(const StepResult<dim> &result)
@@ -385,10 +366,14 @@ namespace isochor
       if (std::exchange(has_other_grid, false))
         carry_reactions(step, held, places, reactions);
       // in statics nothing reacts before the first step, unless the body is
-      // stressed from the start
-      const bool starts_unloaded = result.time.step == 0 &&
-                                   initial_energy == 0. &&
-                                   !result.points.layout().dynamic;
+      // stressed from the start; in dynamics nothing does, but for the impulse,
+      // to what starts suddenly
+      const bool starts_unloaded =
+        result.time.step == 0 &&
+        (result.points.layout().dynamic ?
+           Utilities::MPI::max(std::abs(result.work_of_jump),
+                               step.grid.communicator()) > 0 :
+           initial_energy == 0.);
       std::map<unsigned int, double> new_reactions;
       for (const HeldUnknown &one : held)
         {

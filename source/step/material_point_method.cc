@@ -140,9 +140,13 @@ namespace isochor
       time.next_time() < step.time ||
       (time.starts_anew && (size > much * last || last > much * size));
     time.starts_anew = time.step == 0 || time.motion_jumps || other_size;
-    constexpr unsigned int many = 4;
-    n_jumps                     = time.motion_jumps ? n_jumps + 1 : 0;
-    if (n_jumps == many)
+    constexpr unsigned int many   = 4;
+    const bool             is_new = time.time > time_of_jump; // not tried again
+    if (time.motion_jumps)
+      time_of_jump = time.time;
+    if (is_new)
+      n_jumps = time.motion_jumps ? n_jumps + 1 : 0;
+    if (is_new && n_jumps == many)
       scene.warnings.add(
         "a motion of many jumps",
         "At t = " + rounded(time.time) + ", " + std::to_string(many) +
@@ -235,7 +239,10 @@ namespace isochor
                                  scene.time,
                                  newton,
                                  output_directory,
-                                 scene.boundary_conditions};
+                                 scene.boundary_conditions,
+                                 scene.inertia.work_of_jump(step,
+                                                            scene.points,
+                                                            scene.time)};
     {
       TimerOutput::Scope scope(terminal.timer(), "postprocessing");
       set_statistics(result);

@@ -17,6 +17,7 @@ namespace isochor
 {
   template <int dim>
   class BodyQuadrature;
+  class LoadStepping;
 
   /**
    * Inertia with the consistent mass matrix, R_u = M ((1 - α) a_{n+1} + α a_n),
@@ -226,6 +227,19 @@ namespace isochor
     error_of_step(const StepContext<dim> &step,
                   const NodalField       &unknowns) const;
 
+    /**
+     * The work (J) of prescribed motions that jump as the @p step begins: the
+     * impulses that give the nodes they hold another velocity at once, times
+     * the mean of the velocities before and after, are the kinetic energy that
+     * the step starts with minus that of the @p points at the end of the last
+     * one. At t = 0, where the energy of what moves is no work, minus that
+     * which the points start with. This rank's part.
+     */
+    double
+    work_of_jump(const StepContext<dim>    &step,
+                 const MaterialPoints<dim> &points,
+                 const LoadStepping        &time) const;
+
     /** Write velocity and acceleration of point @p q at the end of the step
      * into its @p properties. Returns its kinetic energy (J). */
     double
@@ -409,6 +423,8 @@ namespace isochor
     double                          kept_part     = 0; ///< η
     bool                            from_stresses = false;
     bool                            by_stresses   = false; ///< in this step
+    /** Whether the last trial found that prescribed motions start suddenly. */
+    bool starts_with_impulse = false;
 
     MassMatrix<dim> mass;
     /** All with dim components per node. Σ_p m_p N_I v_p and M a_n; the

@@ -34,6 +34,9 @@ namespace isochor
     const std::string         &output_directory;
     /** What loads and moves the body. */
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions;
+    /** What prescribed motions that jump have done in the moment in which the
+     * step begins (J), this rank's part. */
+    const double work_of_jump = 0;
   };
 
   /**

@@ -134,8 +134,10 @@ namespace isochor
     const MPI_Comm comm;
     Terminal       terminal;
     Scene<dim>     scene;
-    /** Steps in succession that began where a motion jumps. */
-    unsigned int       n_jumps = 0;
+    /** Steps in succession that begin with a jump, and when the last one did.
+     */
+    unsigned int       n_jumps      = 0;
+    double             time_of_jump = -1;
     StepSetup<dim>     setup;
     Equilibrium<dim>   equilibrium;
     GridToPoints<dim>  grid_to_points;
