@@ -106,7 +106,7 @@ class Cook(Scene):
         """The body in a box that it doesn't fill; points cross cells."""
         geo = PRM / "cooks_membrane" / "membrane.geo"
         for quadrature, n in product(
-            ("points", "cell-filled + boundary", "CPDI"), (16, 32, 64)
+            ("points", "cell-filled + boundary", "CPDI"), (16, 32, 64, 128)
         ):
             path = directory / "meshes" / f"membrane-{n}.msh"
             yield Run(

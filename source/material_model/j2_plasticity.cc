@@ -176,7 +176,7 @@ namespace isochor
       hardening_modulus             = prm.get_double("Hardening modulus");
       saturation_stress             = prm.get_double("Saturation stress");
       saturation_exponent           = prm.get_double("Saturation exponent");
-      constexpr double  little      = 0.01;
+      constexpr double  little      = 0.02;
       const double      last_stress = std::max(yield_stress, saturation_stress);
       const std::string symmetrize  = prm.get("Symmetrize tangent");
       symmetrize_tangent =
