@@ -156,6 +156,29 @@ test_cells_crossed()
               std::to_string(test::recorded().times.size()));
 }
 
+/** A bar that swings through cells of which it fills parts, some by corners of
+ * domains only. */
+void
+test_swinging_bar()
+{
+  const auto problem = test::run_scene<2>(
+    "Quadrature/Type = CPDI\nGrid/Lower corner = 0, -0.5\n"
+    "Grid/Upper corner = 1.1, 0.2\nGrid/Subdivisions = 44, 28\n"
+    "Material points/Region = x < 1 && y > 0 && y < 0.1\n"
+    "Material/Young modulus = 5e6\nMaterial/Poisson ratio = 0.499\n"
+    "Material/Density = 1000\nDynamics/Inertia = true\n"
+    "Boundary conditions/Displacement = left: x=0, y=0\n"
+    "Boundary conditions/Gravity = 0, -9.81\n"
+    "Postprocess/Point probes = tip: 1, 0.05\n"
+    "Time/Step size = 0.02\nTime/Maximum step size = 0.1\n"
+    "Time/Tolerated error = 1e-3\nTime/Output interval = 0.4\n"
+    "Time/End time = 0.4\n");
+  test::check("a swinging bar: to the end",
+              test::get(*problem, "Time (s)") == 0.4 &&
+                test::get(*problem, "Step cuts") > 0,
+              std::to_string(test::get(*problem, "Time (s)")));
+}
+
 /** In statics there is no such error. */
 void
 test_statics()
@@ -176,5 +199,6 @@ main(int argc, char **argv)
   test_convergence();
   test_fall();
   test_cells_crossed();
+  test_swinging_bar();
   test_statics();
 }

@@ -11,12 +11,11 @@
 #include <isochor/grid/nearest_cells.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace isochor
 {
-  /** How many sizes of the cell that it is in the body moves in the step with
-   * these @p unknowns, where it is most. Collective. */
+  /** How many sizes of its cell a point moves in the step with these @p
+   * unknowns, the largest number of all points. Collective. */
   template <int dim>
   double
   cells_crossed(const StepContext<dim> &step, const NodalField &unknowns)
@@ -25,19 +24,22 @@ namespace isochor
     double                      most     = 0;
     for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
       {
-        const unsigned int cell = step.points.cell[k];
-        double             way  = 0;
-        for (const unsigned int vertex : geometry.vertex_indices(cell))
+        double way = 0;
+        for (unsigned int q = step.points.cell_start[k];
+             q < step.points.cell_start[k + 1];
+             ++q)
           {
-            const unsigned int first =
-              step.nodes.node(vertex) * step.n_components;
-            double square = 0;
-            for (unsigned int d = 0; d < dim; ++d)
-              square += unknowns.local_element(first + d) *
-                        unknowns.local_element(first + d);
-            way = std::max(way, std::sqrt(square));
+            const auto     stencil = step.points.stencil(geometry, k, q);
+            Tensor<1, dim> u;
+            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+              for (unsigned int d = 0; d < dim; ++d)
+                u[d] +=
+                  stencil.shape[I] *
+                  unknowns.local_element(
+                    step.nodes.node(stencil.vertex[I]) * step.n_components + d);
+            way = std::max(way, u.norm());
           }
-        most = std::max(most, way / cell_size(geometry, cell));
+        most = std::max(most, way / cell_size(geometry, step.points.cell[k]));
       }
     return Utilities::MPI::max(most, step.grid.communicator());
   }
