@@ -88,32 +88,6 @@ namespace isochor
     /** Shape functions below this are zero: a corner on a face. */
     constexpr double no_support = 1e-9;
 
-    /** The cell and barycentric coordinates of a corner at x + r; if that is
-     * outside of the grid, r is shortened until it is inside. */
-    template <int dim>
-    LocateResult<dim>
-    locate_corner(const PointLocator<dim> &locator,
-                  const Point<dim>        &x,
-                  const unsigned int       cell,
-                  Tensor<1, dim>          &r)
-    {
-      auto place = locator.locate(x + r, cell);
-      if (place.found)
-        return place;
-      double inside = 0, outside = 1;
-      place = locator.locate(x, cell);
-      for (unsigned int i = 0; i < 40; ++i)
-        {
-          const double middle = (inside + outside) / 2;
-          const auto   result = locator.locate(x + middle * r, cell);
-          if (result.found)
-            place = result;
-          (result.found ? inside : outside) = middle;
-        }
-      r *= inside;
-      return place;
-    }
-
     /**
      * The cells that the corner at x + r shares its part of the domain among:
      * the one it lies in, @p place, or, if it is on a face or vertex, those
@@ -295,7 +269,7 @@ namespace isochor
             {
               corners[c] = points.F[q] * points.domain[q][c];
               const LocateResult<dim> place =
-                locate_corner(locator, x, points.cell[k], corners[c]);
+                locator.locate_towards(x, points.cell[k], corners[c]);
               sums[c] = evaluate_corner(functions, place, at[c]);
               find_corner_cells(locator, x, corners[c], place, cells);
               for (const unsigned int cell : cells)

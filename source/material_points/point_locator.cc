@@ -251,6 +251,31 @@ namespace isochor
 
 
   template <int dim>
+  LocateResult<dim>
+  PointLocator<dim>::locate_towards(const Point<dim>  &x,
+                                    const unsigned int cell,
+                                    Tensor<1, dim>    &r) const
+  {
+    auto place = locate(x + r, cell);
+    if (place.found)
+      return place;
+    double inside = 0, outside = 1;
+    place = locate(x, cell);
+    for (unsigned int i = 0; i < 40; ++i)
+      {
+        const double middle = (inside + outside) / 2;
+        const auto   result = locate(x + middle * r, cell);
+        if (result.found)
+          place = result;
+        (result.found ? inside : outside) = middle;
+      }
+    r *= inside;
+    return place;
+  }
+
+
+
+  template <int dim>
   Relocation<dim>
   relocate_points(const PointLocator<dim>             &locator,
                   const ArrayView<const Point<dim>>   &locations,

@@ -413,7 +413,8 @@ namespace isochor
   {
     grid_reset.advance(step, unknowns, arrays);
     is_current = false;
-    grid_reset.look_for_contact(step, elements, *locator, scene.points);
+    grid_reset.look_for_contact(
+      step, elements, *locator, unknowns, scene.points);
   }
 
 

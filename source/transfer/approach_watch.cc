@@ -6,6 +6,7 @@
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/equations/connected_parts.h>
+#include <isochor/equations/nodal_unknowns.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/transfer/approach_watch.h>
 
@@ -45,8 +46,6 @@ namespace isochor
     }
 
 
-
-    using VertexOfPart = std::pair<unsigned int, unsigned int>;
 
     /** The @p pairs of all ranks. */
     std::set<VertexOfPart>
@@ -125,9 +124,9 @@ namespace isochor
     template <int dim>
     bool
     contains_direction(const std::vector<Tensor<1, dim>> &normals,
-                       const Tensor<1, dim>              &normal)
+                       const Tensor<1, dim>              &normal,
+                       const double along = 0.5) // walls may be curved
     {
-      constexpr double along = 0.5; // walls may be curved
       return std::any_of(normals.begin(),
                          normals.end(),
                          [&](const Tensor<1, dim> &n) {
@@ -230,6 +229,46 @@ namespace isochor
 
   template <int dim>
   void
+  ApproachWatch<dim>::follow_boundary(const SimplexGeometry<dim>  &geometry,
+                                      const unsigned int           cell,
+                                      std::vector<Tensor<1, dim>> &own) const
+  {
+    constexpr double alike = 0.95;
+    for (const unsigned int v : geometry.vertex_indices(cell))
+      {
+        const auto of_vertex = own.empty() ? normals.end() : normals.find(v);
+        if (of_vertex != normals.end())
+          for (const Tensor<1, dim> &n : of_vertex->second)
+            if (contains_direction(own, n) &&
+                !contains_direction(own, n, alike))
+              own.push_back(n);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ApproachWatch<dim>::find_walls_at(const SimplexGeometry<dim>        &geometry,
+                                    const unsigned int                 cell,
+                                    const std::vector<Tensor<1, dim>> &own,
+                                    const unsigned int                 name,
+                                    std::set<VertexOfPart> &found) const
+  {
+    const auto &vertices   = geometry.vertex_indices(cell);
+    const auto &neighbours = geometry.neighbours(cell);
+    for (unsigned int f = 0; f <= dim; ++f)
+      if (neighbours[f] == SimplexGeometry<dim>::no_cell &&
+          !contains_direction(own, normal_of_face(geometry, cell, f)))
+        for (unsigned int v = 0; v <= dim; ++v)
+          if (v != f && is_wall(vertices[v]))
+            found.emplace(vertices[v], name);
+  }
+
+
+
+  template <int dim>
+  void
   ApproachWatch<dim>::find_surface(const StepContext<dim> &step,
                                    const ElementNodes     &elements)
   {
@@ -242,7 +281,6 @@ namespace isochor
     hint.assign(points.n_points(), 0);
     find_normals(geometry);
     touched.clear();
-    known.clear();
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       {
         const unsigned int c              = points.cell[k];
@@ -262,23 +300,11 @@ namespace isochor
             for (unsigned int v = 0; v <= dim; ++v)
               if (v != f)
                 touched.emplace(geometry.vertex_indices(c)[v], part[k]);
-        // without stencils the points of a cell have its nodes
-        const unsigned int end = points.has_stencils() ?
-                                   points.cell_start[k + 1] :
-                                   points.cell_start[k] + 1;
-        for (unsigned int q = points.cell_start[k]; q < end; ++q)
-          {
-            const auto stencil = points.stencil(geometry, k, q);
-            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-              if (is_wall(stencil.vertex[I]))
-                known.emplace(stencil.vertex[I], part[k]);
-          }
         std::fill(hint.begin() + points.cell_start[k],
                   hint.begin() + points.cell_start[k + 1],
                   c);
       }
     touched = of_all_ranks(step.grid.communicator(), touched);
-    known   = of_all_ranks(step.grid.communicator(), known);
     at_boundary.assign(points.n_occupied_cells, 0);
     boundary_normals.clear();
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
@@ -304,6 +330,7 @@ namespace isochor
   ApproachWatch<dim>::look(const StepContext<dim>  &step,
                            const ElementNodes      &elements,
                            const PointLocator<dim> &locator,
+                           const NodalField        &unknowns,
                            MaterialPoints<dim>     &points)
   {
     place.clear();
@@ -315,6 +342,7 @@ namespace isochor
           return Approach::of_bodies;
       }
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
+    const NodalUnknowns<dim>    nodal(step, unknowns);
     Marks                       marks;
     std::set<VertexOfPart>      near_boundary, covered;
     bool is_gone = false; // so fast that it was never near
@@ -332,14 +360,26 @@ namespace isochor
         }
       hint[q]              = found.cell;
       const auto &vertices = geometry.vertex_indices(found.cell);
-      static const std::vector<Tensor<1, dim>> none;
-      const auto                              &own =
+      std::vector<Tensor<1, dim>> none;
+      auto                       &own =
         at_boundary[k] == 0 ? none : boundary_normals[at_boundary[k] - 1];
-      for (unsigned int v = 0; !own.empty() && v <= dim; ++v)
-        if (is_wall(vertices[v]))
-          for (const Tensor<1, dim> &n : normals[vertices[v]])
-            if (contains_direction(own, n))
-              covered.emplace(vertices[v], part[k]);
+      follow_boundary(geometry, found.cell, own);
+      // another step like this one may go through a cell at the boundary
+      Tensor<1, dim> way =
+        nodal.increment_at(step.points.stencil(geometry, k, q));
+      const unsigned int ahead =
+        locator.locate_towards(location, found.cell, way).cell;
+      for (const unsigned int cell : {found.cell, ahead})
+        {
+          for (unsigned int v = 0; !own.empty() && v <= dim; ++v)
+            if (is_wall(geometry.vertex_indices(cell)[v]))
+              for (const Tensor<1, dim> &n :
+                   normals[geometry.vertex_indices(cell)[v]])
+                if (contains_direction(own, n))
+                  covered.emplace(geometry.vertex_indices(cell)[v], part[k]);
+          if (at_surface[k] == 1)
+            find_walls_at(geometry, cell, own, part[k], near_boundary);
+        }
       if (at_surface[k] == 0)
         return;
       Mark mark{part[k], part[k], cell_size(geometry, found.cell), {}};
@@ -350,13 +390,6 @@ namespace isochor
           if (!inserted.second)
             inserted.first->second.add(mark);
         }
-      const auto &neighbours = geometry.neighbours(found.cell);
-      for (unsigned int f = 0; f <= dim; ++f)
-        if (neighbours[f] == SimplexGeometry<dim>::no_cell &&
-            !contains_direction(own, normal_of_face(geometry, found.cell, f)))
-          for (unsigned int v = 0; v <= dim; ++v)
-            if (v != f && is_wall(vertices[v]))
-              near_boundary.emplace(vertices[v], part[k]);
     });
 
     const MPI_Comm comm = step.grid.communicator();
@@ -374,7 +407,7 @@ namespace isochor
     bool is_new = !walls.empty() && is_gone;
     covered     = of_all_ranks(comm, covered);
     for (const VertexOfPart &one : near_boundary)
-      is_new = is_new || (known.count(one) == 0 && covered.count(one) == 0);
+      is_new = is_new || covered.count(one) == 0;
     return Utilities::MPI::max(is_new ? 1 : 0, comm) == 1 ?
              Approach::to_boundary :
              Approach::none;

@@ -95,13 +95,14 @@ namespace isochor
   GridReset<dim>::look_for_contact(const StepContext<dim>  &step,
                                    const ElementNodes      &elements,
                                    const PointLocator<dim> &locator,
+                                   const NodalField        &unknowns,
                                    MaterialPoints<dim>     &points)
   {
     using Approach = typename ApproachWatch<dim>::Approach;
     if (is_due)
       return;
     const Approach approach =
-      approach_watch.look(step, elements, locator, points);
+      approach_watch.look(step, elements, locator, unknowns, points);
     is_due = (approach != Approach::none);
     if (approach != Approach::of_bodies)
       return;

@@ -70,6 +70,13 @@ namespace isochor
     LocateResult<dim>
     locate(const Point<dim> &x, const unsigned int hint_cell) const;
 
+    /** Find the cell of x + r for @p x in the grid and near @p cell; if that is
+     * outside of the grid, r is shortened until it is inside. */
+    LocateResult<dim>
+    locate_towards(const Point<dim>  &x,
+                   const unsigned int cell,
+                   Tensor<1, dim>    &r) const;
+
     /** The result for a cell that is already known to hold @p x: found is false
      * if a barycentric coordinate is below -clamp_tolerance. */
     LocateResult<dim>

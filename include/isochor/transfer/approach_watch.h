@@ -18,6 +18,9 @@
 
 namespace isochor
 {
+  /** A vertex, and the name of a part of the body. */
+  using VertexOfPart = std::pair<unsigned int, unsigned int>;
+
   /**
    * On a grid that moves with the body bodies don't feel each other, nor the
    * boundaries that they did not touch when it was last put back: contact is
@@ -27,9 +30,11 @@ namespace isochor
    * cells that points of two bodies are in have come to share a vertex, or
    * those of places of one that an empty cell lay between and that are half as
    * far from each other as they were. Or if a point has come into a cell at the
-   * boundary with vertices there that conditions hold, that its own part did
-   * not have as nodes, that points which slide along the boundary have not come
-   * to, and that face another way than the boundary its own cell touches.
+   * boundary, or would by another step like the last one, one with vertices
+   * there that conditions hold, that points which slide along the boundary have
+   * not come to, and that face another way than the boundary its own cell
+   * touches. Whether stencils reach the boundary doesn't count: a node of a
+   * small weight lets the body through, of which its cell takes no notice.
    * Bodies that have nodes in common at t = 0 are one.
    *
    * On grids that are stretched boundaries are not looked at. Cells that touch
@@ -63,6 +68,7 @@ namespace isochor
     look(const StepContext<dim>  &step,
          const ElementNodes      &elements,
          const PointLocator<dim> &locator,
+         const NodalField        &unknowns,
          MaterialPoints<dim>     &points);
 
     /** Where bodies were found to come together: " near (x y)", or nothing if
@@ -121,14 +127,27 @@ namespace isochor
     touched_normals(const SimplexGeometry<dim> &geometry,
                     const unsigned int          cell,
                     const unsigned int          name) const;
+    /** Add to the normals @p own of a boundary along which points slide, those
+     * that a curved one has at the @p cell which they have come to. */
+    void
+    follow_boundary(const SimplexGeometry<dim>  &geometry,
+                    const unsigned int           cell,
+                    std::vector<Tensor<1, dim>> &own) const;
+    /** The vertices that conditions hold at the boundary of a @p cell where it
+     * faces another way than the normals @p own, with the part @p name. */
+    void
+    find_walls_at(const SimplexGeometry<dim>        &geometry,
+                  const unsigned int                 cell,
+                  const std::vector<Tensor<1, dim>> &own,
+                  const unsigned int                 name,
+                  std::set<VertexOfPart>            &found) const;
 
     std::vector<unsigned int> walls;
     /** Of the faces at the boundary, by vertex. */
     std::map<unsigned int, std::vector<Tensor<1, dim>>> normals;
     /** A vertex and a part: of the faces at which parts touched the boundary at
-     * the last reset, and those of the walls that were nodes of the part. Of
-     * all ranks. */
-    std::set<std::pair<unsigned int, unsigned int>> touched, known;
+     * the last reset. Of all ranks. */
+    std::set<VertexOfPart> touched;
     /** The parts that touched the boundary. */
     std::set<unsigned int> attached;
     bool                   is_started = false;

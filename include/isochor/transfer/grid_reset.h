@@ -106,6 +106,7 @@ namespace isochor
     look_for_contact(const StepContext<dim>  &step,
                      const ElementNodes      &elements,
                      const PointLocator<dim> &locator,
+                     const NodalField        &unknowns,
                      MaterialPoints<dim>     &points);
 
     template <class Archive>
