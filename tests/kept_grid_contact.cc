@@ -226,6 +226,32 @@ test_chance()
       }
 }
 
+/** A square falls on its corner, several cells deep in a step. That corner is
+ * in cells without a face at the ground when they last saw it. */
+void
+test_corner()
+{
+  for (const std::string speed : {"2.5", "3"})
+    {
+      const auto problem = test::run_scene<2>(
+        "Quadrature/Type = CPDI\nGrid/Upper corner = 2, 2\n"
+        "Grid/Subdivisions = 32, 32\n"
+        "Material points/Region = abs(x - 1) + abs(y - 0.75) < 0.5\n"
+        "Material/Young modulus = 1e5\nMaterial/Density = 1000\n"
+        "Dynamics/Inertia = true\n"
+        "Dynamics/Initial velocity = 0, -" +
+        speed +
+        "\nBoundary conditions/Walls = bottom: n >= 0\n"
+        "Postprocess/Reactions = bottom\n"
+        "Postprocess/Point probes = foot: 1, 0.3\n"
+        "Time/Step size = 0.01\nTime/End time = 0.2\n" +
+        kept);
+      test::check("corner: the ground holds it",
+                  test::get(*problem, "Displacement y of foot (m)") > -0.3,
+                  speed);
+    }
+}
+
 /** Blocks that are pressed to 0.6 of their height, one on a grid that it fills,
  * have nothing to come near to. */
 void
@@ -293,5 +319,6 @@ main(int argc, char **argv)
   test_thin_slab();
   test_second_body();
   test_chance();
+  test_corner();
   test_no_contact();
 }

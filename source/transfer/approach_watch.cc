@@ -108,31 +108,6 @@ namespace isochor
 
 
 
-    /** Outward, of length 1. */
-    template <int dim>
-    Tensor<1, dim>
-    normal_of_face(const SimplexGeometry<dim> &geometry,
-                   const unsigned int          cell,
-                   const unsigned int          face)
-    {
-      const Tensor<1, dim> inward = geometry.gradients(cell)[face];
-      return -inward / inward.norm();
-    }
-
-
-
-    template <int dim>
-    bool
-    contains_direction(const std::vector<Tensor<1, dim>> &normals,
-                       const Tensor<1, dim>              &normal,
-                       const double along = 0.5) // walls may be curved
-    {
-      return std::any_of(normals.begin(),
-                         normals.end(),
-                         [&](const Tensor<1, dim> &n) {
-                           return n * normal > along;
-                         });
-    }
   } // namespace
 
 
@@ -168,107 +143,6 @@ namespace isochor
 
   template <int dim>
   void
-  ApproachWatch<dim>::set_walls(const std::vector<unsigned int> &vertices)
-  {
-    walls = vertices;
-    normals.clear();
-  }
-
-
-
-  template <int dim>
-  bool
-  ApproachWatch<dim>::is_wall(const unsigned int vertex) const
-  {
-    return std::binary_search(walls.begin(), walls.end(), vertex);
-  }
-
-
-
-  template <int dim>
-  void
-  ApproachWatch<dim>::find_normals(const SimplexGeometry<dim> &geometry)
-  {
-    if (!normals.empty() || walls.empty())
-      return;
-    for (unsigned int c = 0; c < geometry.n_cells(); ++c)
-      for (unsigned int f = 0; f <= dim; ++f)
-        if (geometry.neighbours(c)[f] == SimplexGeometry<dim>::no_cell)
-          for (unsigned int v = 0; v <= dim; ++v)
-            if (v != f)
-              {
-                auto &of_vertex        = normals[geometry.vertex_indices(c)[v]];
-                const Tensor<1, dim> n = normal_of_face(geometry, c, f);
-                if (!contains_direction(of_vertex, n))
-                  of_vertex.push_back(n);
-              }
-  }
-
-
-
-  template <int dim>
-  std::vector<Tensor<1, dim>>
-  ApproachWatch<dim>::touched_normals(const SimplexGeometry<dim> &geometry,
-                                      const unsigned int          cell,
-                                      const unsigned int          name) const
-  {
-    std::vector<Tensor<1, dim>> result;
-    for (const unsigned int v : geometry.vertex_indices(cell))
-      if (touched.count({v, name}) > 0)
-        {
-          const auto of_vertex = normals.find(v);
-          if (of_vertex != normals.end())
-            for (const Tensor<1, dim> &n : of_vertex->second)
-              if (!contains_direction(result, n))
-                result.push_back(n);
-        }
-    return result;
-  }
-
-
-
-  template <int dim>
-  void
-  ApproachWatch<dim>::follow_boundary(const SimplexGeometry<dim>  &geometry,
-                                      const unsigned int           cell,
-                                      std::vector<Tensor<1, dim>> &own) const
-  {
-    constexpr double alike = 0.95;
-    for (const unsigned int v : geometry.vertex_indices(cell))
-      {
-        const auto of_vertex = own.empty() ? normals.end() : normals.find(v);
-        if (of_vertex != normals.end())
-          for (const Tensor<1, dim> &n : of_vertex->second)
-            if (contains_direction(own, n) &&
-                !contains_direction(own, n, alike))
-              own.push_back(n);
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  ApproachWatch<dim>::find_walls_at(const SimplexGeometry<dim>        &geometry,
-                                    const unsigned int                 cell,
-                                    const std::vector<Tensor<1, dim>> &own,
-                                    const unsigned int                 name,
-                                    std::set<VertexOfPart> &found) const
-  {
-    const auto &vertices   = geometry.vertex_indices(cell);
-    const auto &neighbours = geometry.neighbours(cell);
-    for (unsigned int f = 0; f <= dim; ++f)
-      if (neighbours[f] == SimplexGeometry<dim>::no_cell &&
-          !contains_direction(own, normal_of_face(geometry, cell, f)))
-        for (unsigned int v = 0; v <= dim; ++v)
-          if (v != f && is_wall(vertices[v]))
-            found.emplace(vertices[v], name);
-  }
-
-
-
-  template <int dim>
-  void
   ApproachWatch<dim>::find_surface(const StepContext<dim> &step,
                                    const ElementNodes     &elements)
   {
@@ -279,8 +153,9 @@ namespace isochor
     at_surface.assign(points.n_occupied_cells, 0);
     part.assign(points.n_occupied_cells, 0);
     hint.assign(points.n_points(), 0);
-    find_normals(geometry);
+    boundary.find_normals(geometry);
     touched.clear();
+    has_face.assign(points.n_occupied_cells, 0);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       {
         const unsigned int c              = points.cell[k];
@@ -293,7 +168,8 @@ namespace isochor
                                       empty.end(),
                                       neighbours[f]))
             at_surface[k] = 1;
-        part[k] = name[step.nodes.node(
+        has_face[k] = is_at_boundary;
+        part[k]     = name[step.nodes.node(
           points.stencil(geometry, k, points.cell_start[k]).vertex[0])];
         for (unsigned int f = 0; is_at_boundary && f <= dim; ++f)
           if (neighbours[f] == SimplexGeometry<dim>::no_cell)
@@ -311,8 +187,8 @@ namespace isochor
       for (const unsigned int v : geometry.vertex_indices(points.cell[k]))
         if (touched.count({v, part[k]}) > 0)
           {
-            boundary_normals.push_back(
-              touched_normals(geometry, points.cell[k], part[k]));
+            boundary_normals.push_back(boundary.touched_normals(
+              geometry, touched, points.cell[k], part[k]));
             at_boundary[k] = boundary_normals.size();
             break;
           }
@@ -345,7 +221,10 @@ namespace isochor
     const NodalUnknowns<dim>    nodal(step, unknowns);
     Marks                       marks;
     std::set<VertexOfPart>      near_boundary, covered;
-    bool is_gone = false; // so fast that it was never near
+    // parts, with 0: where cells with a face at the boundary leave the grid,
+    // they take the boundary along, and others of their part follow
+    std::set<VertexOfPart> leaving, along;
+    bool                   is_gone = false;
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
                         Point<dim>        &location,
@@ -356,6 +235,8 @@ namespace isochor
       if (!found.found)
         {
           is_gone = is_gone || attached.count(part[k]) == 0;
+          if (has_face[k] == 1)
+            along.emplace(0, part[k]);
           return;
         }
       hint[q]              = found.cell;
@@ -363,22 +244,19 @@ namespace isochor
       std::vector<Tensor<1, dim>> none;
       auto                       &own =
         at_boundary[k] == 0 ? none : boundary_normals[at_boundary[k] - 1];
-      follow_boundary(geometry, found.cell, own);
+      boundary.follow(geometry, found.cell, own);
       // another step like this one may go through a cell at the boundary
-      Tensor<1, dim> way =
+      const Tensor<1, dim> increment =
         nodal.increment_at(step.points.stencil(geometry, k, q));
-      const unsigned int ahead =
-        locator.locate_towards(location, found.cell, way).cell;
-      for (const unsigned int cell : {found.cell, ahead})
+      Tensor<1, dim> way   = increment;
+      const auto     ahead = locator.locate_towards(location, found.cell, way);
+      if (way != increment && boundary.is_at(geometry, ahead))
+        (has_face[k] == 1 ? along : leaving).emplace(0, part[k]);
+      for (const unsigned int cell : {found.cell, ahead.cell})
         {
-          for (unsigned int v = 0; !own.empty() && v <= dim; ++v)
-            if (is_wall(geometry.vertex_indices(cell)[v]))
-              for (const Tensor<1, dim> &n :
-                   normals[geometry.vertex_indices(cell)[v]])
-                if (contains_direction(own, n))
-                  covered.emplace(geometry.vertex_indices(cell)[v], part[k]);
+          boundary.find_own(geometry, cell, own, part[k], covered);
           if (at_surface[k] == 1)
-            find_walls_at(geometry, cell, own, part[k], near_boundary);
+            boundary.find_others(geometry, cell, own, part[k], near_boundary);
         }
       if (at_surface[k] == 0)
         return;
@@ -404,8 +282,11 @@ namespace isochor
       return Approach::of_bodies;
     if (step.grid.is_moving())
       return Approach::none;
-    bool is_new = !walls.empty() && is_gone;
+    bool is_new = !boundary.is_empty() && is_gone;
     covered     = of_all_ranks(comm, covered);
+    along       = of_all_ranks(comm, along);
+    for (const VertexOfPart &one : leaving)
+      is_new = is_new || along.count(one) == 0;
     for (const VertexOfPart &one : near_boundary)
       is_new = is_new || covered.count(one) == 0;
     return Utilities::MPI::max(is_new ? 1 : 0, comm) == 1 ?

@@ -9,6 +9,7 @@
 #include <isochor/equations/equation_term.h>
 #include <isochor/material_points/material_points.h>
 #include <isochor/material_points/point_locator.h>
+#include <isochor/transfer/held_boundary.h>
 
 #include <array>
 #include <map>
@@ -18,9 +19,6 @@
 
 namespace isochor
 {
-  /** A vertex, and the name of a part of the body. */
-  using VertexOfPart = std::pair<unsigned int, unsigned int>;
-
   /**
    * On a grid that moves with the body bodies don't feel each other, nor the
    * boundaries that they did not touch when it was last put back: contact is
@@ -47,7 +45,10 @@ namespace isochor
     /** The vertices that boundary conditions hold in any direction, ascending.
      */
     void
-    set_walls(const std::vector<unsigned int> &vertices);
+    set_walls(const std::vector<unsigned int> &vertices)
+    {
+      boundary.set(vertices);
+    }
 
     /** The grid has been put back. */
     void
@@ -114,37 +115,10 @@ namespace isochor
      * name, in the grid as it was put back; finds the place where they are now.
      */
     bool
-    any_gap(const StepContext<dim>  &step,
-            const PointLocator<dim> &locator,
-            const Marks             &marks);
-    bool
-    is_wall(const unsigned int vertex) const;
-    void
-    find_normals(const SimplexGeometry<dim> &geometry);
-    /** Of the boundaries that a @p cell of the part @p name touched at the last
-     * reset. */
-    std::vector<Tensor<1, dim>>
-    touched_normals(const SimplexGeometry<dim> &geometry,
-                    const unsigned int          cell,
-                    const unsigned int          name) const;
-    /** Add to the normals @p own of a boundary along which points slide, those
-     * that a curved one has at the @p cell which they have come to. */
-    void
-    follow_boundary(const SimplexGeometry<dim>  &geometry,
-                    const unsigned int           cell,
-                    std::vector<Tensor<1, dim>> &own) const;
-    /** The vertices that conditions hold at the boundary of a @p cell where it
-     * faces another way than the normals @p own, with the part @p name. */
-    void
-    find_walls_at(const SimplexGeometry<dim>        &geometry,
-                  const unsigned int                 cell,
-                  const std::vector<Tensor<1, dim>> &own,
-                  const unsigned int                 name,
-                  std::set<VertexOfPart>            &found) const;
-
-    std::vector<unsigned int> walls;
-    /** Of the faces at the boundary, by vertex. */
-    std::map<unsigned int, std::vector<Tensor<1, dim>>> normals;
+                      any_gap(const StepContext<dim>  &step,
+                              const PointLocator<dim> &locator,
+                              const Marks             &marks);
+    HeldBoundary<dim> boundary;
     /** A vertex and a part: of the faces at which parts touched the boundary at
      * the last reset. Of all ranks. */
     std::set<VertexOfPart> touched;
@@ -154,6 +128,8 @@ namespace isochor
     std::string            place;
     /** How many bodies there were at the last reset; 0: not known. */
     unsigned int n_parts = 0;
+    /** By occupied cell: whether it has a face at the boundary. */
+    std::vector<unsigned char> has_face;
     /** By occupied cell: whether a neighbour is empty; its part; the number of
      * its entry in boundary_normals, from 1 on, if it touches the boundary
      * where its part does, else 0. */
