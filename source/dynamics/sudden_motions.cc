@@ -286,7 +286,8 @@ namespace isochor
   Jumps
   find_jumps(const StepContext<dim>       &step,
              const BoundaryCondition<dim> &condition,
-             const double                  end)
+             const double                  end,
+             const double                  start_precision)
   {
     constexpr unsigned int n_parts = 16; // of a step
     const double           h = step.step_size(), part = h / n_parts;
@@ -296,6 +297,7 @@ namespace isochor
     constexpr unsigned int fewest = 8; // to compare changes of both orders
     JumpSearch<dim>        search(step, condition);
     Jumps                  jumps;
+    jumps.precision = 1e-3 * h;
     if (n_past + n_after < fewest ||
         !search.moves(search.sample(step.old_time - n_past * part,
                                     (n_past + n_after) * part / 3,
@@ -309,11 +311,15 @@ namespace isochor
           const auto jump = search.magnify(time, part, order);
           // a jump of an acceleration is found to 1/256 of a step
           const double precision = (order == 1 ? 1e-5 : 0.02) * h;
+          const double behind =
+            jump.time - step.old_time - // of the start
+            (order == 1 ? std::max(start_precision, jumps.precision) :
+                          precision);
           if (!jump.is_there)
             continue;
           if (jump.is_of_place)
             jumps.of_place = std::min(jumps.of_place, jump.time);
-          else if (std::abs(jump.time - step.old_time) <= precision)
+          else if (jump.time >= step.old_time - precision && behind <= 0)
             jumps.at_start = true;
           else if (std::abs(jump.time - step.time) <= precision)
             jumps.next = std::min(jumps.next, step.time);
@@ -328,9 +334,11 @@ namespace isochor
   template Jumps
   find_jumps(const StepContext<2> &,
              const BoundaryCondition<2> &,
+             const double,
              const double);
   template Jumps
   find_jumps(const StepContext<3> &,
              const BoundaryCondition<3> &,
+             const double,
              const double);
 } // namespace isochor

@@ -135,9 +135,10 @@ namespace isochor
     const double reached = next_time();
     if (output_interval > 0 && reached == next_target())
       reached_output = std::floor(reached / output_interval * (1 + 1e-12));
-    last_size    = reached - time;
-    time         = reached;
-    extra_target = std::numeric_limits<double>::infinity();
+    last_size       = reached - time;
+    time            = reached;
+    start_precision = reached == extra_target ? target_precision : 0;
+    extra_target    = std::numeric_limits<double>::infinity();
     ++step;
     const double before = step_size;
     if (n_iterations <= easy_iterations)
@@ -239,15 +240,16 @@ namespace isochor
   void
   LoadStepping::resume(const LoadStepping &saved)
   {
-    time           = saved.time;
-    step           = saved.step;
-    last_size      = saved.last_size;
-    starts_anew    = saved.starts_anew;
-    n_cuts         = saved.n_cuts;
-    step_size      = saved.first_step_size == first_step_size ?
-                       std::min(saved.step_size, largest) :
-                       first_step_size;
-    reached_output = saved.reached_output;
+    time            = saved.time;
+    step            = saved.step;
+    last_size       = saved.last_size;
+    starts_anew     = saved.starts_anew;
+    start_precision = saved.start_precision;
+    n_cuts          = saved.n_cuts;
+    step_size       = saved.first_step_size == first_step_size ?
+                        std::min(saved.step_size, largest) :
+                        first_step_size;
+    reached_output  = saved.reached_output;
     if (saved.output_interval != output_interval)
       reached_output = output_interval > 0 ?
                          std::floor(time / output_interval * (1 + 1e-12)) :

@@ -120,18 +120,24 @@ namespace isochor
   {
     LoadStepping &time = scene.time;
     time.aim_at(Jumps::never);
-    time.motion_jumps           = false;
+    const bool is_new           = time.time > time_of_jump; // not tried again
+    time.motion_jumps           = !is_new;
     const StepContext<dim> step = setup.context();
-    double                 next = Jumps::never;
+    double                 next = Jumps::never, precision = 0;
     for (const auto &condition : scene.boundary_conditions)
       {
-        const Jumps jumps = find_jumps(step, *condition, time.end_time());
+        const Jumps jumps =
+          find_jumps(step, *condition, time.end_time(), time.start_precision);
         time.motion_jumps = time.motion_jumps || jumps.at_start;
         next              = std::min(next, jumps.next);
+        precision         = jumps.precision;
         if (jumps.of_place < step.time)
           warn_of_place(*condition, jumps.of_place);
       }
-    time.aim_at(next);
+    time.aim_at(next, precision);
+    // a smaller step, if this one fails, finds the same jump not where it is
+    if (time.motion_jumps)
+      time.start_precision = std::max(time.start_precision, precision);
     // what a motion starts with depends on the size of the step; behind jumps
     // that can't be told from each other sizes say where they are
     constexpr double much = 2.5;
@@ -140,8 +146,7 @@ namespace isochor
       time.next_time() < step.time ||
       (time.starts_anew && (size > much * last || last > much * size));
     time.starts_anew = time.step == 0 || time.motion_jumps || other_size;
-    constexpr unsigned int many   = 4;
-    const bool             is_new = time.time > time_of_jump; // not tried again
+    constexpr unsigned int many = 4;
     if (time.motion_jumps)
       time_of_jump = time.time;
     if (is_new)

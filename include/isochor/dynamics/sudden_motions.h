@@ -22,6 +22,8 @@ namespace isochor
     double next = never;
     /** The next time that the place does, or the velocity has no bounds (s). */
     double of_place = never;
+    /** Those of velocities may be so long (s) after these times. */
+    double precision = 0;
   };
 
   /**
@@ -30,13 +32,16 @@ namespace isochor
    * velocities, of accelerations by a tenth of the largest one or more of the
    * same unknown, and of places. The formulas are looked at between the ends:
    * what changes as much over ever shorter times jumps, however large
-   * derivatives are elsewhere. Collective.
+   * derivatives are elsewhere. A velocity that jumps a thousandth of the step
+   * or @p start_precision (s) after its start, or less, jumps at the start.
+   * Collective.
    */
   template <int dim>
   Jumps
   find_jumps(const StepContext<dim>       &step,
              const BoundaryCondition<dim> &condition,
-             const double                  end);
+             const double                  end,
+             const double                  start_precision = 0);
 } // namespace isochor
 
 #endif
