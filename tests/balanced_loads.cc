@@ -263,6 +263,7 @@ test_squeezed()
     "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
     "Boundary conditions/Surfaces of body = plate: y > 0.999\n"
     "Boundary conditions/Displacement of body = plate: y = -0.4*t\n"
+    "Boundary conditions/Penalty of body displacement = 1e3\n"
     "Time/Step size = 0.02\nPostprocess/Reactions = bottom\n");
   const PointLayout &layout = problem->material_points().layout();
   double             worst = 0, lambda = 0;

@@ -418,6 +418,7 @@ test_stretched_after_a_long_way()
         "right: x>1.4999; corner: x<0.7501 && y<0.5001\n"
         "Boundary conditions/Displacement of body = left: x=9*t; "
         "right: x=9*t+1e-8*t; corner: y=0\n"
+        "Boundary conditions/Penalty of body displacement = 1e3\n"
         "Time/Step size = 0.05\nOutput/Terminal = quiet\n"
         "Quadrature/Type = " +
         quadrature + "\n");

@@ -166,6 +166,15 @@ namespace
     const Result r = run({"scene/scene.prm"});
     check("included dimension", r.dim == 3, describe(r));
 
+    write("twice.prm",
+          "include base/base.prm\nsubsection Newton\n  set Tolerance = 1e-5\n"
+          "end\nsubsection Newton\n  set Tolerance = 1e-6\nend\n");
+    check_error("a parameter that is set twice in one file",
+                {"twice.prm"},
+                "twice.prm:6: the parameter <Newton/Tolerance> is set for the "
+                "second time in this file, after twice.prm:3; leave one of the "
+                "two out");
+
     write("base/bad.prm", "\nset Dimensoin = 2\n");
     write("scene/bad.prm", "include ../base/bad.prm\n");
     check_error("error in an included file",

@@ -220,6 +220,43 @@ test_sudden_motion()
       }
 }
 
+/** Where forces jump as points change cells the error isn't that of the step,
+ * and with this pair of Newmark's parameters there is no estimate. */
+void
+test_no_measure()
+{
+  for (const std::string quadrature : {"CPDI", "points"})
+    {
+      const auto problem = test::run_scene<2>(
+        "Grid/Upper corner = 2, 1\nGrid/Subdivisions = 16, 8\n"
+        "Material points/Region = x < 1 && y > 0.5\nDynamics/Inertia = true\n"
+        "Boundary conditions/Gravity = 0, -10\nMaterial/Young modulus = 1e5\n"
+        "Time/Step size = 0.01\nTime/End time = 0.03\n"
+        "Time/Tolerated error = 1e-4\nQuadrature/Type = " +
+        quadrature + '\n');
+      test::check("error of steps, " + quadrature,
+                  warns(*problem, "an error that isn't the step's") ==
+                    (quadrature == "points"),
+                  problem->all_warnings().summary());
+    }
+  std::string message;
+  try
+    {
+      test::run_scene<2>(bar + "Time/Tolerated error = 1\n"
+                               "Time/Step size = 1e-3\nTime/End time = 1e-3\n"
+                               "Dynamics/Scheme = Newmark\n"
+                               "Dynamics/Newmark beta = 0.16666666666666666\n");
+    }
+  catch (const std::exception &exception)
+    {
+      message = exception.what();
+    }
+  test::check("a scheme without a measure of the error",
+              message.find("<Time/Tolerated error> has no measure") !=
+                std::string::npos,
+              message);
+}
+
 /** In statics there is no such error. */
 void
 test_statics()
@@ -242,5 +279,6 @@ main(int argc, char **argv)
   test_cells_crossed();
   test_swinging_bar();
   test_sudden_motion();
+  test_no_measure();
   test_statics();
 }

@@ -24,7 +24,7 @@ namespace isochor
 
 
 
-    /** Turns files into statements; the include stack is its only state. */
+    /** Turns files into statements. */
     class Reader
     {
     public:
@@ -60,6 +60,10 @@ namespace isochor
 
       std::vector<OpenSubsection>        open_subsections;
       std::vector<std::filesystem::path> open_files;
+      /** Where files set parameters, by file: which of two lines in one file is
+       * meant can't be told (of two files the one that includes the other is).
+       */
+      std::map<std::pair<std::string, Path>, std::string> set_at;
     };
 
 
@@ -176,10 +180,17 @@ namespace isochor
       if (equals == std::string::npos || name.empty())
         throw ParameterError(origin + ": expected 'set Entry = value', got <" +
                              "set " + argument + ">");
-      statements.push_back({path_of(name),
-                            false,
-                            Utilities::trim(argument.substr(equals + 1)),
-                            origin});
+      const Path        path  = path_of(name);
+      const std::string value = Utilities::trim(argument.substr(equals + 1)),
+                        file  = origin.substr(0, origin.rfind(':'));
+      const auto before =
+        set_at.emplace(std::make_pair(file, path), origin).first->second;
+      if (before != origin)
+        throw ParameterError(
+          origin + ": the parameter <" + join_path(path) +
+          "> is set for the second time in this file, after " + before +
+          "; leave one of the two out");
+      statements.push_back({path, false, value, origin});
     }
 
 

@@ -3,9 +3,10 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
-#include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/boundary_condition/surface_checks.h>
 #include <isochor/boundary_condition/surface_forces.h>
+#include <isochor/boundary_condition/surface_gap.h>
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
@@ -137,10 +138,6 @@ namespace isochor
   private:
     void
     seed(const BackgroundGrid<dim> &grid);
-    void
-    warn_of_uncovered_faces(const StepContext<dim> &step) const;
-    void
-    warn_of_loads_beside_domains(const StepContext<dim> &step) const;
 
     SurfaceConditions<dim>               conditions;
     const BodyShape<dim>                *shape = nullptr;
@@ -155,6 +152,7 @@ namespace isochor
      * of the area consists of faces of these. */
     std::vector<double>                 share_on_domains;
     std::unique_ptr<SurfaceForces<dim>> forces;
+    SurfaceGap<dim>                     gap;
   };
 
 
@@ -261,8 +259,10 @@ namespace isochor
   {
     if (!points)
       return;
-    warn_of_uncovered_faces(step);
-    warn_of_loads_beside_domains(step);
+    const std::string mesh = this->parameter("Mesh of body surfaces");
+    warn_of_uncovered_faces(
+      step, conditions, covered_area, candidate_area, mesh);
+    warn_of_loads_beside_domains(step, conditions, share_on_domains, mesh);
     covered_area.clear();
     share_on_domains.clear();
     forces->find_shear_moduli(step);
@@ -276,64 +276,6 @@ namespace isochor
             nodes.push_back(step.nodes.node(stencil.vertex[I]));
           elements.add(nodes.begin(), nodes.end());
         }
-  }
-
-
-
-  template <int dim>
-  void
-  BodySurfaceConditions<dim>::warn_of_uncovered_faces(
-    const StepContext<dim> &step) const
-  {
-    const std::string unit = dim == 2 ? " m" : " m^2";
-    for (unsigned int s = 0; s < covered_area.size(); ++s)
-      {
-        const BodySurface<dim> &place = conditions.surfaces[s].place;
-        const double            share = covered_area[s] / candidate_area[s];
-        if (place.on_grid_boundary || share > 0.99)
-          continue;
-        step.warnings.add(
-          "surface in part off the body",
-          "The body covers only " + rounded(100 * share) +
-            " % of the faces of cells that the surface <" + place.name +
-            "> of <" + place.parameter + "> consists of, " +
-            rounded(covered_area[s]) + " of " + rounded(candidate_area[s]) +
-            unit +
-            "; what it does acts on this part. If the body's "
-            "surface does not lie on faces of the grid there, give the body's "
-            "mesh in <" +
-            this->parameter("Mesh of body surfaces") + ">.");
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  BodySurfaceConditions<dim>::warn_of_loads_beside_domains(
-    const StepContext<dim> &step) const
-  {
-    constexpr double enough = 0.95;
-    for (unsigned int s = 0; s < share_on_domains.size(); ++s)
-      {
-        const SurfaceCondition<dim> &surface = conditions.surfaces[s];
-        if ((surface.traction.empty() && surface.pressure.empty()) ||
-            share_on_domains[s] > enough)
-          continue;
-        step.warnings.add(
-          "a load beside the domains of the points",
-          "Only " + rounded(100 * share_on_domains[s]) +
-            " % of the area of the surface <" + surface.place.name + "> of <" +
-            surface.place.parameter +
-            "> consist of faces of the points' domains, which <Quadrature/Type> "
-            "makes of the body at t = 0. Elsewhere its load is not in balance "
-            "with the stress of the points below, by 5 to 20 per cent, once the "
-            "surface lies inside of cells. Let the surface be that of the "
-            "points' domains (the mesh of <Material points/Body mesh> in <" +
-            this->parameter("Mesh of body surfaces") +
-            ">, or a <Material points/Region> that ends where cells do), or "
-            "choose <Quadrature/Type = cell-filled + boundary>.");
-      }
   }
 
 
@@ -466,8 +408,15 @@ namespace isochor
   BodySurfaceConditions<dim>::advance(const StepContext<dim> &step,
                                       const NodalField       &unknowns)
   {
-    if (points)
-      points->advance(step, unknowns);
+    if (!points)
+      return;
+    gap.check(step,
+              unknowns,
+              *points,
+              *forces,
+              conditions,
+              this->parameter("Penalty of body displacement"));
+    points->advance(step, unknowns);
   }
 
 
@@ -476,7 +425,7 @@ namespace isochor
   std::string
   BodySurfaceConditions<dim>::save_state() const
   {
-    return seeded ? points->save_state() : std::string();
+    return seeded ? gap.save_state() + points->save_state() : std::string();
   }
 
 
@@ -487,7 +436,9 @@ namespace isochor
   {
     if (state.empty() || !points)
       return;
-    points->load_state(state);
+    const std::size_t end_of_line = state.find('\n') + 1;
+    gap.load_state(state.substr(0, end_of_line));
+    points->load_state(state.substr(end_of_line));
     seeded = true;
   }
 

@@ -69,11 +69,14 @@ namespace isochor
                       "...'. Components not named are free.");
     prm.declare_entry(
       "Penalty of body displacement",
-      "1e3",
+      "100",
       Patterns::Double(0),
       "Displacements of the body are prescribed by springs, so that it "
       "follows up to a small gap. This is their stiffness per area, in "
-      "units of shear modulus over cell size. "
+      "units of shear modulus over cell size. What suits depends on the "
+      "surface: 30 if it is curved and goes through cells, which the springs "
+      "make too stiff; 1000 if it is plane and the body confined and nearly "
+      "incompressible, or where a warning says that it stays behind. "
       "Where materials meet, the shear modulus is the mean, by volume, of "
       "those around the point's nodes; with CPDI it is that of the domain.");
   }

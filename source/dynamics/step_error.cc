@@ -19,7 +19,14 @@ namespace isochor
       return 0;
     const double dt     = step.step_size();
     const double factor = integrator->smooth_start(dt).velocity_per_jerk;
-    double       sum = 0, mass_sum = 0;
+    // all schemes that are stable at any size of step have at least 1/12
+    AssertThrow(std::abs(factor) > 1e-3 * dt * dt,
+                ExcMessage("<Dynamics/Newmark beta> and <Newmark gamma> are "
+                           "such that <Time/Tolerated error> has no measure of "
+                           "the error: 1/6 - beta - (1/2 - gamma)/2 is zero. "
+                           "Choose <Dynamics/Scheme = Bossak>, or set "
+                           "<Tolerated error> to 0."));
+    double sum = 0, mass_sum = 0;
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       {
         const double m = mass.lumped.local_element(node);

@@ -226,6 +226,23 @@ namespace isochor
           "Tolerated error>. Allow smaller steps, or a larger error: what "
           "jumps, as the velocity of nodes that meet a wall does, is not "
           "resolved by any step.");
+    else if (crossed > 1)
+      scene.warnings.add(
+        "a step of many cells",
+        "At t = " + rounded(step.time) + " the body moves by " +
+          rounded(crossed) +
+          " cells in a step of <Time/Minimum step size>, and may go through "
+          "what it should meet. Allow smaller steps.");
+    const int has_domains = step.points.has_stencils();
+    if (scene.time.step == 1 && !step.grid_is_kept &&
+        Utilities::MPI::max(has_domains, comm) == 0)
+      scene.warnings.add(
+        "an error that isn't the step's",
+        "<Time/Tolerated error> judges steps by how accelerations change. With "
+        "this <Quadrature/Type> they jump when points change cells, however "
+        "small the step is: steps become ever smaller, and with them the body "
+        "less stable. Choose <Quadrature/Type = CPDI>, keep the grid (<Grid "
+        "reset/Steps between resets = 0>), or use steps of one size.");
   }
 
 

@@ -198,7 +198,8 @@ namespace isochor
             scene.time.time,
             scene.inertia.in_trial() ? scene.time.time : scene.time.next_time(),
             scene.warnings,
-            !grid_reset.due()};
+            !grid_reset.due(),
+            scene.has_inertia()};
   }
 
 

@@ -63,7 +63,7 @@ namespace isochor
     std::vector<SurfaceCondition<dim>> surfaces;
     unsigned int                       points_per_face = 3;
     std::string                        body_mesh;
-    double                             penalty = 1e3;
+    double                             penalty = 100;
 
   private:
     void

@@ -113,6 +113,12 @@ namespace isochor
     starts_suddenly(const StepContext<dim> &step,
                     const NodalField       &velocity) const;
 
+    /** The displacement of point @p b at the end of the step (m). */
+    Tensor<1, dim>
+    displacement(const StepContext<dim> &step,
+                 const NodalField       &unknowns,
+                 const unsigned int      b) const;
+
     /** The penalty's force on the body (N). */
     Tensor<1, dim>
     penalty_force(const StepContext<dim> &step,
@@ -149,10 +155,6 @@ namespace isochor
     /** β G/h A_b at a point. */
     double
     stiffness(const StepContext<dim> &step, const unsigned int b) const;
-    Tensor<1, dim>
-    displacement(const StepContext<dim> &step,
-                 const NodalField       &unknowns,
-                 const unsigned int      b) const;
     /** The dead load at a point (N), zero without. */
     Tensor<1, dim>
     dead_load(const StepContext<dim> &step, const unsigned int b) const;

@@ -30,6 +30,8 @@ namespace isochor
     /** Whether the grid is still the one that the last step has deformed; see
      * GridReset. */
     bool grid_is_kept = false;
+    /** Dynamics, not statics. */
+    bool has_inertia = false;
 
     bool
     mixed() const

@@ -1,0 +1,39 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_surface_checks_h
+#define isochor_surface_checks_h
+
+#include <isochor/boundary_condition/surface_conditions.h>
+#include <isochor/equations/equation_term.h>
+
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /** Warn of surfaces whose faces (@p candidate_area by surface, m^(dim-1))
+   * the body has covered in part only (@p covered_area). Both are empty where
+   * there is nothing to check. @p mesh_parameter names the parameter for the
+   * mesh of the surfaces. */
+  template <int dim>
+  void
+  warn_of_uncovered_faces(const StepContext<dim>       &step,
+                          const SurfaceConditions<dim> &conditions,
+                          const std::vector<double>    &covered_area,
+                          const std::vector<double>    &candidate_area,
+                          const std::string            &mesh_parameter);
+
+  /** Warn of loads on surfaces of which only a part, @p share_on_domains by
+   * surface, consists of faces of the domains of the material points; empty
+   * where there is nothing to check. */
+  template <int dim>
+  void
+  warn_of_loads_beside_domains(const StepContext<dim>       &step,
+                               const SurfaceConditions<dim> &conditions,
+                               const std::vector<double>    &share_on_domains,
+                               const std::string            &mesh_parameter);
+} // namespace isochor
+
+#endif

@@ -1,0 +1,141 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/plain_message.h>
+#include <isochor/boundary_condition/surface_gap.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  SurfaceGap<dim>::find_deformation(const StepContext<dim>       &step,
+                                    const NodalField             &unknowns,
+                                    const BoundaryPoints<dim>    &points,
+                                    const SurfaceForces<dim>     &forces,
+                                    const SurfaceConditions<dim> &conditions)
+  {
+    // by component: largest ū, largest -ū, largest increment of a node
+    constexpr double    lowest = std::numeric_limits<double>::lowest();
+    std::vector<double> largest(3 * dim, lowest);
+    for (unsigned int b = 0; b < points.size(); ++b)
+      for (unsigned int a = 0; a < dim; ++a)
+        if (!conditions.surfaces[points.surface(b)].displacement[a].empty())
+          {
+            const double u   = forces.target(step, b, a);
+            largest[a]       = std::max(largest[a], u);
+            largest[dim + a] = std::max(largest[dim + a], -u);
+          }
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      for (unsigned int a = 0; a < dim; ++a)
+        largest[2 * dim + a] = std::max(largest[2 * dim + a],
+                                        std::abs(unknowns.local_element(
+                                          node * step.n_components + a)));
+    Utilities::MPI::max(largest, step.grid.communicator(), largest);
+    for (unsigned int a = 0; a < dim; ++a)
+      {
+        way[a] += largest[2 * dim + a];
+        if (largest[a] == lowest)
+          continue; // prescribed nowhere
+        const double range = largest[a] + largest[dim + a];
+        deformation[a] =
+          std::max(deformation[a], range > 0 ? range : std::abs(largest[a]));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceGap<dim>::check(const StepContext<dim>       &step,
+                         const NodalField             &unknowns,
+                         const BoundaryPoints<dim>    &points,
+                         const SurfaceForces<dim>     &forces,
+                         const SurfaceConditions<dim> &conditions,
+                         const std::string            &penalty_parameter)
+  {
+    if (step.has_inertia ||
+        std::none_of(conditions.surfaces.begin(),
+                     conditions.surfaces.end(),
+                     [](const auto &surface) { return surface.is_fixed(); }))
+      return;
+    find_deformation(step, unknowns, points, forces, conditions);
+    // by surface: its area, and by component the integral of the gap squared
+    constexpr unsigned int stride = 1 + dim;
+    std::vector<double>    sums(stride * conditions.surfaces.size());
+    for (unsigned int b = 0; b < points.size(); ++b)
+      {
+        const unsigned int   s = points.surface(b);
+        const double         A = points.reference_area(b).norm();
+        const Tensor<1, dim> u = forces.displacement(step, unknowns, b);
+        sums[stride * s] += A;
+        for (unsigned int a = 0; a < dim; ++a)
+          if (!conditions.surfaces[s].displacement[a].empty())
+            sums[stride * s + 1 + a] +=
+              A * Utilities::fixed_power<2>(u[a] - forces.target(step, b, a));
+      }
+    Utilities::MPI::sum(sums, step.grid.communicator(), sums);
+    constexpr double considerable = 0.03;
+    for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
+      for (unsigned int a = 0; a < dim; ++a)
+        {
+          const double gap =
+            std::sqrt(sums[stride * s + 1 + a] / sums[stride * s]);
+          const double moved = deformation[a] > 0 ? deformation[a] : way[a];
+          if (!(gap > considerable * moved))
+            continue;
+          step.warnings.add(
+            "a surface stays behind its displacement",
+            "At t = " + rounded(step.time) + " s the surface <" +
+              conditions.surfaces[s].place.name + "> is " + rounded(gap) +
+              " m (root mean square) away from the "
+              "displacement " +
+              "xyz"[a] + " that is prescribed there, " +
+              rounded(100 * gap / moved) +
+              " % of what deforms the body; its forces are too small by about "
+              "as much. The springs of <" +
+              penalty_parameter +
+              "> are too soft for the body, as they are for one that is nearly "
+              "incompressible and confined: set it to " +
+              rounded(10 * conditions.penalty) + ", or use smaller cells.");
+        }
+  }
+
+
+
+  template <int dim>
+  std::string
+  SurfaceGap<dim>::save_state() const
+  {
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    for (unsigned int a = 0; a < dim; ++a)
+      text << deformation[a] << ' ' << way[a] << ' ';
+    text << '\n';
+    return text.str();
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceGap<dim>::load_state(const std::string &state)
+  {
+    std::istringstream text(state);
+    for (unsigned int a = 0; a < dim; ++a)
+      text >> deformation[a] >> way[a];
+  }
+
+
+
+  template class SurfaceGap<2>;
+  template class SurfaceGap<3>;
+} // namespace isochor
