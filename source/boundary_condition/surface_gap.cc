@@ -83,13 +83,18 @@ namespace isochor
               A * Utilities::fixed_power<2>(u[a] - forces.target(step, b, a));
       }
     Utilities::MPI::sum(sums, step.grid.communicator(), sums);
-    constexpr double considerable = 0.03;
+    // less than this of the largest motion is what formulas leave of nothing
+    constexpr double considerable = 0.03, rounding = 1e-10;
+    const double     largest =
+      std::max(*std::max_element(deformation.begin(), deformation.end()),
+               *std::max_element(way.begin(), way.end()));
     for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
       for (unsigned int a = 0; a < dim; ++a)
         {
           const double gap =
             std::sqrt(sums[stride * s + 1 + a] / sums[stride * s]);
-          const double moved = deformation[a] > 0 ? deformation[a] : way[a];
+          const double moved =
+            deformation[a] > rounding * largest ? deformation[a] : way[a];
           if (!(gap > considerable * moved))
             continue;
           step.warnings.add(

@@ -129,6 +129,16 @@ namespace isochor
     std::string cause =
       "<Grid reset/Steps between resets> = " + std::to_string(interval);
     std::string remedy = "Set it to 0 if no points have to change cells.";
+    if (interval == 0 && in_contact)
+      {
+        cause  = "bodies, or parts of one, have come together";
+        remedy = "Contact needs that.";
+      }
+    else if (interval == 0)
+      {
+        cause  = "the body came near to a boundary";
+        remedy = "Contact needs that.";
+      }
     if (!(bad_quality > 0))
       {
         cause  = "a cell was turned inside out";
