@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 #include <utility>
 
 namespace isochor
@@ -16,6 +17,7 @@ namespace isochor
                    const Balance &balance,
                    const bool     motion_jumps,
                    const bool     is_cpdi,
+                   const bool     grid_is_kept,
                    Warnings      &warnings)
   {
     constexpr double       threshold = 0.01, rounding = 1e-14;
@@ -46,21 +48,24 @@ namespace isochor
          << " % of the largest energy of the body"
          << (size > largest ? " per cycle" : "")
          << ", see 'Energy lost by the scheme' in the statistics. ";
-    if (!is_cpdi)
+    const std::string keep = "a grid that is kept (<Grid reset/Steps between "
+                             "resets = 0>, up to where bodies come together)";
+    if (!is_cpdi && !grid_is_kept)
       text << "Points that change cells take their stresses with them: "
-              "<Quadrature/Type = CPDI> or a grid that is kept (<Grid "
-              "reset/Steps between resets = 0>, up to where bodies come "
-              "together) hardly lose any. Else smaller steps (<Time/Step "
-              "size>) and cells.";
+              "<Quadrature/Type = CPDI> or "
+           << keep
+           << " hardly lose any. Else smaller steps (<Time/Step size>) and "
+              "cells.";
     else
       text << "Use "
            << (loss > 0 ? "smaller steps (<Time/Step size>) and cells, a "
                           "larger" :
                           "a smaller")
-           << " <Dynamics/Spectral radius>, or a grid that is kept (<Grid "
-              "reset/Steps between resets = 0>, up to where bodies come "
-              "together).";
-    warnings.add("energy lost or created by the scheme", text.str());
+           << " <Dynamics/Spectral radius>"
+           << (grid_is_kept ? "" : ", or " + keep) << '.';
+    warnings.add(loss > 0 ? "energy lost by the scheme" :
+                            "energy created by the scheme",
+                 text.str());
   }
 
 

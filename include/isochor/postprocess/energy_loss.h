@@ -39,6 +39,7 @@ namespace isochor
          const Balance &balance,
          const bool     motion_jumps,
          const bool     is_cpdi,
+         const bool     grid_is_kept,
          Warnings      &warnings);
 
     void
