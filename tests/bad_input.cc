@@ -33,12 +33,13 @@ execute(ParameterHandler      &prm,
 std::string
 scene(const std::string &lines)
 {
-  return "set Dimension = 2\n"
-         "subsection Grid\nset Subdivisions = 2, 2\nend\n"
-         "subsection Boundary conditions\nset Displacement = bottom: x = 0, "
-         "y = 0\nend\n"
-         "subsection Output\nset Directory = .\nset Terminal = quiet\nend\n" +
-         lines;
+  std::ofstream("base.prm")
+    << "set Dimension = 2\n"
+       "subsection Grid\nset Subdivisions = 2, 2\nend\n"
+       "subsection Boundary conditions\nset Displacement = bottom: x = 0, "
+       "y = 0\nend\n"
+       "subsection Output\nset Directory = .\nset Terminal = quiet\nend\n";
+  return "include base.prm\n" + lines;
 }
 
 /** Run the program on @p text and check that it ends with @p status and that

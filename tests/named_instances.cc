@@ -247,7 +247,8 @@ namespace
                                 "set Type = Reactions\n"
                                 "set Reactions = left\nend\n";
     expect("two sections of the same name",
-           message(block + section + section),
+           message(block + section +
+                   "subsection Postprocess: a\nset Reactions on = left\nend\n"),
            {"error.prm:26: there is a subsection <Postprocess: a> already, see "
             "error.prm:22"});
     std::ofstream("included.prm") << block + section;
