@@ -10,6 +10,8 @@
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
+#include <limits>
+#include <sstream>
 #include <string>
 
 namespace isochor
@@ -97,6 +99,13 @@ namespace isochor
       return points && forces->move_body(step);
     }
     void
+    start_contact() override
+    {
+      correction.start_step(step_size);
+    }
+    bool
+    correct(const StepContext<dim> &step, const NodalField &unknowns) override;
+    void
     add_boundary_force(const StepContext<dim> &step,
                        const NodalField       &unknowns,
                        NodalField             &force) const override;
@@ -152,7 +161,9 @@ namespace isochor
      * of the area consists of faces of these. */
     std::vector<double>                 share_on_domains;
     std::unique_ptr<SurfaceForces<dim>> forces;
+    SurfaceCorrection<dim>              correction;
     SurfaceGap<dim>                     gap;
+    double                              step_size = 0; ///< of the step (s)
   };
 
 
@@ -167,7 +178,8 @@ namespace isochor
         points =
           std::make_unique<BoundaryPoints<dim>>(grid,
                                                 conditions.points_per_face);
-        forces = std::make_unique<SurfaceForces<dim>>(conditions, *points);
+        forces =
+          std::make_unique<SurfaceForces<dim>>(conditions, *points, correction);
       }
   }
 
@@ -182,7 +194,8 @@ namespace isochor
       return;
     if (at_start)
       {
-        seeded = false; // as many as the new faces need
+        seeded     = false; // as many as the new faces need
+        correction = {};
         covered_area.clear();
         share_on_domains.clear();
       }
@@ -259,6 +272,7 @@ namespace isochor
   {
     if (!points)
       return;
+    step_size              = step.step_size();
     const std::string mesh = this->parameter("Mesh of body surfaces");
     warn_of_uncovered_faces(
       step, conditions, covered_area, candidate_area, mesh);
@@ -326,6 +340,27 @@ namespace isochor
     return std::all_of(conditions.surfaces.begin(),
                        conditions.surfaces.end(),
                        [](const auto &s) { return s.pressure.empty(); });
+  }
+
+
+
+  template <int dim>
+  bool
+  BodySurfaceConditions<dim>::correct(const StepContext<dim> &step,
+                                      const NodalField       &unknowns)
+  {
+    // inertia would have to know of it from the start of the step on
+    if (step.has_inertia || !conditions.prescribe_displacements())
+      return false;
+    return correction.update(
+      *points,
+      conditions,
+      [&](const unsigned int b, const unsigned int a) {
+        return forces->displacement(step, unknowns, b)[a] -
+               forces->target(step, b, a);
+      },
+      gap.scale(step, unknowns, *points, *forces, conditions),
+      step.grid.communicator());
   }
 
 
@@ -417,6 +452,7 @@ namespace isochor
               conditions,
               this->parameter("Penalty of body displacement"));
     points->advance(step, unknowns);
+    correction.accept(step.time);
   }
 
 
@@ -425,7 +461,13 @@ namespace isochor
   std::string
   BodySurfaceConditions<dim>::save_state() const
   {
-    return seeded ? gap.save_state() + points->save_state() : std::string();
+    if (!seeded)
+      return {};
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    correction.save(text);
+    text << '\n' << gap.save_state() << points->save_state();
+    return text.str();
   }
 
 
@@ -436,9 +478,12 @@ namespace isochor
   {
     if (state.empty() || !points)
       return;
-    const std::size_t end_of_line = state.find('\n') + 1;
-    gap.load_state(state.substr(0, end_of_line));
-    points->load_state(state.substr(end_of_line));
+    const std::size_t  second = state.find('\n') + 1;
+    const std::size_t  third  = state.find('\n', second) + 1;
+    std::istringstream text(state.substr(0, second));
+    correction.load(text);
+    gap.load_state(state.substr(second, third - second));
+    points->load_state(state.substr(third));
     seeded = true;
   }
 

@@ -71,14 +71,15 @@ namespace isochor
                       "...'. Components not named are free.");
     prm.declare_entry(
       "Penalty of body displacement",
-      "100",
-      Patterns::Double(0),
-      "Displacements of the body are prescribed by springs, so that it "
-      "follows up to a small gap. This is their stiffness per area, in "
-      "units of shear modulus over cell size. What suits depends on the "
-      "surface: 30 if it is curved and goes through cells, which the springs "
-      "make too stiff; 1000 if it is plane and the body confined and nearly "
-      "incompressible, or where a warning says that it stays behind. "
+      "auto",
+      Patterns::Anything(),
+      "Displacements of the body are prescribed by springs. This is their "
+      "stiffness per area, in units of shear modulus over cell size. In "
+      "statics mean place, rotation and stretch of each surface are those "
+      "that are prescribed, whatever the stiffness, and only what differs from "
+      "them yields to local forces; stiff springs lock where a curved surface "
+      "goes through cells. In dynamics the surface follows up to a small gap. "
+      "auto: 10 in statics, 100 in dynamics. "
       "Where materials meet, the shear modulus is the mean, by volume, of "
       "those around the point's nodes; with CPDI it is that of the domain.");
   }
@@ -101,13 +102,35 @@ namespace isochor
       }
     points_per_face = prm.get_integer("Boundary points per face");
     body_mesh       = prm.get("Mesh of body surfaces");
-    penalty         = prm.get_double("Penalty of body displacement");
+    parse_penalty(prm);
     parse_loads(prm);
     parse_displacements(prm);
     parse_tractions(prm);
-    AssertThrow(penalty > 0,
-                ExcMessage("The parameter <" + section +
-                           "/Penalty of body displacement> must be positive."));
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceConditions<dim>::parse_penalty(ParameterHandler &prm)
+  {
+    const std::string text = prm.get("Penalty of body displacement");
+    if (text == "auto")
+      return;
+    const std::string message =
+      "The parameter <" + section +
+      "/Penalty of body displacement> must be 'auto' or a positive number, "
+      "not '" +
+      text + "'.";
+    try
+      {
+        given_penalty = Utilities::string_to_double(text);
+      }
+    catch (const ExceptionBase &)
+      {
+        AssertThrow(false, ExcMessage(message));
+      }
+    AssertThrow(*given_penalty > 0, ExcMessage(message));
   }
 
 

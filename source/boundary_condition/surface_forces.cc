@@ -16,9 +16,7 @@ namespace isochor
   SurfaceForces<dim>::find_shear_moduli(const StepContext<dim> &step) const
   {
     const auto &materials = step.kernel.materials;
-    if (std::none_of(conditions.surfaces.begin(),
-                     conditions.surfaces.end(),
-                     [](const auto &surface) { return surface.is_fixed(); }))
+    if (!conditions.prescribe_displacements())
       return;
     if (materials.size() == 1)
       {
@@ -103,7 +101,8 @@ namespace isochor
       points.is_on_domain(b) ?
         step.kernel.materials[points.material(b)]->shear_modulus() :
         points.shear_modulus(b);
-    return conditions.penalty * G / points.size_of_cells(b) * area(step, b);
+    return conditions.penalty(step.has_inertia) * G / points.size_of_cells(b) *
+           area(step, b);
   }
 
 
@@ -132,7 +131,11 @@ namespace isochor
     Tensor<1, dim>       force;
     for (unsigned int a = 0; a < dim; ++a)
       if (!prescribed[a].empty())
-        force[a] = -k * (u[a] - target(step, b, a));
+        force[a] = -k * (u[a] - target(step, b, a) -
+                         correction.value(points.surface(b),
+                                          a,
+                                          points.reference_location(b),
+                                          step.time));
     return force;
   }
 

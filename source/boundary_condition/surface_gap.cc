@@ -16,13 +16,32 @@
 namespace isochor
 {
   template <int dim>
-  void
-  SurfaceGap<dim>::find_deformation(const StepContext<dim>       &step,
-                                    const NodalField             &unknowns,
-                                    const BoundaryPoints<dim>    &points,
-                                    const SurfaceForces<dim>     &forces,
-                                    const SurfaceConditions<dim> &conditions)
+  std::array<double, dim>
+  SurfaceGap<dim>::Motion::scale() const
   {
+    // less than this of the largest motion is what formulas leave of nothing
+    constexpr double rounding = 1e-10;
+    const double     largest =
+      std::max(*std::max_element(deformation.begin(), deformation.end()),
+               *std::max_element(way.begin(), way.end()));
+    std::array<double, dim> result;
+    for (unsigned int a = 0; a < dim; ++a)
+      result[a] = deformation[a] > rounding * largest ? deformation[a] : way[a];
+    return result;
+  }
+
+
+
+  template <int dim>
+  auto
+  SurfaceGap<dim>::motion_at_end(const StepContext<dim>       &step,
+                                 const NodalField             &unknowns,
+                                 const BoundaryPoints<dim>    &points,
+                                 const SurfaceForces<dim>     &forces,
+                                 const SurfaceConditions<dim> &conditions) const
+    -> Motion
+  {
+    Motion result = motion;
     // by component: largest ū, largest -ū, largest increment of a node
     constexpr double    lowest = std::numeric_limits<double>::lowest();
     std::vector<double> largest(3 * dim, lowest);
@@ -42,13 +61,28 @@ namespace isochor
     Utilities::MPI::max(largest, step.grid.communicator(), largest);
     for (unsigned int a = 0; a < dim; ++a)
       {
-        way[a] += largest[2 * dim + a];
+        result.way[a] += largest[2 * dim + a];
         if (largest[a] == lowest)
           continue; // prescribed nowhere
         const double range = largest[a] + largest[dim + a];
-        deformation[a] =
-          std::max(deformation[a], range > 0 ? range : std::abs(largest[a]));
+        result.deformation[a] =
+          std::max(result.deformation[a],
+                   range > 0 ? range : std::abs(largest[a]));
       }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::array<double, dim>
+  SurfaceGap<dim>::scale(const StepContext<dim>       &step,
+                         const NodalField             &unknowns,
+                         const BoundaryPoints<dim>    &points,
+                         const SurfaceForces<dim>     &forces,
+                         const SurfaceConditions<dim> &conditions) const
+  {
+    return motion_at_end(step, unknowns, points, forces, conditions).scale();
   }
 
 
@@ -62,12 +96,10 @@ namespace isochor
                          const SurfaceConditions<dim> &conditions,
                          const std::string            &penalty_parameter)
   {
-    if (step.has_inertia ||
-        std::none_of(conditions.surfaces.begin(),
-                     conditions.surfaces.end(),
-                     [](const auto &surface) { return surface.is_fixed(); }))
+    if (step.has_inertia || !conditions.prescribe_displacements())
       return;
-    find_deformation(step, unknowns, points, forces, conditions);
+    motion = motion_at_end(step, unknowns, points, forces, conditions);
+    const std::array<double, dim> moved = motion.scale();
     // by surface: its area, and by component the integral of the gap squared
     constexpr unsigned int stride = 1 + dim;
     std::vector<double>    sums(stride * conditions.surfaces.size());
@@ -83,19 +115,13 @@ namespace isochor
               A * Utilities::fixed_power<2>(u[a] - forces.target(step, b, a));
       }
     Utilities::MPI::sum(sums, step.grid.communicator(), sums);
-    // less than this of the largest motion is what formulas leave of nothing
-    constexpr double considerable = 0.03, rounding = 1e-10;
-    const double     largest =
-      std::max(*std::max_element(deformation.begin(), deformation.end()),
-               *std::max_element(way.begin(), way.end()));
+    constexpr double considerable = 0.03;
     for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
       for (unsigned int a = 0; a < dim; ++a)
         {
           const double gap =
             std::sqrt(sums[stride * s + 1 + a] / sums[stride * s]);
-          const double moved =
-            deformation[a] > rounding * largest ? deformation[a] : way[a];
-          if (!(gap > considerable * moved))
+          if (!(gap > considerable * moved[a]))
             continue;
           step.warnings.add(
             "a surface stays behind its displacement",
@@ -104,13 +130,14 @@ namespace isochor
               " m (root mean square) away from the "
               "displacement " +
               "xyz"[a] + " that is prescribed there, " +
-              rounded(100 * gap / moved) +
+              rounded(100 * gap / moved[a]) +
               " % of what deforms the body; its forces are too small by about "
               "as much. The springs of <" +
               penalty_parameter +
               "> are too soft for the body, as they are for one that is nearly "
               "incompressible and confined: set it to " +
-              rounded(10 * conditions.penalty) + ", or use smaller cells.");
+              rounded(10 * conditions.penalty(false)) +
+              ", or use smaller cells.");
         }
   }
 
@@ -123,7 +150,7 @@ namespace isochor
     std::ostringstream text;
     text.precision(std::numeric_limits<double>::max_digits10);
     for (unsigned int a = 0; a < dim; ++a)
-      text << deformation[a] << ' ' << way[a] << ' ';
+      text << motion.deformation[a] << ' ' << motion.way[a] << ' ';
     text << '\n';
     return text.str();
   }
@@ -136,7 +163,7 @@ namespace isochor
   {
     std::istringstream text(state);
     for (unsigned int a = 0; a < dim; ++a)
-      text >> deformation[a] >> way[a];
+      text >> motion.deformation[a] >> motion.way[a];
   }
 
 

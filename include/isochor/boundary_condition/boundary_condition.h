@@ -235,6 +235,16 @@ namespace isochor
       return {};
     }
 
+    /** Newton's method has converged with the right nodes in contact: whether
+     * what assemble() prescribes has to be corrected, and the solution with it,
+     * since it brings the body to another place than was meant. The same on all
+     * ranks. Collective. */
+    virtual bool
+    correct(const StepContext<dim> & /*step*/, const NodalField & /*unknowns*/)
+    {
+      return false;
+    }
+
     /** Add the dead loads at the end of the step (N) from this rank's cells,
      * entry n_components * node + component. */
     virtual void

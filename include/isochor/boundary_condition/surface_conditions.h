@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,15 +58,37 @@ namespace isochor
     bool
     support(const Tensor<1, dim> &gravity) const;
 
+    /** Whether there are prescribed components at all. */
+    bool
+    prescribe_displacements() const
+    {
+      return std::any_of(surfaces.begin(),
+                         surfaces.end(),
+                         [](const auto &surface) {
+                           return surface.is_fixed();
+                         });
+    }
+
     /** Of the parameters, for messages. */
     std::string section = "Boundary conditions";
 
     std::vector<SurfaceCondition<dim>> surfaces;
     unsigned int                       points_per_face = 3;
     std::string                        body_mesh;
-    double                             penalty = 100;
+    /** β, see SurfaceForces; none: the default. */
+    std::optional<double> given_penalty;
+
+    /** Statics correct what springs stay behind by (SurfaceCorrection), and
+     * soft ones do; in dynamics they have to be stiff enough by themselves. */
+    double
+    penalty(const bool has_inertia) const
+    {
+      return given_penalty.value_or(has_inertia ? 100. : 10.);
+    }
 
   private:
+    void
+    parse_penalty(ParameterHandler &prm);
     void
     parse_tractions(ParameterHandler &prm);
     void

@@ -7,6 +7,7 @@
 
 #include <isochor/boundary_condition/boundary_points.h>
 #include <isochor/boundary_condition/surface_conditions.h>
+#include <isochor/boundary_condition/surface_correction.h>
 #include <isochor/grid/prescribed_motion.h>
 
 namespace isochor
@@ -17,19 +18,22 @@ namespace isochor
    *  - dead loads t per reference area: f_I = Σ_b N_I A_b t;
    *  - a follower pressure p per present area: f_I = -Σ_b N_I p a_b;
    *  - prescribed displacements ū by a penalty, component by component,
-   *    f_I = -Σ_b N_I β (G/h) A_b (u_b - ū), u_b the total displacement of the
-   *    point. The force of a surface on the body is Σ_b of that.
+   *    f_I = -Σ_b N_I β (G/h) A_b (u_b - ū - c), u_b the total displacement of
+   *    the point and c a SurfaceCorrection. The force of a surface on the body
+   *    is Σ_b of that.
    * Formulas are in the reference position.
    */
   template <int dim>
   class SurfaceForces
   {
   public:
-    /** Both are kept by reference. */
+    /** All are kept by reference. */
     SurfaceForces(const SurfaceConditions<dim> &conditions,
-                  BoundaryPoints<dim>          &points)
+                  BoundaryPoints<dim>          &points,
+                  const SurfaceCorrection<dim> &correction)
       : conditions(conditions)
       , points(points)
+      , correction(correction)
     {}
 
     /** Residual and tangent of one point; room for any number of nodes. */
@@ -178,6 +182,7 @@ namespace isochor
 
     const SurfaceConditions<dim> &conditions;
     BoundaryPoints<dim>          &points;
+    const SurfaceCorrection<dim> &correction;
 
     struct Trial
     {

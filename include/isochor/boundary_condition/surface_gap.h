@@ -24,6 +24,17 @@ namespace isochor
   class SurfaceGap
   {
   public:
+    /** What gaps are measured by at the end of the step, by component (m): by
+     * how much displacements prescribed on all surfaces have differed; if they
+     * don't differ their size, and where surfaces are held in place how far the
+     * body has moved. Collective. */
+    std::array<double, dim>
+    scale(const StepContext<dim>       &step,
+          const NodalField             &unknowns,
+          const BoundaryPoints<dim>    &points,
+          const SurfaceForces<dim>     &forces,
+          const SurfaceConditions<dim> &conditions) const;
+
     /** At the end of a step that has converged, before the points advance.
      * @p penalty_parameter is the name of the parameter, for the message.
      * Collective. */
@@ -42,20 +53,31 @@ namespace isochor
     load_state(const std::string &state);
 
   private:
-    /** Let deformation follow the targets of this step. */
-    void
-    find_deformation(const StepContext<dim>       &step,
-                     const NodalField             &unknowns,
-                     const BoundaryPoints<dim>    &points,
-                     const SurfaceForces<dim>     &forces,
-                     const SurfaceConditions<dim> &conditions);
+    struct Motion
+    {
+      /** By component, the largest in the run (m): by how much the
+       * displacements prescribed on all surfaces differ; or, if they don't,
+       * their size. */
+      std::array<double, dim> deformation{};
+      /** By component: how far the nodes have gone that move most, summed over
+       * the steps (m). Where surfaces are held in place, what counts is this.
+       */
+      std::array<double, dim> way{};
 
-    /** By component, the largest in the run (m): by how much the displacements
-     * prescribed on all surfaces differ; or, if they don't, their size. */
-    std::array<double, dim> deformation{};
-    /** By component: how far the nodes have gone that move most, summed over
-     * the steps (m). Where surfaces are held in place, what counts is this. */
-    std::array<double, dim> way{};
+      std::array<double, dim>
+      scale() const;
+    };
+
+    /** motion, and what this step adds to it. */
+    Motion
+    motion_at_end(const StepContext<dim>       &step,
+                  const NodalField             &unknowns,
+                  const BoundaryPoints<dim>    &points,
+                  const SurfaceForces<dim>     &forces,
+                  const SurfaceConditions<dim> &conditions) const;
+
+    /** Up to the start of the step. */
+    Motion motion;
   };
 } // namespace isochor
 

@@ -1,0 +1,125 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_surface_correction_h
+#define isochor_surface_correction_h
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <isochor/boundary_condition/boundary_points.h>
+#include <isochor/boundary_condition/surface_conditions.h>
+
+#include <array>
+#include <functional>
+#include <iosfwd>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * What displacements prescribed on surfaces of the body are corrected by, so
+   * that springs which stretch under load bring each surface as a whole to
+   * where it is meant to be. The springs of a surface and component a pull to
+   * ū + c with an affine function of the reference place X,
+   *   c(X) = Σ_k c_k φ_k(X), φ_0 = 1, φ_k = n_k·(X - X̄)/L_k,
+   * n_k the principal axes of the surface and L_k its radii of gyration, such
+   * that Σ_b A_b φ_k (u_b - ū) = 0 for all k: mean place, rotation and stretch
+   * are exact. The force of the springs by c is the multiplier of an augmented
+   * Lagrangian (Hestenes 1969, Powell 1969; Simo & Laursen, Comput. Struct. 42
+   * (1992) 97-116) for affine functions alone. Any grid can follow these, so
+   * that nothing locks; what of the gap is not affine is left to the springs.
+   *
+   * The coefficients are found when Newton's method has converged, by Broyden's
+   * method (1965) on c ↦ gap, which begins with Uzawa's step and remembers what
+   * it has learnt over the steps of the run; a step begins with coefficients
+   * extrapolated from the last ones.
+   */
+  template <int dim>
+  class SurfaceCorrection
+  {
+  public:
+    /** u_b - ū, component @p a of point @p b (m). */
+    using Gap = std::function<double(const unsigned int b, unsigned int a)>;
+
+    /** A step of size @p step_size (s) begins, or begins again. */
+    void
+    start_step(const double step_size);
+
+    /** Newton's method has converged: correct what is prescribed where the
+     * affine part of the gap is more than a small part of @p moved, by
+     * component (m). Whether it was; the same on all ranks. Collective. */
+    bool
+    update(const BoundaryPoints<dim>     &points,
+           const SurfaceConditions<dim>  &conditions,
+           const Gap                     &gap,
+           const std::array<double, dim> &moved,
+           const MPI_Comm                 comm);
+
+    /** The step that ends at @p time is over. */
+    void
+    accept(const double time);
+
+    /** c (m) at the end of the present step or, up to the time of the last one,
+     * at its end. */
+    double
+    value(const unsigned int surface,
+          const unsigned int a,
+          const Point<dim>  &X,
+          const double       time) const;
+
+    void
+    save(std::ostream &text) const;
+    void
+    load(std::istream &text);
+
+  private:
+    static constexpr unsigned int n_modes = dim + 1;
+
+    /** φ_k, k > 0, is direction_k·(X - centre); none if that is zero. */
+    struct Modes
+    {
+      double                          area = 0;
+      Point<dim>                      centre;
+      std::array<Tensor<1, dim>, dim> direction;
+    };
+
+    void
+    find_modes(const BoundaryPoints<dim> &points,
+               const unsigned int         n_surfaces,
+               const MPI_Comm             comm);
+
+    std::array<double, n_modes>
+    shape(const unsigned int surface, const Point<dim> &X) const;
+
+    /** The affine part of the gap, by coefficients. */
+    Vector<double>
+    affine_gap(const BoundaryPoints<dim>    &points,
+               const SurfaceConditions<dim> &conditions,
+               const Gap                    &gap,
+               const MPI_Comm                comm) const;
+
+    void
+    learn(const Vector<double> &new_gap);
+
+    std::vector<Modes> modes; ///< by surface
+    /** c_k: entry (dim surface + a) n_modes + k; of the present step, the last
+     * one and the one before. */
+    Vector<double> coefficients, accepted, before;
+    /** Of the step after the last one, of that one itself (s; 0: none). */
+    double step_size = 0, accepted_size = 0;
+    double accepted_time = 0;
+
+    FullMatrix<double> inverse; ///< ∂c/∂gap, by Broyden's method
+    /** Of the present step: the last change, and the gap that it was made for.
+     */
+    Vector<double> change, last_gap;
+    double         first_norm = 0; ///< of the gap
+    unsigned int   n_updates  = 0;
+    /** Other conditions keep the surface from where it is meant to be. */
+    bool given_up = false;
+  };
+} // namespace isochor
+
+#endif
