@@ -131,11 +131,11 @@ namespace isochor
               "displacement " +
               "xyz"[a] + " that is prescribed there, " +
               rounded(100 * gap / moved[a]) +
-              " % of what deforms the body; its forces are too small by about "
-              "as much. The springs of <" +
-              penalty_parameter +
-              "> are too soft for the body, as they are for one that is nearly "
-              "incompressible and confined: set it to " +
+              " % of what deforms the body. Its mean place is corrected: "
+              "another condition holds the surface, too, which is to be left "
+              "out of one of them, or forces that differ from place to place "
+              "stretch the springs of <" +
+              penalty_parameter + ">, which are too soft then: set it to " +
               rounded(10 * conditions.penalty(false)) +
               ", or use smaller cells.");
         }

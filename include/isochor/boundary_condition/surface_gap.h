@@ -14,9 +14,9 @@ namespace isochor
 {
   /**
    * How far surfaces of the body stay behind the displacements that are
-   * prescribed there: they follow by springs. In statics a gap that is a
-   * considerable part of what deforms the body makes forces too small by as
-   * much, and is warned of. (In dynamics a body that has just been hit has
+   * prescribed there: they follow by springs, whose mean a SurfaceCorrection
+   * takes care of. In statics a gap that is a considerable part of what deforms
+   * the body is warned of. (In dynamics a body that has just been hit has
    * hardly moved, and the gap that comes with its inertia is a large part of
    * that.)
    */
