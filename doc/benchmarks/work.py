@@ -15,8 +15,10 @@ that number: start and set-up cancel. tests/skipped_work.cc shows that the resul
 stay what they are.
 """
 
+import os
 import shutil
 import statistics as stat
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -27,6 +29,7 @@ sys.path.insert(0, str(HERE))
 import harness  # noqa: E402
 import programs  # noqa: E402
 import report  # noqa: E402
+from quadratures import quadratures  # noqa: E402
 from resets import resets  # noqa: E402
 from harness import ROOT  # noqa: E402
 
@@ -302,6 +305,39 @@ def finite_elements(work):
     )
 
 
+def start(work):
+    """What a run costs before it does anything: the CPU time of `isochor --help`, which
+    is the loading of the libraries that Debian's deal.II is linked with, and that of the
+    smallest scene, one step on 2 x 2 cells."""
+    smallest = {"Grid/Subdivisions": "2, 2", "Time/End time": 0.01}
+    loading, whole = [], []
+    for _ in range(work.repeat):
+        before = os.times()
+        subprocess.run(
+            [work.arguments.executable, "--help"], check=True, capture_output=True
+        )
+        after = os.times()
+        loading.append(
+            after.children_user
+            + after.children_system
+            - before.children_user
+            - before.children_system
+        )
+        whole.append(work.once(BLOCK, smallest)[0])
+    share = stat.median(a / b for a, b in zip(loading, whole))
+    work.note("start", loading=loading, whole=whole)
+    return report.table(
+        ("`isochor --help`, CPU s", "smallest scene, CPU s", "share"),
+        [
+            (
+                f"{stat.median(loading):.2f}",
+                f"{stat.median(whole):.2f}",
+                f"{100 * share:.0f} %",
+            )
+        ],
+    )
+
+
 def overhead(work):
     """The whole run over its factorisations and solutions, wall time of the
     program's own clocks: the plate (h = 0.001 m, ν = 0.33) and Cook's membrane."""
@@ -423,7 +459,16 @@ def pairs(work):
 
 TABLES = {
     table.__name__: table
-    for table in (grid, skipped, finite_elements, overhead, pairs, resets)
+    for table in (
+        quadratures,
+        grid,
+        skipped,
+        finite_elements,
+        start,
+        overhead,
+        pairs,
+        resets,
+    )
 }
 
 
