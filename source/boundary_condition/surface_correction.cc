@@ -142,6 +142,9 @@ namespace isochor
     step_size  = size;
     n_updates  = 0;
     first_norm = 0;
+    // what failed that often would only cost time
+    constexpr unsigned int often = 3;
+    given_up                     = n_steps_in_vain >= often;
     if (modes.empty())
       return;
     coefficients = accepted;
@@ -178,6 +181,30 @@ namespace isochor
 
   template <int dim>
   bool
+  SurfaceCorrection<dim>::is_small(const Vector<double>          &affine_gap,
+                                   const std::array<double, dim> &moved) const
+  {
+    // of what the body is deformed by, and of this in other directions; and
+    // what rounding leaves of places
+    constexpr double small = 1e-4, very_small = 1e-7, rounding = 1e-15;
+    const double     largest = *std::max_element(moved.begin(), moved.end());
+    double           place   = largest;
+    for (const Modes &at : modes)
+      place = std::max(place,
+                       at.centre.distance(Point<dim>()) +
+                         std::pow(at.area, 1. / (dim - 1)));
+    const double least = very_small * largest + rounding * place;
+    for (unsigned int i = 0; i < affine_gap.size(); ++i)
+      if (std::abs(affine_gap(i)) >
+          std::max(small * moved[i / n_modes % dim], least))
+        return false;
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
   SurfaceCorrection<dim>::update(const BoundaryPoints<dim>     &points,
                                  const SurfaceConditions<dim>  &conditions,
                                  const Gap                     &gap,
@@ -195,15 +222,8 @@ namespace isochor
         inverse = FullMatrix<double>(IdentityMatrix(coefficients.size()));
       }
     const Vector<double> here = affine_gap(points, conditions, gap, comm);
-    // of what the body is deformed by, and of this in other directions
-    constexpr double small = 1e-4, very_small = 1e-7;
-    const double     largest = *std::max_element(moved.begin(), moved.end());
-    bool             met     = true;
-    for (unsigned int i = 0; i < here.size(); ++i)
-      met = met &&
-            std::abs(here(i)) <=
-              std::max(small * moved[i / n_modes % dim], very_small * largest);
-    const double norm = here.l2_norm();
+    const bool           met  = is_small(here, moved);
+    const double         norm = here.l2_norm();
     if (n_updates > 0)
       learn(here);
     else
@@ -211,7 +231,8 @@ namespace isochor
     constexpr unsigned int patience = 3, most_updates = 10;
     if (n_updates >= patience && !(norm < first_norm / 2))
       {
-        given_up     = true;
+        given_up = true;
+        ++n_steps_in_vain;
         coefficients = accepted;
         return true;
       }
@@ -244,8 +265,8 @@ namespace isochor
   void
   SurfaceCorrection<dim>::save(std::ostream &text) const
   {
-    text << modes.size() << ' ' << given_up << ' ' << accepted_size << ' '
-         << accepted_time;
+    text << modes.size() << ' ' << n_steps_in_vain << ' ' << accepted_size
+         << ' ' << accepted_time;
     for (const Modes &at : modes)
       {
         text << ' ' << at.area << ' ' << at.centre;
@@ -266,7 +287,7 @@ namespace isochor
   SurfaceCorrection<dim>::load(std::istream &text)
   {
     std::size_t n_surfaces;
-    text >> n_surfaces >> given_up >> accepted_size >> accepted_time;
+    text >> n_surfaces >> n_steps_in_vain >> accepted_size >> accepted_time;
     modes.assign(n_surfaces, {});
     for (Modes &at : modes)
       {

@@ -252,7 +252,7 @@ namespace isochor
           terminal.out() << (changed ? "    other conditions hold" :
                                        "    conditions corrected")
                          << std::endl;
-        report.continue_with(find_root(true, has_other_start));
+        report.continue_with(find_root(true, has_other_start), !changed);
       }
     // of nodes in contact only the last set counts
     if (report.converged &&

@@ -308,7 +308,7 @@ namespace isochor
         grid_to_points.project_volume(step, scene.points);
       warn_if_nothing_moves(scene, newton, unknowns);
       warn_of_rounding(scene, newton, equilibrium.zero_force());
-      scene.time.accept(newton.n_factorisations);
+      scene.time.accept(newton.n_factorisations - newton.n_after_correction);
     }
     {
       TimerOutput::Scope scope(terminal.timer(), "postprocessing");

@@ -100,6 +100,10 @@ namespace isochor
                const Gap                    &gap,
                const MPI_Comm                comm) const;
 
+    bool
+    is_small(const Vector<double>          &affine_gap,
+             const std::array<double, dim> &moved) const;
+
     void
     learn(const Vector<double> &new_gap);
 
@@ -117,8 +121,10 @@ namespace isochor
     Vector<double> change, last_gap;
     double         first_norm = 0; ///< of the gap
     unsigned int   n_updates  = 0;
-    /** Other conditions keep the surface from where it is meant to be. */
-    bool given_up = false;
+    /** In the present step other conditions keep the surface from where it is
+     * meant to be, or have done so in several steps. */
+    bool         given_up        = false;
+    unsigned int n_steps_in_vain = 0;
   };
 } // namespace isochor
 
