@@ -211,9 +211,20 @@ namespace isochor
       double                volumetric_strain; ///< θ^e
     };
 
-    /** @p hoop_increment is r_{n+1}/r_n, see NodalUnknowns::hoop_at().
+    /** Of @p increment Kinematics::set_increment() and hoop_increment are set,
+     * once for all points of an element in which they are the same.
      * @p nodal_pressure is Σ N_I p_I, ignored in the u form. @p history gets
      * the new history. */
+    PointState
+    final_state(const PointArrays<dim> &points,
+                const unsigned int      q,
+                const Kinematics<dim>  &increment,
+                const bool              mixed,
+                const double            nodal_pressure,
+                double                 *history) const;
+
+    /** The same. @p hoop_increment is r_{n+1}/r_n, see
+     * NodalUnknowns::hoop_at(). */
     PointState
     final_state(const PointArrays<dim> &points,
                 const unsigned int      q,
