@@ -295,14 +295,15 @@ namespace isochor
     const double alpha  = trial.alpha + std::sqrt(2. / 3.) * delta_gamma;
 
     // 1/β0 of Simo & Hughes
-    const double slope  = 3 * mu_bar / (3 * mu_bar + current_hardening(alpha));
-    const double ratio  = trial.norm / mu_bar;
-    const double beta_1 = 2 * mu_bar * delta_gamma / trial.norm;
-    const double beta_2 = (1 - slope) * 2. / 3. * ratio * delta_gamma;
-    const double beta_3 = slope - beta_1 + beta_2;
-    const double beta_4 = (slope - beta_1) * ratio;
+    const double slope = 3 * mu_bar / (3 * mu_bar + current_hardening(alpha));
+    const double ratio = trial.norm / mu_bar;
+    const double inverse_norm = 1 / trial.norm;
+    const double beta_1       = 2 * mu_bar * delta_gamma * inverse_norm;
+    const double beta_2       = (1 - slope) * 2. / 3. * ratio * delta_gamma;
+    const double beta_3       = slope - beta_1 + beta_2;
+    const double beta_4       = (slope - beta_1) * ratio;
 
-    const SymmetricComponents<dim> n = (1 / trial.norm) * trial.dev_stress;
+    const SymmetricComponents<dim> n = inverse_norm * trial.dev_stress;
     const SymmetricComponents<dim> m =
       2 * mu_bar * (beta_3 * n + beta_4 * n.square().deviator());
 
@@ -363,7 +364,7 @@ namespace isochor
       push_forward(kinematics.F_increment, history_n);
 
     TrialState trial;
-    trial.mu_bar     = G * b_bar.trace() / 3;
+    trial.mu_bar     = G * (1. / 3.) * b_bar.trace();
     trial.dev_stress = G * b_bar.deviator();
     trial.norm       = std::sqrt(trial.dev_stress.norm_square());
     trial.alpha      = history_n[alpha_index];

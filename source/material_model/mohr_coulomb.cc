@@ -322,7 +322,8 @@ namespace isochor
         {
           stress[i] += principal.s[rank[A]] * m[A][i];
           volumetric[i] += principal.dtheta_dstrain[rank[A]] * m[A][i];
-          pressure[i] += principal.ds_dmean[rank[A]] * m[A][i];
+          if (surface.sin_phi > 0)
+            pressure[i] += principal.ds_dmean[rank[A]] * m[A][i];
         }
     for (unsigned int i = 0; i < 6; ++i)
       response.deviatoric_stress.access_raw_entry(i) = 0;

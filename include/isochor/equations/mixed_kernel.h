@@ -113,8 +113,15 @@ namespace isochor
                          const unsigned int      end) const
     {
       CellCompliance compliance;
-      for (unsigned int q = begin; q < end; ++q)
-        add_compliance(points, q, points.measure(q), compliance);
+      for (unsigned int q = begin; q < end;)
+        {
+          // those of one material at once
+          const unsigned int first = q;
+          double             V     = 0;
+          for (; q < end && points.material[q] == points.material[first]; ++q)
+            V += points.measure(q);
+          add_compliance(points, first, V, compliance);
+        }
       return compliance;
     }
 

@@ -114,7 +114,7 @@ namespace isochor
     SymmetricComponents
     deviator() const
     {
-      return *this + (-trace() / 3);
+      return *this + (-1. / 3.) * trace();
     }
 
     /** t : t. */
@@ -159,9 +159,9 @@ namespace isochor
     SymmetricComponents
     operator+(const double mean) const
     {
-      SymmetricComponents result = *this;
-      for (unsigned int i = 0; i < 3; ++i)
-        result.entry[i] += mean;
+      SymmetricComponents result;
+      for (unsigned int i = 0; i < n; ++i)
+        result.entry[i] = i < 3 ? entry[i] + mean : entry[i];
       return result;
     }
 
