@@ -40,6 +40,18 @@ namespace isochor
     return modulus;
   }
 
+  /** The same of tensors. */
+  template <int dim>
+  inline SymmetricTensor<4, dim>
+  isochoric_modulus(const double mu_bar, const SymmetricTensor<2, 3> &dev_tau)
+  {
+    SymmetricComponents<dim> components;
+    store_symmetric<dim>(dev_tau, components.entry.data());
+    SymmetricTensor<4, dim> modulus;
+    copy_modulus<dim>(isochoric_modulus(mu_bar, components), modulus);
+    return modulus;
+  }
+
   /** Volume change is elastic, θ^e = J - 1 and ∂θ^e/∂d = J 1: the volumetric
    * half of the answer of a law with isochoric flow. */
   template <int dim>

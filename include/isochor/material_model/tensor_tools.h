@@ -250,6 +250,18 @@ namespace isochor
       result.entry[2] = b[2];
     return result;
   }
+
+  /** The same of a tensor. */
+  template <int dim>
+  inline SymmetricTensor<2, 3>
+  push_forward(const Tensor<2, dim> &f, const SymmetricTensor<2, 3> &b)
+  {
+    std::array<double, n_symmetric_components<dim>> components;
+    store_symmetric<dim>(b, components.data());
+    SymmetricTensor<2, 3> result;
+    push_forward(f, components.data()).copy_to(result);
+    return result;
+  }
 } // namespace isochor
 
 #endif
