@@ -326,8 +326,8 @@ namespace
       }
   }
 
-  /** A plane matrix whose pattern lasts is ordered once more, with fewer
-   * entries of the factors than the cheap ordering gives. */
+  /** For a plane matrix whose pattern lasts another ordering is tried once,
+   * and not kept if factors are larger with it, as those of this lattice. */
   void
   check_lasting_pattern()
   {
@@ -343,7 +343,7 @@ namespace
         n_again += last.analysed;
       }
     report("a pattern that lasts",
-           n_again == 1 && last.n_factor_entries < first.n_factor_entries,
+           n_again == 1 && last.n_factor_entries <= first.n_factor_entries,
            std::to_string(n_again) + " times, " +
              std::to_string(first.n_factor_entries) + " and " +
              std::to_string(last.n_factor_entries) + " entries");

@@ -8,7 +8,9 @@
 #include <isochor/grid/near_numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace isochor
@@ -29,6 +31,28 @@ namespace isochor
       std::vector<types::global_dof_index> numbers(mesh.n_vertices());
       SparsityTools::reorder_Cuthill_McKee(neighbours, numbers);
       return numbers;
+    }
+
+    /** By the lowest number of a vertex, the next one, and so on. */
+    template <int dim>
+    void
+    sort_by_vertices(std::vector<CellData<dim>> &cells)
+    {
+      std::vector<std::pair<std::array<unsigned int, dim + 1>, unsigned int>>
+        order(cells.size());
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        {
+          auto &[vertices, cell] = order[c];
+          std::copy_n(cells[c].vertices.begin(), dim + 1, vertices.begin());
+          std::sort(vertices.begin(), vertices.end());
+          cell = c;
+        }
+      std::sort(order.begin(), order.end());
+      std::vector<CellData<dim>> sorted;
+      sorted.reserve(cells.size());
+      for (const auto &entry : order)
+        sorted.push_back(cells[entry.second]);
+      cells.swap(sorted);
     }
   } // namespace
 
@@ -62,13 +86,7 @@ namespace isochor
               boundary.back().boundary_id = face->boundary_id();
             }
       }
-    const auto sorted = [](std::vector<unsigned int> v) {
-      std::sort(v.begin(), v.end());
-      return v;
-    };
-    std::sort(cells.begin(), cells.end(), [&](const auto &a, const auto &b) {
-      return sorted(a.vertices) < sorted(b.vertices);
-    });
+    sort_by_vertices(cells);
 
     SubCellData faces;
     if constexpr (dim == 2)

@@ -49,8 +49,8 @@ namespace isochor
    * are those of its users' guide.
    *
    * The matrix goes to MUMPS as it is: its values are not copied, the analysis
-   * is kept while SparseSystem::pattern_id stays, but for one change of the
-   * ordering (another_ordering_pays()).
+   * is kept while SparseSystem::pattern_id stays, but for
+   * try_nested_dissection().
    */
   class MUMPS : public LinearSolver
   {
@@ -66,9 +66,8 @@ namespace isochor
         "Fill-reducing ordering of the equations. <automatic> is METIS' "
         "nested dissection in 3D, where the factors decide; in 2D it is AMF, "
         "the approximate minimum fill, whose analysis takes a fifth of the "
-        "time, and METIS once ten factorisations of one pattern have shown "
-        "that its smaller factors pay. SCOTCH is there if MUMPS was built "
-        "with it.");
+        "time, and after ten factorisations of one pattern METIS, if its "
+        "factors are smaller. SCOTCH is there if MUMPS was built with it.");
       prm.declare_entry(
         "Pivot threshold",
         "0.01",
@@ -110,11 +109,11 @@ namespace isochor
           n_of_pattern  = 0;
           largest_scale = 0;
         }
-      if (is_new || another_ordering_pays(A))
-        {
-          analyse(A);
-          report.analysed = true;
-        }
+      report.analysed = is_new || has_come_to_stay(A);
+      if (is_new)
+        analyse(A);
+      else if (report.analysed)
+        try_nested_dissection(A);
       ++n_of_pattern;
       set_values(A);
       set_scale(A);
@@ -125,10 +124,8 @@ namespace isochor
       const auto &id = mumps->id;
       if (symmetric)
         report.n_negative_pivots = entry(id.infog, 12);
-      report.knows_pivots = symmetric;
-      // negative: in millions
-      const double n_entries  = entry(id.infog, 29);
-      report.n_factor_entries = n_entries < 0 ? -1e6 * n_entries : n_entries;
+      report.knows_pivots     = symmetric;
+      report.n_factor_entries = count(id.infog, 29);
       report.memory_in_bytes  = 1e6 * entry(id.info, 22);
       return report;
     }
@@ -167,14 +164,25 @@ namespace isochor
     }
 
   private:
-    /** Whether the pattern has come to stay, so that METIS, which takes longer,
-     * is worth its smaller factors: in 2D by 5 to 15 %. */
+    /** Whether it pays to look for a better ordering of this pattern. */
     bool
-    another_ordering_pays(const SparseSystem &A) const
+    has_come_to_stay(const SparseSystem &A) const
     {
       constexpr types::global_dof_index large = 5000; // equations
       return n_of_pattern == lasting && ordering == "automatic" && A.dim == 2 &&
              A.n_equations >= large;
+    }
+
+    /** In 2D nested dissection takes longer. On irregular grids its factors are
+     * smaller by 5 to 15 %, on lattices larger. */
+    void
+    try_nested_dissection(const SparseSystem &A)
+    {
+      std::unique_ptr<MumpsInstance> cheap = std::move(mumps);
+      analyse(A);
+      constexpr int foreseen = 20; // entries of the factors
+      if (count(mumps->id.infog, foreseen) > count(cheap->id.infog, foreseen))
+        mumps = std::move(cheap);
     }
 
     /** The symbolic phase: order the equations and plan the factorisation. */
