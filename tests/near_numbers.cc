@@ -129,7 +129,7 @@ test_numbers(const unsigned int n)
   const auto [within, between] = distances(numbered);
   const auto [before, then]    = distances(shuffled);
   test::check(name + "numbers in a cell are near",
-              within < 2 * front && before > 2 * front,
+              within < front && within < before / 3,
               std::to_string(within) + ", before " + std::to_string(before));
   test::check(name + "and so are those of successive cells",
               between <= 1 && then > 1,
