@@ -5,6 +5,7 @@
 #include <isochor/base/plugin_registry.h>
 #include <isochor/grid/adaptive_grid.h>
 #include <isochor/grid/grid_source.h>
+#include <isochor/grid/near_numbers.h>
 
 namespace isochor
 {
@@ -28,7 +29,10 @@ namespace isochor
     MeshGroups
     make_mesh(Triangulation<dim> &tria) const override
     {
-      return read_mesh<dim>(file, "Grid/File", tria);
+      Triangulation<dim> mesh;
+      const MeshGroups   groups = read_mesh<dim>(file, "Grid/File", mesh);
+      copy_with_near_numbers(mesh, tria);
+      return groups;
     }
 
     bool

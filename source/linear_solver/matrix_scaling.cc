@@ -6,9 +6,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 
 namespace isochor
 {
+  namespace
+  {
+    /** 2^(-e/2), e the exponent of @p value > 0, halves rounded towards 0:
+     * std::ldexp(1., -std::ilogb(value) / 2), whose calls took longer than all
+     * the rest. */
+    double
+    inverse_root_by_power_of_two(const double value)
+    {
+      static_assert(std::numeric_limits<double>::is_iec559);
+      constexpr int n_fraction = 52, bias = 1023; // bits of IEEE 754
+      std::int64_t  bits;
+      std::memcpy(&bits, &value, sizeof(bits));
+      const int exponent = static_cast<int>(bits >> n_fraction) - bias;
+      bits = static_cast<std::int64_t>(bias - exponent / 2) << n_fraction;
+      double result;
+      std::memcpy(&result, &bits, sizeof(result));
+      return result;
+    }
+  } // namespace
+
+
+
   std::vector<double>
   matrix_scaling(const SparseSystem &A)
   {
@@ -45,8 +70,8 @@ namespace isochor
 
     std::vector<double> scale(n, 1.);
     for (unsigned int i = 0; i < n; ++i)
-      if (pivot[i] > 0 && std::isfinite(pivot[i]))
-        scale[i] = std::ldexp(1., -std::ilogb(pivot[i]) / 2);
+      if (std::isnormal(pivot[i]))
+        scale[i] = inverse_root_by_power_of_two(pivot[i]);
     return scale;
   }
 } // namespace isochor

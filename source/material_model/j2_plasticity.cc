@@ -98,10 +98,10 @@ namespace isochor
     /** What the return map starts from. */
     struct TrialState
     {
-      double                mu_bar;     ///< G tr(b̄^e_trial) / 3
-      double                norm;       ///< |dev τ_trial|
-      SymmetricTensor<2, 3> dev_stress; ///< dev τ_trial
-      double                alpha;      ///< α_n
+      double                   mu_bar;     ///< G tr(b̄^e_trial) / 3
+      double                   norm;       ///< |dev τ_trial|
+      SymmetricComponents<dim> dev_stress; ///< dev τ_trial
+      double                   alpha;      ///< α_n
     };
 
     /** σ_y(α), in Pa. */
@@ -116,7 +116,7 @@ namespace isochor
     double
     solve_consistency_condition(const TrialState &trial) const;
 
-    SymmetricTensor<4, dim>
+    ModulusComponents<dim>
     plastic_modulus(const TrialState &trial, const double delta_gamma) const;
   };
 
@@ -223,7 +223,7 @@ namespace isochor
 
 
   template <int dim>
-  double
+  inline double
   J2Plasticity<dim>::current_yield_stress(const double alpha) const
   {
     double stress = yield_stress + hardening_modulus * alpha;
@@ -236,7 +236,7 @@ namespace isochor
 
 
   template <int dim>
-  double
+  inline double
   J2Plasticity<dim>::current_hardening(const double alpha) const
   {
     double hardening = hardening_modulus;
@@ -249,7 +249,7 @@ namespace isochor
 
 
   template <int dim>
-  double
+  inline double
   J2Plasticity<dim>::solve_consistency_condition(const TrialState &trial) const
   {
     // f(Δγ) falls and is convex, so that Newton's method from Δγ = 0
@@ -285,33 +285,38 @@ namespace isochor
    * symmetric, its size relative to 2 μ̄ is that of elastic strain.
    */
   template <int dim>
-  SymmetricTensor<4, dim>
+  inline ModulusComponents<dim>
   J2Plasticity<dim>::plastic_modulus(const TrialState &trial,
                                      const double      delta_gamma) const
   {
+    constexpr unsigned int n_components =
+      SymmetricTensor<2, dim>::n_independent_components;
     const double mu_bar = trial.mu_bar;
     const double alpha  = trial.alpha + std::sqrt(2. / 3.) * delta_gamma;
 
-    const double beta_0 = 1 + current_hardening(alpha) / (3 * mu_bar);
-    const double beta_1 = 2 * mu_bar * delta_gamma / trial.norm;
-    const double beta_2 =
-      (1 - 1 / beta_0) * 2. / 3. * trial.norm / mu_bar * delta_gamma;
-    const double beta_3 = 1 / beta_0 - beta_1 + beta_2;
-    const double beta_4 = (1 / beta_0 - beta_1) * trial.norm / mu_bar;
+    // 1/β0 of Simo & Hughes
+    const double slope = 3 * mu_bar / (3 * mu_bar + current_hardening(alpha));
+    const double ratio = trial.norm / mu_bar;
+    const double inverse_norm = 1 / trial.norm;
+    const double beta_1       = 2 * mu_bar * delta_gamma * inverse_norm;
+    const double beta_2       = (1 - slope) * 2. / 3. * ratio * delta_gamma;
+    const double beta_3       = slope - beta_1 + beta_2;
+    const double beta_4       = (slope - beta_1) * ratio;
 
-    const SymmetricTensor<2, 3>   n     = trial.dev_stress / trial.norm;
-    const SymmetricTensor<2, dim> n_dim = in_plane<dim>(n);
-    const SymmetricTensor<2, dim> m_dim =
-      2 * mu_bar * in_plane<dim>(beta_3 * n + beta_4 * deviator(square(n)));
+    const SymmetricComponents<dim> n = inverse_norm * trial.dev_stress;
+    const SymmetricComponents<dim> m =
+      2 * mu_bar * (beta_3 * n + beta_4 * n.square().deviator());
 
-    SymmetricTensor<4, dim> modulus =
-      isochoric_modulus<dim>((1 - beta_1) * mu_bar,
-                             (1 - beta_1) * trial.dev_stress);
-    if (symmetrize_tangent)
-      modulus -=
-        0.5 * (outer_product(n_dim, m_dim) + outer_product(m_dim, n_dim));
-    else
-      modulus -= outer_product(n_dim, m_dim);
+    ModulusComponents<dim> modulus =
+      isochoric_modulus((1 - beta_1) * mu_bar, (1 - beta_1) * trial.dev_stress);
+    for (unsigned int i = 0; i < n_components; ++i)
+      for (unsigned int j = 0; j < n_components; ++j)
+        {
+          const double n_m = n.in_plane(i) * m.in_plane(j),
+                       m_n = m.in_plane(i) * n.in_plane(j);
+          modulus[i * n_components + j] -=
+            symmetrize_tangent ? 0.5 * (n_m + m_n) : n_m;
+        }
     return modulus;
   }
 
@@ -323,11 +328,12 @@ namespace isochor
    * above @p upper_bound, the value before a radial reduction of q, from where
    * Newton's method falls onto it monotonically.
    */
+  template <int dim>
   static double
-  unimodular_mean(const SymmetricTensor<2, 3> &q, const double upper_bound)
+  unimodular_mean(const SymmetricComponents<dim> &q, const double upper_bound)
   {
-    const double half_q_q = 0.5 * (q * q);
-    const double constant = determinant(q) - 1;
+    const double half_q_q = 0.5 * q.norm_square();
+    const double constant = q.determinant() - 1;
     double       mean     = upper_bound;
     for (unsigned int iteration = 0; iteration < 50; ++iteration)
       {
@@ -353,14 +359,14 @@ namespace isochor
     constexpr unsigned int alpha_index = n_symmetric_components<dim>;
     const double           G           = elasticity.shear_modulus;
 
-    const SymmetricTensor<2, 3> b_bar =
+    const SymmetricComponents<dim> b_bar =
       kinematics.isochoric_scale *
-      push_forward(kinematics.F_increment, load_symmetric<dim>(history_n));
+      push_forward(kinematics.F_increment, history_n);
 
     TrialState trial;
-    trial.mu_bar     = G * trace(b_bar) / 3;
-    trial.dev_stress = G * deviator(b_bar);
-    trial.norm       = trial.dev_stress.norm();
+    trial.mu_bar     = G * (1. / 3.) * b_bar.trace();
+    trial.dev_stress = G * b_bar.deviator();
+    trial.norm       = std::sqrt(trial.dev_stress.norm_square());
     trial.alpha      = history_n[alpha_index];
 
     set_elastic_volume_change(kinematics.J, response);
@@ -370,13 +376,13 @@ namespace isochor
     // The margin keeps a point that rests on the surface elastic.
     if (trial.norm <= radius * (1 + 1e-12))
       {
-        response.deviatoric_stress = trial.dev_stress;
+        trial.dev_stress.copy_to(response.deviatoric_stress);
         if (kinematics.with_tangent)
-          response.tangent =
-            isochoric_modulus<dim>(trial.mu_bar, trial.dev_stress);
+          copy_modulus<dim>(isochoric_modulus(trial.mu_bar, trial.dev_stress),
+                            response.tangent);
         if (kinematics.with_history)
           {
-            store_symmetric<dim>(b_bar, history);
+            b_bar.store(history);
             history[alpha_index] = trial.alpha;
           }
       }
@@ -384,21 +390,21 @@ namespace isochor
       {
         delta_gamma        = solve_consistency_condition(trial);
         const double alpha = trial.alpha + std::sqrt(2. / 3.) * delta_gamma;
-        response.deviatoric_stress =
+        const SymmetricComponents<dim> dev_stress =
           (std::sqrt(2. / 3.) * current_yield_stress(alpha) / trial.norm) *
           trial.dev_stress;
+        dev_stress.copy_to(response.deviatoric_stress);
         if (kinematics.with_tangent)
-          response.tangent = plastic_modulus(trial, delta_gamma);
+          copy_modulus<dim>(plastic_modulus(trial, delta_gamma),
+                            response.tangent);
 
         if (kinematics.with_history)
           {
             // Simo keeps tr b̄^e over the return, and det b̄^e drifts from 1. The
             // stress of this step doesn't depend on it; that of the next one
             // does.
-            const SymmetricTensor<2, 3> q = response.deviatoric_stress / G;
-            store_symmetric<dim>(q + unimodular_mean(q, trace(b_bar) / 3) *
-                                       unit_symmetric_tensor<3>(),
-                                 history);
+            const SymmetricComponents<dim> q = (1 / G) * dev_stress;
+            (q + unimodular_mean(q, b_bar.trace() / 3)).store(history);
             history[alpha_index] = alpha;
           }
       }

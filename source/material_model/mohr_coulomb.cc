@@ -26,7 +26,7 @@ namespace isochor
     map_eigenvalues(const Function &function, double *components)
     {
       const auto spectrum =
-        spectral_decomposition<dim>(load_symmetric<dim>(components));
+        spectral_decomposition(SymmetricComponents<dim>::load(components));
       std::array<double, 3> values;
       for (unsigned int A = 0; A < 3; ++A)
         values[A] = function(spectrum.values[A]);
@@ -83,7 +83,7 @@ namespace isochor
                       const double *history) const override
     {
       const auto spectrum =
-        spectral_decomposition<dim>(load_symmetric<dim>(history));
+        spectral_decomposition(SymmetricComponents<dim>::load(history));
       double sum = 0, square = 0; // of ε^e = 1/2 ln b^e
       for (const double value : spectrum.values)
         {
@@ -322,7 +322,8 @@ namespace isochor
         {
           stress[i] += principal.s[rank[A]] * m[A][i];
           volumetric[i] += principal.dtheta_dstrain[rank[A]] * m[A][i];
-          pressure[i] += principal.ds_dmean[rank[A]] * m[A][i];
+          if (surface.sin_phi > 0)
+            pressure[i] += principal.ds_dmean[rank[A]] * m[A][i];
         }
     for (unsigned int i = 0; i < 6; ++i)
       response.deviatoric_stress.access_raw_entry(i) = 0;
@@ -418,9 +419,9 @@ namespace isochor
     if (depends_on_pressure() && !at_pressure && surface.bulk_modulus == 0)
       return StressStatus::return_map_failed;
 
-    const SymmetricTensor<2, 3> b_trial =
-      push_forward(kinematics.F_increment, load_symmetric<dim>(history_n));
-    const auto spectrum = spectral_decomposition<dim>(b_trial);
+    const SymmetricComponents<dim> b_trial =
+      push_forward(kinematics.F_increment, history_n);
+    const auto spectrum = spectral_decomposition(b_trial);
 
     MohrCoulombReturn::Vector strain;
     for (unsigned int A = 0; A < 3; ++A)
@@ -462,7 +463,7 @@ namespace isochor
         if (principal.plastic)
           update_history(spectrum, order, trial, principal, history);
         else
-          store_symmetric<dim>(b_trial, history);
+          b_trial.store(history);
       }
     // what isn't finite in F, in p or in the history shows in one of these
     return std::isfinite(principal.s[0] + principal.theta + mean_strain +

@@ -76,9 +76,7 @@ namespace isochor
     {
       const double J = determinant(F);
       return elasticity.shear_modulus / 2 *
-             (trace(push_forward(F, unit_symmetric_tensor<3>())) /
-                std::cbrt(J * J) -
-              3);
+             (left_cauchy_green(F).trace() / std::cbrt(J * J) - 3);
     }
 
     double
@@ -102,6 +100,14 @@ namespace isochor
   private:
     IsotropicElasticity elasticity;
     bool                keeps_factor = false;
+
+    /** F F^T. */
+    static SymmetricComponents<dim>
+    left_cauchy_green(const Tensor<2, dim> &F)
+    {
+      constexpr std::array<double, 6> one = {{1., 1., 1., 0., 0., 0.}};
+      return push_forward(F, one.data());
+    }
   };
 
 
@@ -113,27 +119,27 @@ namespace isochor
                             double                *history,
                             StressResponse<dim>   &response) const
   {
-    const double          G = elasticity.shear_modulus;
-    const double          J = kinematics.J;
-    SymmetricTensor<2, 3> G_b_bar =
-      (G / std::cbrt(J * J)) *
-      push_forward(kinematics.F, unit_symmetric_tensor<3>());
+    const double             G = elasticity.shear_modulus;
+    const double             J = kinematics.J;
+    SymmetricComponents<dim> G_b_bar =
+      (G / std::cbrt(J * J)) * left_cauchy_green(kinematics.F);
     if (keeps_factor)
       {
         const double a = history[0] = history_n[0];
-        const double out_of_plane   = G_b_bar[2][2];
-        G_b_bar /= std::cbrt(a);
-        G_b_bar[2][2] = out_of_plane * std::cbrt(a * a);
+        const double out_of_plane   = G_b_bar.entry[2];
+        G_b_bar                     = (1 / std::cbrt(a)) * G_b_bar;
+        G_b_bar.entry[2]            = out_of_plane * std::cbrt(a * a);
       }
 
-    response.deviatoric_stress = deviator(G_b_bar);
+    const SymmetricComponents<dim> dev_stress = G_b_bar.deviator();
+    dev_stress.copy_to(response.deviatoric_stress);
     if (kinematics.with_tangent)
-      response.tangent =
-        isochoric_modulus<dim>(trace(G_b_bar) / 3, response.deviatoric_stress);
+      copy_modulus<dim>(isochoric_modulus(G_b_bar.trace() / 3, dev_stress),
+                        response.tangent);
     set_elastic_volume_change(J, response);
     // squares of all entries of F stand in the trace
-    return std::isfinite(trace(G_b_bar) + J) ? StressStatus::success :
-                                               StressStatus::return_map_failed;
+    return std::isfinite(G_b_bar.trace() + J) ? StressStatus::success :
+                                                StressStatus::return_map_failed;
   }
 
   ISOCHOR_REGISTER_FOR_DIMENSION(MaterialModel, NeoHookean, "Neo-Hookean")

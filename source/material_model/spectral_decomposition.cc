@@ -27,7 +27,7 @@ namespace isochor
 
   template <>
   SpectralDecomposition<3>
-  spectral_decomposition<3>(const SymmetricTensor<2, 3> &t)
+  spectral_decomposition<3>(const SymmetricComponents<3> &t)
   {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -36,7 +36,7 @@ namespace isochor
     for (unsigned int i = 0; i < 3; ++i)
       {
         for (unsigned int j = 0; j < 3; ++j)
-          a[i][j] = t[i][j];
+          a[i][j] = t.entry[t.place(i, j)];
         vectors[i][i] = 1;
       }
 

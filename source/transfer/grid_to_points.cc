@@ -85,7 +85,7 @@ namespace isochor
     const PointArrays<dim>         &arrays = step.points;
     const NodalUnknowns<dim>        nodal(step, unknowns);
     std::array<double, max_history> history;
-    Tensor<2, dim>                  F_increment;
+    Kinematics<dim>                 increment;
     SymmetricTensor<2, dim>         strain_increment;
     unsigned int                    last_cell = numbers::invalid_unsigned_int;
     if (projects_volume)
@@ -101,19 +101,18 @@ namespace isochor
       const auto stencil = arrays.stencil(step.grid.geometry(), k, q);
       if (k != last_cell || arrays.has_stencils())
         {
-          F_increment = nodal.deformation_at(stencil);
+          increment.set_increment(nodal.deformation_at(stencil));
           if (measures_energy)
-            strain_increment =
-              symmetrize(unit_symmetric_tensor<dim>() - invert(F_increment));
+            strain_increment = symmetrize(unit_symmetric_tensor<dim>() -
+                                          invert(increment.F_increment));
           last_cell = k;
         }
 
-      const Tensor<1, dim> displacement   = nodal.increment_at(stencil);
-      const double         hoop_increment = nodal.hoop_at(stencil, arrays, q);
-      const auto           state          = step.kernel.final_state(arrays,
+      const Tensor<1, dim> displacement = nodal.increment_at(stencil);
+      increment.hoop_increment          = nodal.hoop_at(stencil, arrays, q);
+      const auto state                  = step.kernel.final_state(arrays,
                                                  q,
-                                                 F_increment,
-                                                 hoop_increment,
+                                                 increment,
                                                  step.mixed(),
                                                  nodal.pressure_at(stencil),
                                                  history.data());
@@ -137,7 +136,8 @@ namespace isochor
           for (unsigned int a = 0; a < dim; ++a)
             for (unsigned int b = 0; b < dim; ++b)
               work += state.cauchy_stress[a][b] * strain_increment[a][b];
-          work += state.cauchy_stress[2][2] * (1 - 1 / hoop_increment);
+          work +=
+            state.cauchy_stress[2][2] * (1 - 1 / increment.hoop_increment);
           step_energy += std::abs(work) * state.J * properties[l.volume] *
                          arrays.thickness(q);
         }

@@ -113,8 +113,15 @@ namespace isochor
                          const unsigned int      end) const
     {
       CellCompliance compliance;
-      for (unsigned int q = begin; q < end; ++q)
-        add_compliance(points, q, points.measure(q), compliance);
+      for (unsigned int q = begin; q < end;)
+        {
+          // those of one material at once
+          const unsigned int first = q;
+          double             V     = 0;
+          for (; q < end && points.material[q] == points.material[first]; ++q)
+            V += points.measure(q);
+          add_compliance(points, first, V, compliance);
+        }
       return compliance;
     }
 
@@ -211,9 +218,20 @@ namespace isochor
       double                volumetric_strain; ///< θ^e
     };
 
-    /** @p hoop_increment is r_{n+1}/r_n, see NodalUnknowns::hoop_at().
+    /** Of @p increment Kinematics::set_increment() and hoop_increment are set,
+     * once for all points of an element in which they are the same.
      * @p nodal_pressure is Σ N_I p_I, ignored in the u form. @p history gets
      * the new history. */
+    PointState
+    final_state(const PointArrays<dim> &points,
+                const unsigned int      q,
+                const Kinematics<dim>  &increment,
+                const bool              mixed,
+                const double            nodal_pressure,
+                double                 *history) const;
+
+    /** The same. @p hoop_increment is r_{n+1}/r_n, see
+     * NodalUnknowns::hoop_at(). */
     PointState
     final_state(const PointArrays<dim> &points,
                 const unsigned int      q,

@@ -5,133 +5,33 @@
 #ifndef isochor_mixed_kernel_templates_h
 #define isochor_mixed_kernel_templates_h
 
+#include <isochor/equations/element_sums.h>
 #include <isochor/equations/mixed_kernel.h>
 #include <isochor/equations/nodal_unknowns.h>
+
+#include <algorithm>
 
 namespace isochor
 {
   namespace internal
   {
-    /** s = J θ'(J) of a volumetric measure, and J ds/dJ. */
-    struct PressureFactor
-    {
-      double s, Js_prime;
-
-      PressureFactor(const VolumetricMeasure measure, const double J)
-        : s(measure == VolumetricMeasure::jacobian ? J : 1.)
-        , Js_prime(measure == VolumetricMeasure::jacobian ? J : 0.)
-      {}
-    };
-
-    /** Sums over the points of an element: since P1 gradients are constant in
-     * an element, stress and modulus are summed before they meet gradients. */
-    template <int dim, std::size_t max_nodes>
-    struct ElementSums
-    {
-      /** In plane. The parts of p and of dev τ are apart until complete(). */
-      SymmetricTensor<2, dim>       stress;  ///< Σ V τ
-      SymmetricTensor<4, dim>       modulus; ///< Σ V of that of τ
-      double                        spherical        = 0; ///< Σ V p s
-      double                        spherical_change = 0; ///< Σ V p J ds/dJ
-      std::array<double, max_nodes> constraint{};         ///< R_p
-      std::array<double, max_nodes> s{};                  ///< Σ V N_I s
-      std::array<SymmetricTensor<2, dim>, max_nodes> volumetric_tangent;
-      /** Σ V N_I N_J (1/K - ∂θ^e/∂p). */
-      std::array<double, max_nodes * max_nodes> compressibility{};
-
-      /** Σ V N_I ∂(dev τ)/∂p, of laws that depend on p. */
-      bool                                           pressure_dependent = false;
-      std::array<SymmetricTensor<2, dim>, max_nodes> pressure_tangent;
-
-      /** A point's stress. */
-      void
-      add_stress(const StressResponse<dim> &response,
-                 const double               V,
-                 const double               p,
-                 const PressureFactor      &factor,
-                 const bool                 with_matrix)
-      {
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = i; j < dim; ++j)
-            stress[i][j] += V * response.deviatoric_stress[i][j];
-        spherical += V * p * factor.s;
-        if (!with_matrix)
-          return;
-        modulus += V * response.tangent;
-        spherical_change += V * p * factor.Js_prime;
-      }
-
-      /** In the u form p = K θ^e changes with the displacement. */
-      void
-      add_bulk_stiffness(const StressResponse<dim> &response,
-                         const double               V_K_s)
-      {
-        modulus += outer_product(V_K_s * unit_symmetric_tensor<dim>(),
-                                 response.volumetric_tangent);
-      }
-
-      /** A point's share of the pressure equation. @p N: its shape values. */
-      template <typename Shape>
-      void
-      add_constraint(const StressResponse<dim> &response,
-                     const double               V,
-                     const double               p,
-                     const double               inverse_K,
-                     const PressureFactor      &factor,
-                     const bool                 depends_on_pressure,
-                     const unsigned int         n_nodes,
-                     const Shape               &N,
-                     const bool                 with_matrix)
-      {
-        for (unsigned int I = 0; I < n_nodes; ++I)
-          {
-            const double VN = V * N(I);
-            constraint[I] += VN * (response.volumetric_strain - p * inverse_K);
-            if (!with_matrix)
-              continue;
-            s[I] += VN * factor.s;
-            volumetric_tangent[I] += VN * response.volumetric_tangent;
-            for (unsigned int J = 0; J < n_nodes; ++J)
-              compressibility[I * n_nodes + J] += VN * N(J) * inverse_K;
-            if (!depends_on_pressure)
-              continue;
-            pressure_dependent = true;
-            pressure_tangent[I] += VN * response.deviatoric_pressure_tangent;
-            for (unsigned int J = 0; J < n_nodes; ++J)
-              compressibility[I * n_nodes + J] -=
-                VN * N(J) * response.volumetric_pressure_tangent;
-          }
-      }
-
-      /** Add p's parts to stress and modulus. */
-      void
-      complete(const bool with_matrix)
-      {
-        const SymmetricTensor<2, dim> one = unit_symmetric_tensor<dim>();
-        stress += spherical * one;
-        if (!with_matrix)
-          return;
-        modulus += spherical_change * outer_product(one, one);
-        modulus -= (2 * spherical) * identity_tensor<dim>();
-      }
-    };
-
     /** Matrix block of displacements: material part sym(e_a ⊗ g_I) : c :
      * sym(e_b ⊗ g_J) and geometric part δ_ab g_I · τ g_J. */
     template <int dim, int n_components, std::size_t max_nodes>
     void
     add_stiffness(Element<dim, n_components, max_nodes>       &element,
                   const std::array<Tensor<1, dim>, max_nodes> &g,
-                  const SymmetricTensor<2, dim>               &stress,
-                  const SymmetricTensor<4, dim>               &modulus)
+                  const ElementSums<dim, max_nodes>           &sums)
     {
       const unsigned int n = element.nodes(), n_dofs = element.n_dofs();
-      double             c[dim][dim][dim][dim];
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          for (unsigned int k = 0; k < dim; ++k)
-            for (unsigned int l = 0; l < dim; ++l)
-              c[i][j][k][l] = modulus[i][j][k][l];
+      // c_aibl
+      const auto c = [&](const unsigned int a,
+                         const unsigned int i,
+                         const unsigned int b,
+                         const unsigned int l) {
+        return sums.modulus[component_in_plane<dim>(a, i) * sums.n +
+                            component_in_plane<dim>(b, l)];
+      };
       for (unsigned int J = 0; J < n; ++J)
         {
           double cg[dim][dim][dim]; // c_aibl g_J,l
@@ -141,10 +41,10 @@ namespace isochor
                 {
                   double sum = 0;
                   for (unsigned int l = 0; l < dim; ++l)
-                    sum += c[a][i][b][l] * g[J][l];
+                    sum += c(a, i, b, l) * g[J][l];
                   cg[a][i][b] = sum;
                 }
-          const Tensor<1, dim> stress_g = stress * g[J];
+          const Tensor<1, dim> stress_g = times(sums.stress, g[J]);
           for (unsigned int I = 0; I < n; ++I)
             {
               const double geometric = g[I] * stress_g;
@@ -174,10 +74,11 @@ namespace isochor
       for (unsigned int I = 0; I < n; ++I)
         for (unsigned int J = 0; J < n; ++J)
           {
-            const Tensor<1, dim> theta_g = sums.volumetric_tangent[J] * g[I];
-            Tensor<1, dim>       force   = sums.s[J] * g[I];
+            const Tensor<1, dim> theta_g =
+              times(sums.volumetric_tangent[J], g[I]);
+            Tensor<1, dim> force = sums.s[J] * g[I];
             if (sums.pressure_dependent)
-              force += sums.pressure_tangent[J] * g[I];
+              force += times(sums.pressure_tangent[J], g[I]);
             for (unsigned int a = 0; a < dim; ++a)
               {
                 element.matrix[(I * nc + a) * n_dofs + J * nc + dim] = force[a];
@@ -185,7 +86,7 @@ namespace isochor
                   theta_g[a];
               }
             element.matrix[(I * nc + dim) * n_dofs + J * nc + dim] =
-              -sums.compressibility[I * n + J];
+              -sums.compressibility[std::min(I, J) * n + std::max(I, J)];
           }
     }
   } // namespace internal
@@ -226,34 +127,32 @@ namespace isochor
     StressResponse<dim>                   response;
     std::array<double, max_history>       history;
 
+    internal::LawOfPoints<dim> law(materials);
     for (unsigned int q = begin; q < end; ++q)
       {
-        const MaterialModel<dim> &material = *materials[points.material[q]];
-        kinematics.F                       = F_increment * points.F[q];
-        kinematics.J                       = determinant(kinematics.F);
+        law.set(points.material[q]);
+        kinematics.F = F_increment * points.F[q];
+        kinematics.J = determinant(kinematics.F);
         if (!(kinematics.J > 0))
           return EvaluationStatus::inverted_point;
-        double p                  = 0;
-        bool   pressure_dependent = false;
+        double p = 0;
         if (mixed)
           {
             for (unsigned int I = 0; I < n; ++I)
               p += shape(q, I) * element.pressure[I];
-            pressure_dependent = material.depends_on_pressure();
             kinematics.pressure =
-              pressure_dependent ? std::optional<double>(p) : std::nullopt;
+              law.depends_on_pressure ? std::optional<double>(p) : std::nullopt;
           }
-        if (material.evaluate(kinematics,
-                              points.history.data() +
-                                q * std::size_t(points.n_history),
-                              history.data(),
-                              response) != StressStatus::success)
+        if (law.material->evaluate(kinematics,
+                                   points.history.data() +
+                                     q * std::size_t(points.n_history),
+                                   history.data(),
+                                   response) != StressStatus::success)
           return EvaluationStatus::return_map_failed;
 
-        const double V         = points.weight[q];
-        const double inverse_K = material.inverse_bulk_modulus();
-        const internal::PressureFactor factor(material.volumetric_measure(),
-                                              kinematics.J);
+        const double                   V         = points.weight[q];
+        const double                   inverse_K = law.inverse_K;
+        const internal::PressureFactor factor(law.measure, kinematics.J);
         if (!mixed)
           p = response.volumetric_strain / inverse_K;
         sums.add_stress(response, V, p, factor, with_matrix);
@@ -266,7 +165,7 @@ namespace isochor
             p,
             inverse_K,
             factor,
-            pressure_dependent,
+            law.depends_on_pressure,
             n,
             [&](const unsigned int I) { return shape(q, I); },
             with_matrix);
@@ -275,7 +174,7 @@ namespace isochor
 
     for (unsigned int I = 0; I < n; ++I)
       {
-        const Tensor<1, dim> force = sums.stress * g[I];
+        const Tensor<1, dim> force = internal::times(sums.stress, g[I]);
         for (unsigned int a = 0; a < dim; ++a)
           element.residual[I * n_components + a] = force[a];
         if (mixed)
@@ -284,7 +183,7 @@ namespace isochor
       }
     if (with_matrix)
       {
-        internal::add_stiffness(element, g, sums.stress, sums.modulus);
+        internal::add_stiffness(element, g, sums);
         if constexpr (mixed)
           internal::add_coupling(element, g, sums);
       }
@@ -370,17 +269,33 @@ namespace isochor
                                 const double            nodal_pressure,
                                 double                 *history) const
   {
+    Kinematics<dim> increment;
+    increment.set_increment(F_increment);
+    increment.hoop_increment = hoop_increment;
+    return final_state(points, q, increment, mixed, nodal_pressure, history);
+  }
+
+
+
+  template <int dim>
+  typename MixedKernel<dim>::PointState
+  MixedKernel<dim>::final_state(const PointArrays<dim> &points,
+                                const unsigned int      q,
+                                const Kinematics<dim>  &increment,
+                                const bool              mixed,
+                                const double            nodal_pressure,
+                                double                 *history) const
+  {
     const MaterialModel<dim> &material = *materials[points.material[q]];
-    Kinematics<dim>           kinematics;
-    kinematics.set_increment(F_increment);
-    const double *const old_history =
+    const double *const       old_history =
       points.history.data() + q * std::size_t(points.n_history);
-    kinematics.with_tangent   = false;
-    kinematics.F              = F_increment * points.F[q];
-    kinematics.hoop_increment = hoop_increment;
-    kinematics.J              = determinant(kinematics.F);
+    Kinematics<dim> kinematics = increment;
+    kinematics.with_tangent    = false;
+    kinematics.with_history    = true;
+    kinematics.F               = increment.F_increment * points.F[q];
+    kinematics.J               = determinant(kinematics.F);
     if (axisymmetric)
-      kinematics.J *= hoop_increment * hoop_stretch(old_history);
+      kinematics.J *= increment.hoop_increment * hoop_stretch(old_history);
     if (mixed && material.depends_on_pressure())
       kinematics.pressure = nodal_pressure;
     StressResponse<dim> response;

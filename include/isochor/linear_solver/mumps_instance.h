@@ -23,6 +23,15 @@ namespace isochor
     return array[i - 1];
   }
 
+  /** One that counts, if it is negative, millions. */
+  template <typename Array>
+  inline double
+  count(Array &array, const unsigned int i)
+  {
+    const double n = entry(array, i);
+    return n < 0 ? -1e6 * n : n;
+  }
+
   /**
    * One MUMPS instance: a factorisation of one matrix pattern. Ends with the
    * object, which has to happen before MPI_Finalize().

@@ -17,26 +17,38 @@ namespace isochor
    * (Simo & Hughes 1998, Box 9.2, the trial modulus).
    */
   template <int dim>
-  inline SymmetricTensor<4, dim>
-  isochoric_modulus(const double mu_bar, const SymmetricTensor<2, 3> &dev_tau)
+  inline ModulusComponents<dim>
+  isochoric_modulus(const double                    mu_bar,
+                    const SymmetricComponents<dim> &dev_tau)
   {
     constexpr unsigned int n =
       SymmetricTensor<2, dim>::n_independent_components;
-    const SymmetricTensor<2, dim> s = in_plane<dim>(dev_tau);
 
-    SymmetricTensor<4, dim> modulus;
+    ModulusComponents<dim> modulus;
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
         {
           const bool   row_normal = i < dim, column_normal = j < dim;
           const double identity = (i != j ? 0. : row_normal ? 1. : 0.5);
-          modulus.access_raw_entry(i * n + j) =
+          modulus[i * n + j] =
             2 * mu_bar *
               (identity - (row_normal && column_normal ? 1. / 3. : 0.)) -
             2. / 3. *
-              ((column_normal ? s.access_raw_entry(i) : 0.) +
-               (row_normal ? s.access_raw_entry(j) : 0.));
+              ((column_normal ? dev_tau.in_plane(i) : 0.) +
+               (row_normal ? dev_tau.in_plane(j) : 0.));
         }
+    return modulus;
+  }
+
+  /** The same of tensors. */
+  template <int dim>
+  inline SymmetricTensor<4, dim>
+  isochoric_modulus(const double mu_bar, const SymmetricTensor<2, 3> &dev_tau)
+  {
+    SymmetricComponents<dim> components;
+    store_symmetric<dim>(dev_tau, components.entry.data());
+    SymmetricTensor<4, dim> modulus;
+    copy_modulus<dim>(isochoric_modulus(mu_bar, components), modulus);
     return modulus;
   }
 

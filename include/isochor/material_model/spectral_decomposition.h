@@ -68,23 +68,24 @@ namespace isochor
    */
   template <int dim>
   SpectralDecomposition<dim>
-  spectral_decomposition(const SymmetricTensor<2, 3> &t);
+  spectral_decomposition(const SymmetricComponents<dim> &t);
 
   // here, so that hot loops have it in registers
   template <>
   inline SpectralDecomposition<2>
-  spectral_decomposition<2>(const SymmetricTensor<2, 3> &t)
+  spectral_decomposition<2>(const SymmetricComponents<2> &t)
   {
-    const double mean   = 0.5 * (t[0][0] + t[1][1]);
-    const double half   = 0.5 * (t[0][0] - t[1][1]);
-    const double radius = std::sqrt(half * half + t[0][1] * t[0][1]);
+    const double xx = t.entry[0], yy = t.entry[1], xy = t.entry[3];
+    const double mean   = 0.5 * (xx + yy);
+    const double half   = 0.5 * (xx - yy);
+    const double radius = std::sqrt(half * half + xy * xy);
 
     // half of cosine and sine of twice the angle of the first eigenvector
     const double c = radius > 0 ? 0.5 * half / radius : 0.5;
-    const double s = radius > 0 ? 0.5 * t[0][1] / radius : 0.;
+    const double s = radius > 0 ? 0.5 * xy / radius : 0.;
 
     SpectralDecomposition<2> result;
-    result.values         = {{mean + radius, mean - radius, t[2][2]}};
+    result.values         = {{mean + radius, mean - radius, t.entry[2]}};
     result.dyads[0]       = {{0.5 + c, 0.5 - c, s}};
     result.dyads[1]       = {{0.5 - c, 0.5 + c, -s}};
     result.mixed_dyads[0] = {{-s, s, c}};

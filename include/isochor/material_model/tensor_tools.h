@@ -11,6 +11,7 @@
 
 #include <isochor/material_model/material_model.h>
 
+#include <array>
 #include <string>
 
 namespace isochor
@@ -23,6 +24,15 @@ namespace isochor
   component_in_3d(const unsigned int i)
   {
     return (dim == 2 && i == 2) ? 3 : i;
+  }
+
+  /** Where component ij of a symmetric tensor of dimension @p dim stands in
+   * deal.II's order. */
+  template <int dim>
+  constexpr unsigned int
+  component_in_plane(const unsigned int i, const unsigned int j)
+  {
+    return i == j ? i : dim - 1 + i + j;
   }
 
   /** The part of the 3D tensor @p t that works on motions of dimension dim. */
@@ -67,40 +77,189 @@ namespace isochor
     return names[i];
   }
 
-  /** t² = t t. */
-  inline SymmetricTensor<2, 3>
-  square(const SymmetricTensor<2, 3> &t)
+  /**
+   * A symmetric 3D tensor by its n_symmetric_components<dim>, in the order of
+   * store_symmetric(). Laws compute with these what they do at each point in
+   * each iteration: a SymmetricTensor<2, 3> also carries the shears across the
+   * plane, and, written by numbers and read as vectors right afterwards, made
+   * laws two to three times slower.
+   */
+  template <int dim>
+  struct SymmetricComponents
   {
-    SymmetricTensor<2, 3> result;
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = i; j < 3; ++j)
-        result[i][j] =
-          t[i][0] * t[0][j] + t[i][1] * t[1][j] + t[i][2] * t[2][j];
-    return result;
+    static constexpr unsigned int n = n_symmetric_components<dim>;
+
+    /** Where component ij stands. */
+    static constexpr unsigned int
+    place(const unsigned int i, const unsigned int j)
+    {
+      return component_in_plane<3>(i, j);
+    }
+
+    std::array<double, n> entry;
+
+    /** The one that is component @p i of in_plane() of the tensor. */
+    double
+    in_plane(const unsigned int i) const
+    {
+      return entry[component_in_3d<dim>(i)];
+    }
+
+    double
+    trace() const
+    {
+      return entry[0] + entry[1] + entry[2];
+    }
+
+    SymmetricComponents
+    deviator() const
+    {
+      return *this + (-1. / 3.) * trace();
+    }
+
+    /** t : t. */
+    double
+    norm_square() const
+    {
+      double normal = 0, shear = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        (i < 3 ? normal : shear) += entry[i] * entry[i];
+      return normal + 2 * shear;
+    }
+
+    double
+    determinant() const
+    {
+      const double *const t   = entry.data();
+      const double        det = (t[0] * t[1] - t[3] * t[3]) * t[2];
+      return dim == 2 ? det :
+                        det + 2 * t[3] * t[4] * t[5] - t[0] * t[5] * t[5] -
+                          t[1] * t[4] * t[4];
+    }
+
+    /** t² = t t. */
+    SymmetricComponents
+    square() const
+    {
+      SymmetricComponents result;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = i; j < dim; ++j)
+          {
+            double sum = 0;
+            for (unsigned int k = 0; k < dim; ++k)
+              sum += entry[place(i, k)] * entry[place(k, j)];
+            result.entry[place(i, j)] = sum;
+          }
+      if (dim == 2)
+        result.entry[2] = entry[2] * entry[2];
+      return result;
+    }
+
+    /** t + @p mean 1. */
+    SymmetricComponents
+    operator+(const double mean) const
+    {
+      SymmetricComponents result;
+      for (unsigned int i = 0; i < n; ++i)
+        result.entry[i] = i < 3 ? entry[i] + mean : entry[i];
+      return result;
+    }
+
+    SymmetricComponents
+    operator+(const SymmetricComponents &other) const
+    {
+      SymmetricComponents result;
+      for (unsigned int i = 0; i < n; ++i)
+        result.entry[i] = entry[i] + other.entry[i];
+      return result;
+    }
+
+    friend SymmetricComponents
+    operator*(const double factor, const SymmetricComponents &t)
+    {
+      SymmetricComponents result;
+      for (unsigned int i = 0; i < n; ++i)
+        result.entry[i] = factor * t.entry[i];
+      return result;
+    }
+
+    void
+    copy_to(SymmetricTensor<2, 3> &t) const
+    {
+      for (unsigned int i = 0; i < 6; ++i)
+        t.access_raw_entry(i) = i < n ? entry[i] : 0.;
+    }
+
+    static SymmetricComponents
+    load(const double *components)
+    {
+      SymmetricComponents t;
+      for (unsigned int i = 0; i < n; ++i)
+        t.entry[i] = components[i];
+      return t;
+    }
+
+    void
+    store(double *components) const
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        components[i] = entry[i];
+    }
+  };
+
+  /** Component ij of the in-plane part of a modulus, i and j in deal.II's
+   * order, at i n + j: the same for fourth-order tensors. */
+  template <int dim>
+  using ModulusComponents =
+    std::array<double,
+               SymmetricTensor<2, dim>::n_independent_components *
+                 SymmetricTensor<2, dim>::n_independent_components>;
+
+  template <int dim>
+  inline void
+  copy_modulus(const ModulusComponents<dim> &from, SymmetricTensor<4, dim> &to)
+  {
+    for (unsigned int i = 0; i < from.size(); ++i)
+      to.access_raw_entry(i) = from[i];
   }
 
-  /** f b f^T, where f_33 = 1 in plane strain. */
+  /** f b f^T, where f_33 = 1 in plane strain. @p b: the components of b. */
   template <int dim>
-  inline SymmetricTensor<2, 3>
-  push_forward(const Tensor<2, dim> &f, const SymmetricTensor<2, 3> &b)
+  inline SymmetricComponents<dim>
+  push_forward(const Tensor<2, dim> &f, const double *const b)
   {
-    Tensor<2, dim> f_b;
+    double f_b[dim][dim];
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
-        for (unsigned int k = 0; k < dim; ++k)
-          f_b[i][j] += f[i][k] * b[k][j];
+        {
+          f_b[i][j] = 0;
+          for (unsigned int k = 0; k < dim; ++k)
+            f_b[i][j] += f[i][k] * b[component_in_plane<3>(k, j)];
+        }
 
-    SymmetricTensor<2, 3> result;
+    SymmetricComponents<dim> result;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = i; j < dim; ++j)
         {
           double sum = 0;
           for (unsigned int k = 0; k < dim; ++k)
             sum += f_b[i][k] * f[j][k];
-          result[i][j] = sum;
+          result.entry[result.place(i, j)] = sum;
         }
     if (dim == 2)
-      result[2][2] = b[2][2];
+      result.entry[2] = b[2];
+    return result;
+  }
+
+  /** The same of a tensor. */
+  template <int dim>
+  inline SymmetricTensor<2, 3>
+  push_forward(const Tensor<2, dim> &f, const SymmetricTensor<2, 3> &b)
+  {
+    std::array<double, n_symmetric_components<dim>> components;
+    store_symmetric<dim>(b, components.data());
+    SymmetricTensor<2, 3> result;
+    push_forward(f, components.data()).copy_to(result);
     return result;
   }
 } // namespace isochor

@@ -1,0 +1,188 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_element_sums_h
+#define isochor_element_sums_h
+
+#include <deal.II/base/tensor.h>
+
+#include <isochor/material_model/material_model.h>
+#include <isochor/material_model/tensor_tools.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace isochor
+{
+  using namespace dealii;
+
+  namespace internal
+  {
+    /** s = J θ'(J) of a volumetric measure, and J ds/dJ. */
+    struct PressureFactor
+    {
+      double s, Js_prime;
+
+      PressureFactor(const VolumetricMeasure measure, const double J)
+        : s(measure == VolumetricMeasure::jacobian ? J : 1.)
+        , Js_prime(measure == VolumetricMeasure::jacobian ? J : 0.)
+      {}
+    };
+
+    /** The law of the point that a loop has come to, and what it answers for
+     * all of its points alike: most neighbours have the same. */
+    template <int dim>
+    struct LawOfPoints
+    {
+      using Materials = std::vector<std::unique_ptr<MaterialModel<dim>>>;
+
+      const Materials          &materials;
+      const MaterialModel<dim> *material            = nullptr;
+      double                    inverse_K           = 0;
+      VolumetricMeasure         measure             = {};
+      bool                      depends_on_pressure = false;
+
+      explicit LawOfPoints(const Materials &materials)
+        : materials(materials)
+      {}
+
+      void
+      set(const unsigned int index)
+      {
+        if (materials[index].get() == material)
+          return;
+        material            = materials[index].get();
+        inverse_K           = material->inverse_bulk_modulus();
+        measure             = material->volumetric_measure();
+        depends_on_pressure = material->depends_on_pressure();
+      }
+    };
+
+    /** Sums over the points of an element: since P1 gradients are constant in
+     * an element, stress and modulus are summed before they meet gradients. */
+    template <int dim, std::size_t max_nodes>
+    struct ElementSums
+    {
+      static constexpr unsigned int n =
+        SymmetricTensor<2, dim>::n_independent_components;
+      /** Those in plane of a symmetric tensor, in deal.II's order. */
+      using Components = std::array<double, n>;
+
+      /** The parts of p and of dev τ are apart until complete(). */
+      Components                    stress{};  ///< Σ V τ
+      ModulusComponents<dim>        modulus{}; ///< Σ V of that of τ
+      double                        spherical        = 0; ///< Σ V p s
+      double                        spherical_change = 0; ///< Σ V p J ds/dJ
+      std::array<double, max_nodes> constraint{};         ///< R_p
+      std::array<double, max_nodes> s{};                  ///< Σ V N_I s
+      std::array<Components, max_nodes>
+        volumetric_tangent{}; ///< Σ V N_I ∂θ^e/∂d
+      /** Σ V N_I N_J (1/K - ∂θ^e/∂p), J >= I. */
+      std::array<double, max_nodes * max_nodes> compressibility{};
+
+      /** Σ V N_I ∂(dev τ)/∂p, of laws that depend on p. */
+      bool                              pressure_dependent = false;
+      std::array<Components, max_nodes> pressure_tangent{};
+
+      /** A point's stress. */
+      void
+      add_stress(const StressResponse<dim> &response,
+                 const double               V,
+                 const double               p,
+                 const PressureFactor      &factor,
+                 const bool                 with_matrix)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          stress[i] += V * response.deviatoric_stress.access_raw_entry(
+                             component_in_3d<dim>(i));
+        spherical += V * p * factor.s;
+        if (!with_matrix)
+          return;
+        for (unsigned int i = 0; i < n * n; ++i)
+          modulus[i] += V * response.tangent.access_raw_entry(i);
+        spherical_change += V * p * factor.Js_prime;
+      }
+
+      /** In the u form p = K θ^e changes with the displacement. */
+      void
+      add_bulk_stiffness(const StressResponse<dim> &response,
+                         const double               V_K_s)
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            modulus[i * n + j] +=
+              V_K_s * response.volumetric_tangent.access_raw_entry(j);
+      }
+
+      /** A point's share of the pressure equation. @p N: its shape values. */
+      template <typename Shape>
+      void
+      add_constraint(const StressResponse<dim> &response,
+                     const double               V,
+                     const double               p,
+                     const double               inverse_K,
+                     const PressureFactor      &factor,
+                     const bool                 depends_on_pressure,
+                     const unsigned int         n_nodes,
+                     const Shape               &N,
+                     const bool                 with_matrix)
+      {
+        const double excess = response.volumetric_strain - p * inverse_K;
+        const double compliance =
+          inverse_K -
+          (depends_on_pressure ? response.volumetric_pressure_tangent : 0.);
+        pressure_dependent = pressure_dependent || depends_on_pressure;
+        for (unsigned int I = 0; I < n_nodes; ++I)
+          {
+            const double VN = V * N(I);
+            constraint[I] += VN * excess;
+            if (!with_matrix)
+              continue;
+            s[I] += VN * factor.s;
+            for (unsigned int i = 0; i < n; ++i)
+              volumetric_tangent[I][i] +=
+                VN * response.volumetric_tangent.access_raw_entry(i);
+            for (unsigned int J = I; J < n_nodes; ++J)
+              compressibility[I * n_nodes + J] += VN * N(J) * compliance;
+            if (depends_on_pressure)
+              for (unsigned int i = 0; i < n; ++i)
+                pressure_tangent[I][i] +=
+                  VN * response.deviatoric_pressure_tangent.access_raw_entry(i);
+          }
+      }
+
+      /** Add p's parts to stress and modulus. */
+      void
+      complete(const bool with_matrix)
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          stress[i] += spherical;
+        if (!with_matrix)
+          return;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            for (unsigned int j = 0; i < dim && j < dim; ++j)
+              modulus[i * n + j] += spherical_change;
+            // the identity of symmetric tensors halves shears
+            modulus[i * n + i] -= (i < dim ? 2 : 1) * spherical;
+          }
+      }
+    };
+
+    /** t g of a symmetric tensor by its components. */
+    template <int dim, std::size_t n>
+    Tensor<1, dim>
+    times(const std::array<double, n> &t, const Tensor<1, dim> &g)
+    {
+      Tensor<1, dim> result;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          result[i] += t[component_in_plane<dim>(i, j)] * g[j];
+      return result;
+    }
+  } // namespace internal
+} // namespace isochor
+
+#endif
