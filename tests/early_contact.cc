@@ -6,6 +6,8 @@
 // A one-sided wall that acts on nodes of the grid that the body's surface has
 // not reached: a warning says so, by how much, and not where nothing is wrong.
 
+#include <iomanip>
+
 #include "scene.h"
 
 using namespace isochor;
@@ -142,6 +144,9 @@ test_seal()
       test::check(what + ": the estimate of the error",
                   excess > 0.1 && 0.9 * s < excess && excess < 2.2 * s,
                   numbers.str());
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::cout << what << ": share of gaps " << std::setprecision(3) << s
+                  << std::endl; // on any number of ranks
       const std::string text = warning(*problem);
       test::check(what + ": the warning",
                   text.find("<bottom> (<Boundary conditions/Displacement>)") !=
