@@ -4,7 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
-#include <isochor/boundary_condition/contact_search.h>
+#include <isochor/boundary_condition/prescribed_component.h>
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
@@ -88,7 +88,7 @@ namespace isochor
       leave_nodes_to_later_entries();
       for (auto &condition : conditions)
         if (condition.side != 0)
-          place_walls(condition);
+          condition.place_walls(reference);
     }
 
     void
@@ -99,7 +99,7 @@ namespace isochor
       const auto old_reference = reference;
       initialize(grid);
       for (unsigned int c = 0; c < conditions.size(); ++c)
-        take_over_walls(old[c], old_reference, conditions[c]);
+        conditions[c].take_over_walls(old[c], old_reference, reference);
     }
 
     void
@@ -203,6 +203,12 @@ namespace isochor
                   const typename BoundaryCondition<dim>::ContactTolerance
                     &tolerance) override;
 
+    void
+    append_contacts(const StepContext<dim>         &step,
+                    const MixedSystem<dim>         &system,
+                    const NodalConstraints         &constraints,
+                    std::vector<WallContacts<dim>> &walls) const override;
+
     std::string
     save_state() const override
     {
@@ -230,16 +236,7 @@ namespace isochor
       return NamedPlugin::parameter("Displacement");
     }
 
-    struct Condition
-    {
-      std::string  boundary;
-      unsigned int component;
-      /** 0: held; 1: u >= displacement; -1: u <= displacement. */
-      int                       side;
-      Expression<dim>           displacement;
-      std::vector<unsigned int> vertices;
-      std::vector<WallNode>     wall; ///< by vertex, if one-sided
-    };
+    using Condition = PrescribedComponent<dim>;
 
     /** Tell if the body has been pushed out of the row of cells at the
      * boundary, which has been put back since. */
@@ -313,55 +310,6 @@ namespace isochor
                                         }),
                          vertices.end());
           by_later.insert(vertices.begin(), vertices.end());
-        }
-    }
-
-    /** The walls at t = 0. A node in one is pushed out by the first step. */
-    void
-    place_walls(Condition &condition) const
-    {
-      condition.wall.assign(condition.vertices.size(), WallNode());
-      for (unsigned int i = 0; i < condition.vertices.size(); ++i)
-        {
-          WallNode &node = condition.wall[i];
-          node.gap =
-            -condition.displacement(reference[condition.vertices[i]], 0.);
-          node.touched  = (node.gap == 0);
-          node.released = node.was_released = (condition.side * node.gap > 0);
-        }
-    }
-
-    /** After a change of the grid: each node knows of its wall what the nearest
-     * of @p old did; its gap is as much larger as its wall was further away at
-     * t = 0. */
-    void
-    take_over_walls(const Condition               &old,
-                    const std::vector<Point<dim>> &old_reference,
-                    Condition                     &condition) const
-    {
-      for (unsigned int i = 0; i < condition.wall.size(); ++i)
-        {
-          const Point<dim> &x    = reference[condition.vertices[i]];
-          double            best = std::numeric_limits<double>::max();
-          unsigned int      from = 0;
-          for (unsigned int j = 0; j < old.wall.size() && best > 0; ++j)
-            {
-              const double distance =
-                x.distance_square(old_reference[old.vertices[j]]);
-              if (distance < best)
-                {
-                  best = distance;
-                  from = j;
-                }
-            }
-          if (best == std::numeric_limits<double>::max())
-            continue;
-          WallNode &node = condition.wall[i];
-          node           = old.wall[from];
-          if (!node.touched)
-            node.gap +=
-              condition.displacement(old_reference[old.vertices[from]], 0.) -
-              condition.displacement(x, 0.);
         }
     }
 
@@ -489,6 +437,40 @@ namespace isochor
     return search.change(
       objections, tolerance.converged, nodes, parameter(), names);
   }
+
+
+
+  template <int dim>
+  void
+  PrescribedDisplacement<dim>::append_contacts(
+    const StepContext<dim> &step,
+    const MixedSystem<dim> &system,
+    const NodalConstraints & /*constraints*/,
+    std::vector<WallContacts<dim>> &walls) const
+  {
+    for (const auto &condition : conditions)
+      {
+        if (condition.side == 0)
+          continue;
+        walls.push_back({parameter(), condition.boundary, {}});
+        Tensor<1, dim> normal;
+        normal[condition.component] = condition.side;
+        for (unsigned int i = 0; i < condition.vertices.size(); ++i)
+          if (!condition.wall[i].released)
+            {
+              const unsigned int node = step.nodes.node(condition.vertices[i]);
+              const double       force =
+                node < step.nodes.n_owned() ?
+                        system.residual.local_element(node * step.n_components +
+                                                condition.component) :
+                        0.;
+              walls.back().nodes.push_back(
+                {condition.vertices[i], normal, condition.side * force});
+            }
+      }
+  }
+
+
 
   ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition,
                                  PrescribedDisplacement,

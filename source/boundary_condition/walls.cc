@@ -118,7 +118,7 @@ namespace isochor
       const std::vector<Point<dim>> old_reference = reference;
       initialize(grid);
       for (unsigned int w = 0; w < walls.size(); ++w)
-        take_over(old[w], old_reference, walls[w]);
+        walls[w].take_over(old[w], old_reference, reference);
     }
 
     void
@@ -212,6 +212,27 @@ namespace isochor
     }
 
     void
+    append_contacts(const StepContext<dim>         &step,
+                    const MixedSystem<dim>         &system,
+                    const NodalConstraints         &constraints,
+                    std::vector<WallContacts<dim>> &contacts) const override
+    {
+      const std::vector<double> force =
+        forces_at_nodes(step, system, constraints);
+      unsigned int k = 0;
+      for (const Wall &wall : walls)
+        {
+          const std::vector<Tensor<1, dim>> normals = normals_of(wall, step);
+          if (wall.one_sided)
+            contacts.push_back({parameter(), wall.boundary, {}});
+          for (unsigned int i = 0; i < wall.nodes.size(); ++i, ++k)
+            if (wall.one_sided && !wall.nodes[i].contact.released)
+              contacts.back().nodes.push_back(
+                {wall.nodes[i].vertex, normals[i], force[k]});
+        }
+    }
+
+    void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override
     {
       for (Wall &wall : walls)
@@ -251,7 +272,7 @@ namespace isochor
               for (unsigned int a = 0; a < dim; ++a)
                 state >> node.moved[a];
             }
-          locate_nodes(wall);
+          wall.locate_nodes(reference);
         }
     }
 
@@ -331,6 +352,30 @@ namespace isochor
       return motion(wall, i, step) - gap(wall, i, step);
     }
 
+    /** By walls and nodes one after the other: the force of the wall (N) on
+     * nodes that this rank owns, else 0. */
+    std::vector<double>
+    forces_at_nodes(const StepContext<dim> &step,
+                    const MixedSystem<dim> &system,
+                    const NodalConstraints &constraints) const
+    {
+      std::vector<double> force;
+      for (const Wall &wall : walls)
+        force.resize(force.size() + wall.nodes.size());
+      for (unsigned int k = 0; k < constraints.equations.size(); ++k)
+        if (constraints.equations[k].owner == this)
+          force[constraints.equations[k].label] = system.multiplier(k);
+      unsigned int k = 0;
+      for (const Wall &wall : walls)
+        for (const Node &node : wall.nodes)
+          {
+            if (!(step.nodes.node(node.vertex) < step.nodes.n_owned()))
+              force[k] = 0;
+            ++k;
+          }
+      return force;
+    }
+
     /** By walls and nodes one after the other. Collective. */
     std::vector<unsigned int>
     find_objections(
@@ -344,14 +389,8 @@ namespace isochor
         tolerance.relative * largest_increment(step, unknowns);
       const std::vector<unsigned char> is_tied =
         tied_nodes(constraints.ties, step.nodes.n_local());
-      unsigned int n_nodes = 0;
-      for (const Wall &wall : walls)
-        n_nodes += wall.nodes.size();
-      std::vector<double> force(n_nodes, 0.);
-      for (unsigned int k = 0; k < constraints.equations.size(); ++k)
-        if (constraints.equations[k].owner == this)
-          force[constraints.equations[k].label] = system.multiplier(k);
-
+      const std::vector<double> force =
+        forces_at_nodes(step, system, constraints);
       std::vector<unsigned int> objections;
       for (const Wall &wall : walls)
         {
@@ -415,7 +454,7 @@ namespace isochor
               for (unsigned int a = 0; a < dim; ++a)
                 node.moved[a] += moved[i * dim + a];
             }
-          locate_nodes(wall);
+          wall.locate_nodes(reference);
         }
       if (!wall.one_sided)
         return;
@@ -425,48 +464,6 @@ namespace isochor
       update_gaps(gaps, comm, contact);
       for (unsigned int i = 0; i < n; ++i)
         wall.nodes[i].contact = contact[i];
-    }
-
-    /** At a curved wall: normals and gaps where the nodes are now. */
-    void
-    locate_nodes(Wall &wall) const
-    {
-      if (wall.surface.is_flat())
-        return;
-      for (Node &node : wall.nodes)
-        {
-          const auto place =
-            wall.surface.locate(reference[node.vertex] + node.moved);
-          node.normal_now = place.normal;
-          node.gap_now    = place.distance - node.offset;
-        }
-    }
-
-    /** After a change of the grid: each node knows of its wall what the nearest
-     * of @p old did. */
-    void
-    take_over(const Wall                    &old,
-              const std::vector<Point<dim>> &old_reference,
-              Wall                          &wall) const
-    {
-      for (Node &node : wall.nodes)
-        {
-          const Point<dim> &x       = reference[node.vertex];
-          const auto        nearest = std::min_element(
-            old.nodes.begin(),
-            old.nodes.end(),
-            [&](const Node &a, const Node &b) {
-              return x.distance_square(old_reference[a.vertex]) <
-                     x.distance_square(old_reference[b.vertex]);
-            });
-          if (!wall.one_sided || nearest == old.nodes.end())
-            continue;
-          node.contact = nearest->contact;
-          if (!node.contact.touched)
-            node.contact.gap +=
-              wall.displacement(old_reference[nearest->vertex], 0.) -
-              wall.displacement(x, 0.);
-        }
     }
 
     /** Tell if the wall has pushed the body out of the row of cells there,

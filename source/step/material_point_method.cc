@@ -5,6 +5,7 @@
 // The algorithm. What surrounds it, parameters, files and what is written to
 // the terminal, is in material_point_method_interface.cc.
 #include <isochor/base/plain_message.h>
+#include <isochor/boundary_condition/early_contact.h>
 #include <isochor/equations/cells_crossed.h>
 #include <isochor/step/material_point_method.h>
 #include <isochor/step/scene_checks.h>
@@ -283,6 +284,13 @@ namespace isochor
                               statistics);
         }
       statistics.set_owner("");
+      std::vector<WallContacts<dim>> walls;
+      for (const auto &condition : scene.boundary_conditions)
+        condition->append_contacts(step,
+                                   equilibrium.mixed_system(),
+                                   equilibrium.nodal_constraints(),
+                                   walls);
+      check_early_contact(step, unknowns, walls, statistics);
       if (scene.adaptation.needs_sizes())
         scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
       setup.evaluate(statistics);

@@ -24,6 +24,22 @@ namespace isochor
     std::string failure;     ///< why the search is to be given up, if it is
   };
 
+  /** The nodes that a one-sided wall holds. */
+  template <int dim>
+  struct WallContacts
+  {
+    /** The same on all ranks but for the force. */
+    struct Node
+    {
+      unsigned int   vertex;
+      Tensor<1, dim> normal; ///< from the wall towards the body
+      double         force;  ///< N, on the rank that owns the node; elsewhere 0
+    };
+
+    std::string       parameter, boundary;
+    std::vector<Node> nodes;
+  };
+
 
 
   /**
@@ -244,6 +260,15 @@ namespace isochor
     {
       return false;
     }
+
+    /** The step has converged: append the nodes that one-sided walls hold, by
+     * wall; see check_early_contact(). */
+    virtual void
+    append_contacts(const StepContext<dim> & /*step*/,
+                    const MixedSystem<dim> & /*system*/,
+                    const NodalConstraints & /*constraints*/,
+                    std::vector<WallContacts<dim>> & /*walls*/) const
+    {}
 
     /** Add the dead loads at the end of the step (N) from this rank's cells,
      * entry n_components * node + component. */

@@ -10,6 +10,7 @@
 #include <isochor/boundary_condition/wall_surface.h>
 #include <isochor/equations/equation_term.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,50 @@ namespace isochor
     {
       for (const Node &node : nodes)
         vertices.push_back(node.vertex);
+    }
+
+    /** At a curved wall: normals and gaps where the nodes are now, with the
+     * vertices of the grid at t = 0 at @p reference. */
+    void
+    locate_nodes(const std::vector<Point<dim>> &reference)
+    {
+      if (surface.is_flat())
+        return;
+      for (Node &node : nodes)
+        {
+          const auto place =
+            surface.locate(reference[node.vertex] + node.moved);
+          node.normal_now = place.normal;
+          node.gap_now    = place.distance - node.offset;
+        }
+    }
+
+    /** After a change of the grid, whose vertices were at @p old_reference at
+     * t = 0 and now are at @p reference: each node knows of its wall what the
+     * nearest of @p old did. */
+    void
+    take_over(const SmoothWall              &old,
+              const std::vector<Point<dim>> &old_reference,
+              const std::vector<Point<dim>> &reference)
+    {
+      for (Node &node : nodes)
+        {
+          const Point<dim> &x       = reference[node.vertex];
+          const auto        nearest = std::min_element(
+            old.nodes.begin(),
+            old.nodes.end(),
+            [&](const Node &a, const Node &b) {
+              return x.distance_square(old_reference[a.vertex]) <
+                     x.distance_square(old_reference[b.vertex]);
+            });
+          if (!one_sided || nearest == old.nodes.end())
+            continue;
+          node.contact = nearest->contact;
+          if (!node.contact.touched)
+            node.contact.gap +=
+              displacement(old_reference[nearest->vertex], 0.) -
+              displacement(x, 0.);
+        }
     }
 
     /** The displacement (m) in the step along @p normal of @p node, on a rank

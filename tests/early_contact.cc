@@ -1,0 +1,344 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// A one-sided wall that acts on nodes of the grid that the body's surface has
+// not reached: a warning says so, by how much, and not where nothing is wrong.
+
+#include <iomanip>
+
+#include "scene.h"
+
+using namespace isochor;
+
+const std::string subject = "a wall that acts before the body reaches it";
+
+/** The text of the warning, or nothing. */
+template <int dim>
+std::string
+warning(const MaterialPointMethod<dim> &problem)
+{
+  for (const auto &warning : problem.all_warnings().all())
+    if (warning.subject == subject)
+      return test::one_line(warning.text);
+  return {};
+}
+
+/** The largest share of all steps. */
+template <int dim>
+double
+largest_share(const std::string &settings, std::string &text)
+{
+  const auto problem = test::run_scene<dim>(settings);
+  text               = warning(*problem);
+  const double mine =
+    Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0 ?
+      test::largest_in_statistics("Share of gaps in contact") :
+      0.;
+  return Utilities::MPI::max(mine, MPI_COMM_WORLD);
+}
+
+/** The force per length between two plates that bring a cylinder of radius 1
+ * and E = 1 nearer by @p squeeze (K. L. Johnson, Contact Mechanics (1985), eq.
+ * 5.57: 2P/(π E*) (2 ln(4R/a) - 1), a² = 4PR/(π E*)). */
+double
+line_contact(const double squeeze, const double nu)
+{
+  const double E_star = 1 / (1 - nu * nu);
+  double       low = 1e-9, high = 1;
+  for (unsigned int i = 0; i < 100; ++i)
+    {
+      const double P = 0.5 * (low + high),
+                   a = std::sqrt(4 * P / (numbers::PI * E_star));
+      (2 * P / (numbers::PI * E_star) * (2 * std::log(4 / a) - 1) < squeeze ?
+         low :
+         high)       = P;
+    }
+  return low;
+}
+
+/** Write half of a disc of radius 1 around (0, 1) to disc.msh: @p n rings of
+ * triangles, 3 i edges on circle i. */
+void
+write_disc(const unsigned int n)
+{
+  const auto first = [](const unsigned int i) {
+    return i + 3 * i * (i - (i > 0)) / 2 + 1; // of circle i
+  };
+  std::ostringstream triangles;
+  unsigned int       n_triangles = 0;
+  const auto         add =
+    [&](const unsigned int a, const unsigned int b, const unsigned int c) {
+      triangles << ++n_triangles << " 2 2 1 1 " << a << ' ' << b << ' ' << c
+                << '\n';
+    };
+  for (unsigned int i = 1; i <= n; ++i)
+    for (unsigned int sector = 0; sector < 3; ++sector)
+      for (unsigned int k = 0; k < i; ++k)
+        {
+          const unsigned int inner = first(i - 1) + sector * (i - 1) + k,
+                             outer = first(i) + sector * i + k;
+          add(outer, outer + 1, inner);
+          if (k + 1 < i)
+            add(inner, outer + 1, inner + 1);
+        }
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      std::ofstream file("disc.msh");
+      file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
+           << first(n + 1) - 1 << '\n';
+      for (unsigned int i = 0; i <= n; ++i)
+        for (unsigned int k = 0; k <= 3 * i; ++k)
+          {
+            const double r = double(i) / n,
+                         a = numbers::PI * (i == 0 ? 0. : k / (3. * i) - 0.5);
+            file << first(i) + k << ' '
+                 << (k == 0 || k == 3 * i ? 0. : r * std::cos(a)) << ' '
+                 << 1 + r * std::sin(a) << " 0\n";
+          }
+      file << "$EndNodes\n$Elements\n"
+           << n_triangles << '\n'
+           << triangles.str() << "$EndElements\n";
+    }
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+/** A round seal between smooth plates that the grid follows, of which half is
+ * computed, with @p n cells over its radius. */
+std::string
+seal(const unsigned int n, const double squeeze, const std::string &settings)
+{
+  const std::string u = std::to_string(squeeze) + "*t";
+  return "Grid/Upper corner = 1.5, 2\nGrid/Subdivisions = " +
+         std::to_string(3 * n / 2) + ", " + std::to_string(2 * n) +
+         "\nGrid/Stretch = y: 0 -> 0, 2 -> -" + u +
+         "\nMaterial points/Body mesh = disc.msh\n"
+         "Material points/Points per cell = 1\n"
+         "Material/Young modulus = 1\nMaterial/Poisson ratio = 0.49\n"
+         "Formulation/Type = u-p\nTime/Step size = 0.25\n"
+         "Boundary conditions/Displacement = left: x=0; bottom: y>=0; top: "
+         "y<=-" +
+         u + "\nPostprocess/Reactions = bottom\n" + settings;
+}
+
+void
+test_seal()
+{
+  write_disc(40);
+  // how much too large the force is said to be, and how much it is
+  for (const double squeeze : {0.03, 0.12})
+    {
+      const std::string what =
+        "seal, squeezed by " + Utilities::to_string(50 * squeeze, 0) + " %";
+      const auto problem = test::run_scene<2>(
+        seal(20, squeeze, "Quadrature/Type = CPDI\nTime/Step size = 0.1\n"));
+      const double excess = 2 *
+                              test::get(*problem, "Reaction y on bottom (N)") /
+                              line_contact(squeeze, 0.49) -
+                            1;
+      const double       s = test::get(*problem, "Share of gaps in contact");
+      std::ostringstream numbers;
+      numbers << "excess " << excess << ", estimate " << s;
+      // the body's mesh is a polygon, and strains are small
+      test::check(what + ": the estimate of the error",
+                  excess > 0.1 && 0.9 * s < excess && excess < 2.2 * s,
+                  numbers.str());
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::cout << what << ": share of gaps " << std::setprecision(3) << s
+                  << std::endl; // on any number of ranks
+      const std::string text = warning(*problem);
+      test::check(what + ": the warning",
+                  text.find("<bottom> (<Boundary conditions/Displacement>)") !=
+                      std::string::npos ||
+                    text.find("<top> (<Boundary conditions/Displacement>)") !=
+                      std::string::npos,
+                  text);
+    }
+  for (const std::string quadrature :
+       {"points", "cell-filled", "cell-filled + boundary", "CPDI"})
+    {
+      std::string  text;
+      const double share = largest_share<2>(
+        seal(10, 0.06, "Quadrature/Type = " + quadrature + '\n'), text);
+      test::check("seal, " + quadrature,
+                  share > 0.1 && !text.empty(),
+                  std::to_string(share) + text);
+    }
+}
+
+/** A block between smooth walls below and to its left, pressed from above or by
+ * its weight. */
+template <int dim>
+std::string
+block(const std::string &region, const std::string &settings)
+{
+  const bool solid = (dim == 3);
+  return std::string("Grid/Upper corner = 2, 2") + (solid ? ", 2" : "") +
+         "\nGrid/Subdivisions = 8, 8" + (solid ? ", 8" : "") +
+         "\nMaterial points/Region = " + region +
+         "\nMaterial points/Points per cell = " + (solid ? "8" : "4") +
+         "\nMaterial/Young modulus = 1\nMaterial/Poisson ratio = 0.3\n"
+         "Material/Density = 1\n"
+         "Formulation/Type = u\nTime/Step size = 0.25\n" +
+         settings;
+}
+
+template <int dim>
+void
+test_flat_sides(const std::string &quadrature)
+{
+  const std::string type = "Quadrature/Type = " + quadrature + '\n',
+                    what = ", " + quadrature + ", dim " + std::to_string(dim),
+                    g    = (dim == 3 ? ", 0" : ""),
+                    fits = (dim == 3 ? " && z < 1.25" : "");
+  const std::string weight =
+    type + "Boundary conditions/Gravity = 0, -0.05*t" + g + '\n';
+  std::string text;
+  double      share;
+  const auto  is_silent = [&](const std::string &scene) {
+    test::check(scene + what + ": no warning",
+                share < 1e-10 && text.empty(),
+                std::to_string(share) + text);
+  };
+  // its free side in the middle of cells
+  share = largest_share<dim>(
+    block<dim>("x < 1.125 && y < 1" + fits,
+               weight + "Boundary conditions/Displacement = left: x=0; " +
+                 (dim == 3 ? "front: z>=0; " : "") + "bottom: y>=0\n"),
+    text);
+  is_silent("on its wall");
+  share = largest_share<dim>(
+    block<dim>("x < 1.125 && y < 1" + fits,
+               weight + "Boundary conditions/Displacement = left: x=0\n" +
+                 "Boundary conditions/Walls = bottom: n >= 0" +
+                 (dim == 3 ? "; front: n >= 0\n" : "\n")),
+    text);
+  is_silent("on its smooth wall");
+  // its lower side in the middle of cells
+  share = largest_share<dim>(
+    block<dim>("x < 1.125 && y > 0.125 && y < 1.25" + fits,
+               weight + "Boundary conditions/Displacement = left: x=0; " +
+                 (dim == 3 ? "front: z=0; " : "") + "bottom: y>=0\n"),
+    text);
+  const std::string at = "% of the force of the one-sided wall <bottom>";
+  test::check("half a cell above its wall" + what + ": the warning",
+              text.find(at) != std::string::npos,
+              std::to_string(share) + text);
+}
+
+/** With domains the gap is known exactly. */
+void
+test_gap()
+{
+  std::string text;
+  largest_share<2>(
+    block<2>("x < 1.125 && y > 0.125 && y < 1.25",
+             "Quadrature/Type = CPDI\n"
+             "Boundary conditions/Gravity = 0, -1e-4*t\n"
+             "Boundary conditions/Displacement = left: x=0; bottom: y>=0\n"),
+    text);
+  for (const std::string words : {"100 % of the force",
+                                  "the body is 0.125 m away",
+                                  ", 0.5 cells,",
+                                  "by an estimated half or more"})
+    test::check("half a cell: " + words,
+                text.find(words) != std::string::npos,
+                text);
+}
+
+/** A block that is pressed to 60 % of its height bulges, and its sides roll on
+ * to the plates between which it sticks above and slides below. */
+void
+test_bulging()
+{
+  for (const std::string quadrature : {"CPDI", "cell-filled + boundary"})
+    {
+      std::string  text;
+      const double share = largest_share<2>(
+        block<2>("x < 1.125",
+                 "Grid/Stretch = y: 0 -> 0, 2 -> -0.8*t\n"
+                 "Material/Poisson ratio = 0.49\nFormulation/Type = u-p\n"
+                 "Time/Step size = 0.05\nQuadrature/Type = " +
+                   quadrature +
+                   "\nBoundary conditions/Displacement = left: x=0; bottom: "
+                   "y>=0; top: x=0, y=-0.8*t\n"),
+        text);
+      test::check("bulging, " + quadrature + ": no warning",
+                  share < 0.02 && text.empty(),
+                  std::to_string(share) + text);
+    }
+}
+
+/** On grids that are kept nodes are at the body's surface, and remember how far
+ * they are from the wall. */
+void
+test_kept_grid()
+{
+  for (const std::string walls :
+       {"Walls = bottom: n >= -0.02*(x-1)^2\n",
+        "Displacement = bottom: y >= -0.02*(x-1)^2\n"})
+    {
+      std::string  text;
+      const double share = largest_share<2>(
+        block<2>("1",
+                 test::keep_grid +
+                   "Quadrature/Type = CPDI\n"
+                   "Boundary conditions/Surfaces of body = up: y > 1.999\n"
+                   "Boundary conditions/Displacement of body = up: x=0, "
+                   "y=-0.04*t\nBoundary conditions/" +
+                   walls),
+        text);
+      test::check("kept grid, " + walls.substr(0, walls.find(' ')) +
+                    ": no warning",
+                  share < 1e-6 && text.empty(),
+                  std::to_string(share) + text);
+    }
+}
+
+/** A ball as a body of revolution, and on a grid that adapts. */
+void
+test_other_grids()
+{
+  std::string text;
+  double      share = largest_share<2>(
+    seal(10,
+         0.1,
+         "Quadrature/Type = CPDI\nFormulation/Geometry = axisymmetric\n"),
+    text);
+  test::check("ball", share > 0.05 && !text.empty(), std::to_string(share));
+  share = largest_share<2>(
+    block<2>("(x-1)^2 + (y-0.5)^2 < 0.25",
+             "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
+             "Grid/Subdivisions = 4, 4\nAdaptive grid/Cell size = 0.1\n"
+             "Boundary conditions/Gravity = 0, -0.05*t\n"
+             "Boundary conditions/Displacement = bottom: y>=0, x=0\n"),
+    text);
+  test::check("adaptive", share > 0.05 && !text.empty(), std::to_string(share));
+  share = largest_share<2>(
+    block<2>("x < 1.125 && y < 1",
+             "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
+             "Grid/Subdivisions = 4, 4\nAdaptive grid/Cell size = 0.1\n"
+             "Boundary conditions/Gravity = 0, -0.05*t\n"
+             "Boundary conditions/Displacement = bottom: y>=0; left: x=0\n"),
+    text);
+  test::check("adaptive, on its wall: no warning",
+              share < 1e-10 && text.empty(),
+              std::to_string(share) + text);
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_seal();
+  for (const std::string quadrature :
+       {"points", "cell-filled", "cell-filled + boundary", "CPDI"})
+    test_flat_sides<2>(quadrature);
+  test_flat_sides<3>("CPDI");
+  test_flat_sides<3>("points");
+  test_gap();
+  test_bulging();
+  test_kept_grid();
+  test_other_grids();
+}
