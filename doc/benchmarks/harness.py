@@ -145,12 +145,13 @@ def command_of(executable, run, directory):
     return command + ["--output-directory", str(directory)]
 
 
-def execute(executable, run, directory, cost, limit):
+def execute(executable, run, directory, cost, limit, keep=False):
     """Run once; adds to @p cost. CPU time is what the system counts for the
-    process, loading and initialisation included. Raises OutputError."""
+    process, loading and initialisation included. Files of an earlier run are
+    removed, unless @p keep, as a run that is resumed wants. Raises OutputError."""
     directory.mkdir(parents=True, exist_ok=True)
     for old in directory.glob("*"):
-        if old.is_file():
+        if old.is_file() and not keep:
             old.unlink()
     environment = dict(
         os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1"
