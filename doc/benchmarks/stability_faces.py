@@ -1,0 +1,58 @@
+# Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Stress test: points that lie exactly on faces, edges and vertices of the cells."""
+
+from itertools import product
+
+import numpy as np
+from bench import SCENES
+
+# Grid offsets with which points (-1/4), centres of triangular domains (-1/6) or corners
+# of domains (0) lie on lines of the grid
+PLACES = (0.0, -1 / 4, -1 / 6)
+SPACE = {
+    "Dimension": 3,
+    "Grid/Upper corner": "0.75, 0.75, 0.75",
+    "Grid/Subdivisions": "6, 6, 6",
+    "Material points/Region": "if(x < 0.5 && y < 0.5 && z < 0.5, 1, 0)",
+    "Boundary conditions/Displacement": "bottom: x=0, y=0, z=0; left: x=0; back: z=0",
+    "Boundary conditions/Gravity": "0, -10*t, 0",
+    "Postprocess/Point probes": "top: 0, 0.46875, 0",
+}
+
+
+def on_faces(bench):
+    """A heavy block seeded on a lattice whose points, or corners of domains, lie exactly
+    on vertices, edges and faces of the cells, against grids shifted by ± 1e-9 of a cell,
+    where they lie to either side: with CPDI it must not matter on which."""
+    for dim, quadrature in product(
+        (2, 3), ("points", "cell-filled", "cell-filled + boundary", "CPDI")
+    ):
+        if bench.quick and dim == 3:
+            continue
+        jumps, most = [], 0
+        for place in PLACES:
+            tips = []
+            for shift in (0, 1e-9, -1e-9):
+                moved = [place + shift, place - shift, place + shift][:dim]
+                numbers = bench.run(
+                    SCENES / "lattice.prm",
+                    {
+                        **(SPACE if dim == 3 else {}),
+                        "Quadrature/Type": quadrature,
+                        "Grid/Offset": ", ".join(f"{x:.12f}" for x in moved),
+                    },
+                    f"on_faces {dim} {quadrature} {place:.3f} {shift}",
+                )
+                tips.append(numbers["Displacement y of top (m)"][-1])
+                most = max(most, int(numbers["Newton iterations"].max()))
+            jumps.append(np.ptp(tips) / abs(tips[0]))
+        strict = quadrature == "CPDI"
+        bench.check(
+            "on_faces",
+            f"settlement, {dim}D, {quadrature}: all runs end, with at most {most} "
+            "iterations in a step; largest difference",
+            f"{max(jumps):.1e}",
+            "1e-6" if strict else "none: reported",
+            not strict or max(jumps) < 1e-6,
+        )
