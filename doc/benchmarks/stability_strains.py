@@ -159,8 +159,9 @@ def cycles(bench):
                 run,
             )
         except output.OutputError as problem:
-            end = f"; ends after cycle {{}} with the error: {shortened(problem, 60)} ..."
+            end = f"; ends in cycle {{}} with the error: {shortened(problem, 60)} ..."
         numbers = output.read_statistics(place)
+        reached = int(numbers["Time (s)"][-1]) + 1
         drift = drift_of(numbers["Displacement y of P (m)"])
         volume = numbers["Material volume (m^2)"]
         axis.semilogy(np.arange(len(drift)), np.maximum(drift, 1e-12), label=name)
@@ -170,7 +171,7 @@ def cycles(bench):
             "cycles",
             f"{name}: drift {drift[min(9, len(drift) - 1)]:.2g} of the amplitude after "
             f"{min(10, len(drift))} cycles, {drift[-1]:.2g} after {len(drift)}; volume "
-            f"{abs(volume[-1] / volume[0] - 1):.1e}" + end.format(len(drift)),
+            f"{abs(volume[-1] / volume[0] - 1):.1e}" + end.format(reached),
             (f"5 % in cycle {far[0] + 1}" if len(far) else "never 5 %")
             + (f", warned in cycle {int(told) + 1}" if told else ", no warning"),
             "a warning before 5 %" if demand == "told" else "1e-6, no warning",

@@ -78,6 +78,7 @@ namespace isochor
     evaluate_nodes(const StepResult<dim> &result,
                    Statistics & /*statistics*/) override
     {
+      is_watched = is_watched_in_statics(result);
       if (!enabled(result))
         return;
       std::array<double, n_sums> sums = point_sums(result);
@@ -129,7 +130,7 @@ namespace isochor
                                            strain_energy + plastic_sum,
                                            external_sum + initial_energy,
                                            stiffness};
-      if (is_watched_in_statics(result))
+      if (is_watched)
         loss.look_in_statics(result.step.time,
                              balance,
                              result.step.points.has_stencils(),
@@ -235,13 +236,11 @@ namespace isochor
     bool
     enabled(const StepResult<dim> &result) const
     {
-      return result.points.layout().dynamic ?
-               in_dynamics :
-               in_statics || is_watched_in_statics(result);
+      return result.points.layout().dynamic ? in_dynamics :
+                                              in_statics || is_watched;
     }
 
-    /** Elastic bodies, after the first steps: these may be so large that work
-     * is not the mean of the forces times the way. */
+    /** Elastic bodies; first steps may be too large for the work's formula. */
     bool
     is_watched_in_statics(const StepResult<dim> &result) const
     {
@@ -478,6 +477,7 @@ namespace isochor
     }
 
     bool   in_statics = false, in_dynamics = true, watches = true;
+    bool   is_watched     = false; ///< in this step, in statics
     double initial_energy = 0, strain_energy = 0, external_sum = 0,
            plastic_sum = 0;
     /** Of the stresses at points that may yield, less what these store. */
