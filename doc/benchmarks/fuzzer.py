@@ -10,7 +10,7 @@ from bench import SCENES
 from fuzz_scenes import random_scene
 from harness import QUIET, output
 
-LIMIT = 120  # seconds of a run
+LIMIT = 600  # seconds of a run
 # What two runs of one scene, with another number of ranks or resumed, may differ by.
 # Rounding grows where bodies flow or touch.
 SAME = 1e-6

@@ -26,7 +26,7 @@ from bench import Bench, shortened  # noqa: E402
 from fuzzer import fuzz  # noqa: E402
 from harness import output  # noqa: E402
 from stability_cuts import convergence  # noqa: E402
-from stability_faces import on_faces  # noqa: E402
+from stability_faces import axes, on_faces  # noqa: E402
 from stability_parameters import alpha, load_steps, nu  # noqa: E402
 from stability_places import offsets, symmetry, turned, units  # noqa: E402
 from stability_strains import cycles, shear, strain  # noqa: E402
@@ -42,6 +42,7 @@ TESTS = {
         convergence,
         turned,
         symmetry,
+        axes,
         on_faces,
         units,
         cut,

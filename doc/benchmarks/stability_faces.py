@@ -56,3 +56,44 @@ def on_faces(bench):
             "1e-6" if strict else "none: reported",
             not strict or max(jumps) < 1e-6,
         )
+
+
+def axes(bench):
+    """In space: a nearly incompressible cube between rough plates, pressed along x, y or
+    z, and in other units: the same force to rounding."""
+    sides = {"x": ("left", "right"), "y": ("bottom", "top"), "z": ("front", "back")}
+    for quadrature in ("points", "cell-filled", "cell-filled + boundary", "CPDI"):
+        forces = {}
+        for axis, (rest, moved) in sides.items():
+            for length, stress in ((1.0, 1.0), (1e-9, 1e9), (1e9, 1e-9)):
+                if length != 1.0 and (axis != "y" or bench.quick):
+                    continue
+                plates = ", ".join(
+                    f"{a} = -{0.05 * length:.17g}*t" if a == axis else f"{a} = 0"
+                    for a in "xyz"
+                )
+                numbers = bench.run(
+                    SCENES / "pressed_cube.prm",
+                    {
+                        "Quadrature/Type": quadrature,
+                        "Grid/Upper corner": ", ".join([f"{length:.17g}"] * 3),
+                        "Grid/Subdivisions": "5, 5, 5",
+                        "Material/Young modulus": f"{1000 * stress:.17g}",
+                        "Boundary conditions/Displacement":
+                        f"{rest}: x=0, y=0, z=0; {moved}: {plates}",
+                        "Postprocess/Reactions": moved,
+                    },
+                    f"axes {quadrature} {axis} {length}",
+                )
+                force = numbers[f"Reaction {axis} on {moved} (N)"][-1]
+                forces[axis, length] = force / (length**2 * stress)
+        one = forces["y", 1.0]
+        worst = max(abs(force / one - 1) for force in forces.values())
+        bench.check(
+            "axes",
+            f"force of a cube, {quadrature}, {len(forces)} ways to write it: {one:.6g} N; "
+            "largest difference",
+            f"{worst:.1e}",
+            "1e-10",
+            worst < 1e-10,
+        )
