@@ -99,7 +99,7 @@ def where_it_sits(bench, membrane, axis):
                 membrane.error(
                     16,
                     "CPDI",
-                    f"{name} {shift}",
+                    f"{name} {k}",
                     {
                         "Grid/Type": "adaptive",
                         "Grid/Lower corner": f"0, {-3 + shift}",
@@ -108,11 +108,11 @@ def where_it_sits(bench, membrane, axis):
                         "Adaptive grid/Cell size": size,
                     },
                 )
-                for shift in shifts
+                for k, shift in enumerate(shifts)
             ]
         )
         spreads.append(errors.std())
-        axis.plot(shifts / 3, errors, "o-", ms=3, label=name.split(",")[0])
+        axis.plot(shifts / 3, errors, "o-", ms=3, label=name.split(", where")[0])
         at_corner = "above" in name
         bench.check(
             "convergence",

@@ -62,8 +62,8 @@ namespace isochor
                         "in dynamics",
                         Patterns::Selection("never|in dynamics|always"),
                         "Whether strain energy, plastic and external work, "
-                        "momenta and the energy lost by the scheme go into "
-                        "the statistics.");
+                        "momenta and the energy lost by the scheme go into the "
+                        "statistics. 'never': nor are losses warned of.");
     }
 
     void
