@@ -16,7 +16,8 @@ import re
 import statistics as stat
 import subprocess
 import sys
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from itertools import product
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -42,7 +43,9 @@ def shortened(problem, length=150):
 
 @dataclass(frozen=True)
 class Run:
-    """One run of the program. @p full: not in a quick benchmark."""
+    """One run of the program. @p full: not in a quick benchmark. With @p places, more
+    overrides each, it is made once with each of them: their mean is the result, and
+    their spread its error bar."""
 
     problem: str
     series: str
@@ -51,6 +54,7 @@ class Run:
     overrides: dict = field(default_factory=dict)
     full: bool = False
     processes: int = 1
+    places: tuple = ()
 
     @property
     def name(self):
@@ -133,6 +137,18 @@ def mesh(geo, path, options=(), **numbers):
     return path
 
 
+def places(count):
+    """Overrides that put a box of the grid at @p count places below a body: in cells,
+    evenly along x, along y by the golden section."""
+    return tuple(
+        {
+            "Grid/Offset": f"{(k + 0.5) / count - 0.5:.4f}, "
+            f"{(0.618 * k + 0.3) % 1 - 0.5:.3f}"
+        }
+        for k in range(count)
+    )
+
+
 # ------------------------------------------------------------- measuring ---
 
 
@@ -145,12 +161,13 @@ def command_of(executable, run, directory):
     return command + ["--output-directory", str(directory)]
 
 
-def execute(executable, run, directory, cost, limit):
+def execute(executable, run, directory, cost, limit, keep=False):
     """Run once; adds to @p cost. CPU time is what the system counts for the
-    process, loading and initialisation included. Raises OutputError."""
+    process, loading and initialisation included. Files of an earlier run are
+    removed, unless @p keep, as a run that is resumed wants. Raises OutputError."""
     directory.mkdir(parents=True, exist_ok=True)
     for old in directory.glob("*"):
-        if old.is_file():
+        if old.is_file() and not keep:
             old.unlink()
     environment = dict(
         os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1"
@@ -201,11 +218,15 @@ def measure(executable, baseline, scene, run, directory, repeat, limit):
     }
     cost, other = Cost([], []), Cost([], [])
     place = directory / run.name
+    errors = {}
     try:
-        for _ in range(repeat):
-            execute(executable, run, place, cost, limit)
+        for _, at in product(range(repeat), run.places or ({},)):
+            there = replace(run, overrides={**run.overrides, **at})
+            execute(executable, there, place, cost, limit)
+            for quantity, error in scene.errors(run, place).items():
+                errors.setdefault(quantity, []).append(error)
             if baseline:
-                execute(baseline, run, directory / "baseline", other, limit)
+                execute(baseline, there, directory / "baseline", other, limit)
         numbers = output.read_statistics(place)
         row["equations"] = int(max(numbers["Equations"]))
         row["points"] = int(max(numbers["Number of material points"]))
@@ -214,8 +235,10 @@ def measure(executable, baseline, scene, run, directory, repeat, limit):
         row["factorisations"] = int(sum(numbers["Factorisations"]))
         row["cuts"] = int(sum(numbers["Step cuts"]))
         row["warnings"] = warnings_of(place)
-        for quantity, error in scene.errors(run, place).items():
-            row[f"error {quantity}"] = error
+        for quantity, found in errors.items():
+            row[f"error {quantity}"] = stat.fmean(found)
+            if run.places:
+                row[f"spread {quantity}"] = stat.pstdev(found)
         for section, seconds in sections(place).items():
             row[f"time {section}"] = seconds
     except (output.OutputError, OSError, ValueError) as problem:
@@ -280,10 +303,11 @@ def quantities(rows):
 def reliable_error(rows, row, quantity):
     """The error of @p row that can be relied on: the largest one of its series
     at this and at finer sizes, so that a curve that crosses the exact value
-    by chance gains nothing. None if there is none."""
+    by chance gains nothing. Where the grid was moved, that is the root mean square
+    over its places. None if there is none."""
     key = f"error {quantity}"
     finer = [
-        abs(other[key])
+        np.hypot(other[key], other.get(f"spread {quantity}", 0))
         for other in rows
         if other.get("problem") == row["problem"]
         and other.get("series") == row["series"]

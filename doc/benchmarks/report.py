@@ -108,8 +108,10 @@ def series_table(scene, rows):
                     if not found:
                         cells.append("")
                     elif key in found[0]:
+                        spread = found[0].get(f"spread {quantity}")
+                        bar = f" ± {100 * spread:.2g}" if spread is not None else ""
                         cells.append(
-                            f"{100 * found[0][key]:+.3g} % ({found[0]['cpu']:.2f})"
+                            f"{100 * found[0][key]:+.3g}{bar} % ({found[0]['cpu']:.2f})"
                         )
                     else:
                         cells.append("failed")
@@ -120,7 +122,8 @@ def series_table(scene, rows):
         header += [f"{size:g}" for size in sizes] + ["order"]
         parts.append(
             f"Error: {quantity} (CPU seconds), over the "
-            f"{scene.size_label}:\n\n" + table(header, body)
+            f"{scene.size_label}; with ±, mean and standard deviation over places of "
+            "the grid below the body:\n\n" + table(header, body)
         )
     return "\n\n".join(parts)
 

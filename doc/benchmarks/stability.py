@@ -25,6 +25,8 @@ import report  # noqa: E402
 from bench import Bench, shortened  # noqa: E402
 from fuzzer import fuzz  # noqa: E402
 from harness import output  # noqa: E402
+from stability_cuts import convergence  # noqa: E402
+from stability_faces import axes, on_faces  # noqa: E402
 from stability_parameters import alpha, load_steps, nu  # noqa: E402
 from stability_places import offsets, symmetry, turned, units  # noqa: E402
 from stability_strains import cycles, shear, strain  # noqa: E402
@@ -37,8 +39,11 @@ TESTS = {
         nu,
         load_steps,
         offsets,
+        convergence,
         turned,
         symmetry,
+        axes,
+        on_faces,
         units,
         cut,
         strain,

@@ -36,6 +36,16 @@ def alpha(bench):
         errors.append(numbers["Displacement y of A (m)"][-1] / reference - 1)
         place = bench.directory / "runs" / harness.Run("", name, 0, COOK).name
         roughness.append(oscillation(place))
+    for value in (0, 1, 8, 100, 1000):
+        k = values.index(value)
+        bench.check(
+            "alpha",
+            f"α = {value}: error of u_y(A), n = {n}; roughness of the pressure "
+            f"{roughness[k]:.2g}",
+            f"{100 * errors[k]:+.2f} %",
+            "none: reported",
+            np.isfinite(errors[k]),
+        )
     plateau = [e for v, e in zip(values, errors) if 0.1 <= v <= 10]
     spread = max(plateau) - min(plateau)
     bench.check(
@@ -91,6 +101,30 @@ def nu(bench):
             iterations.append(int(numbers["Newton iterations"][-1]))
         curves[label] = tips, iterations
     tips, iterations = curves["u-p, PPP"]
+    with open(HERE / "references" / "cook_membrane.json") as stream:
+        reference = json.load(stream)["results"]
+    errors = {
+        value: 100 * (tip / reference[f"nu={value} P=1"]["uy"] - 1)
+        for value, tip in zip(values, tips)
+        if f"nu={value} P=1" in reference
+    }
+    bench.check(
+        "nu",
+        f"error of u_y(A), n = {n}, u-p with PPP: "
+        + ", ".join(f"ν = {value}: {error:+.2f} %" for value, error in errors.items())
+        + "; largest difference",
+        f"{max(errors.values()) - min(errors.values()):.2f} %",
+        "0.5 %",
+        max(errors.values()) - min(errors.values()) < 0.5,
+    )
+    locked = 100 * (curves["u"][0][-1] / reference["nu=0.5 P=1"]["uy"] - 1)
+    bench.check(
+        "nu",
+        "the u form at ν = 0.49999 locks: error of u_y(A)",
+        f"{locked:+.0f} %",
+        "below -20 %, or the test shows nothing",
+        locked < -20,
+    )
     jump = abs(tips[-1] / tips[-4] - 1)
     bench.check(
         "nu",

@@ -33,7 +33,8 @@ namespace isochor
    *    strain energy, minus plastic work. In statics the errors of load
    *    stepping are in it, in dynamics also those of time integration and of
    *    the transfer between points and nodes, and a warning says so if it is
-   *    more than 1 % per cycle.
+   *    more than 1 % per cycle. In statics the warning is one of elastic bodies
+   *    that drift (EnergyLoss).
    */
   template <int dim>
   class Energies : public Postprocessor<dim>
@@ -61,8 +62,8 @@ namespace isochor
                         "in dynamics",
                         Patterns::Selection("never|in dynamics|always"),
                         "Whether strain energy, plastic and external work, "
-                        "momenta and the energy lost by the scheme go into "
-                        "the statistics.");
+                        "momenta and the energy lost by the scheme go into the "
+                        "statistics. 'never': nor are losses warned of.");
     }
 
     void
@@ -70,12 +71,14 @@ namespace isochor
     {
       in_statics  = prm.get("Write energies") == "always";
       in_dynamics = prm.get("Write energies") != "never";
+      watches     = in_dynamics;
     }
 
     void
     evaluate_nodes(const StepResult<dim> &result,
                    Statistics & /*statistics*/) override
     {
+      is_watched = is_watched_in_statics(result);
       if (!enabled(result))
         return;
       std::array<double, n_sums> sums = point_sums(result);
@@ -123,19 +126,26 @@ namespace isochor
         }
       sum_over_ranks(sums, result.step.grid.communicator());
 
+      const EnergyLoss::Balance balance = {sums[6],
+                                           strain_energy + plastic_sum,
+                                           external_sum + initial_energy,
+                                           stiffness};
+      if (is_watched)
+        loss.look_in_statics(result.step.time,
+                             balance,
+                             result.step.points.has_stencils(),
+                             result.step.warnings);
+      if (!l.dynamic && !in_statics)
+        return;
       statistics.set("Strain energy (J)", strain_energy);
       statistics.set("Plastic work (J)", plastic_sum);
       statistics.set("External work (J)", external_sum);
       statistics.set("Energy lost by the scheme (J)",
-                     external_sum + initial_energy - strain_energy -
-                       plastic_sum - sums[6]);
+                     balance.supplied - balance.internal - balance.kinetic);
       if (!l.dynamic)
         return;
       loss.look(result.step.time,
-                {sums[6],
-                 strain_energy + plastic_sum,
-                 external_sum + initial_energy,
-                 stiffness},
+                balance,
                 result.time.motion_jumps,
                 result.step.points.has_stencils(),
                 result.step.grid_is_kept,
@@ -226,7 +236,16 @@ namespace isochor
     bool
     enabled(const StepResult<dim> &result) const
     {
-      return result.points.layout().dynamic ? in_dynamics : in_statics;
+      return result.points.layout().dynamic ? in_dynamics :
+                                              in_statics || is_watched;
+    }
+
+    /** Elastic bodies; first steps may be too large for the work's formula. */
+    bool
+    is_watched_in_statics(const StepResult<dim> &result) const
+    {
+      return watches && !result.points.layout().dynamic &&
+             result.time.step >= 10 && !any_dissipates(result.step);
     }
 
     /** This rank's part of what is found at the points, which are where the
@@ -457,7 +476,8 @@ namespace isochor
         }
     }
 
-    bool   in_statics = false, in_dynamics = true;
+    bool   in_statics = false, in_dynamics = true, watches = true;
+    bool   is_watched     = false; ///< in this step, in statics
     double initial_energy = 0, strain_energy = 0, external_sum = 0,
            plastic_sum = 0;
     /** Of the stresses at points that may yield, less what these store. */

@@ -71,6 +71,40 @@ namespace isochor
 
 
   void
+  EnergyLoss::look_in_statics(const double   time,
+                              const Balance &balance,
+                              const bool     is_cpdi,
+                              Warnings      &warnings)
+  {
+    constexpr double threshold = 0.05, rounding = 1e-14;
+
+    lost = balance.supplied - balance.internal;
+    if (n_since_start++ == 0)
+      lost_at_starts = lost;
+    largest           = std::max(largest, balance.internal);
+    const double loss = lost - lost_at_starts;
+    if (std::abs(loss) <=
+        std::max(threshold * largest, rounding * balance.stiffness))
+      return;
+    std::ostringstream text;
+    text.precision(3);
+    text
+      << "By t = " << time << " the work done on the elastic body is "
+      << std::abs(loss) << " J " << (loss > 0 ? "more" : "less")
+      << " than what it has stored, " << 100 * std::abs(loss) / largest
+      << " % of its largest energy. If it has not snapped, this comes from "
+         "putting the grid back: each time the body finds another "
+         "equilibrium, and what this changes adds up. Under loads that come "
+         "and go it drifts, in the end by as much as it moves. Put the grid "
+         "back less often or never (<Grid reset/Steps between resets>), take "
+         "fewer steps and smaller cells"
+      << (is_cpdi ? "." : ", or <Quadrature/Type = CPDI>.");
+    warnings.add("a body that drifts", text.str());
+  }
+
+
+
+  void
   EnergyLoss::save(std::ostream &state) const
   {
     state << largest << ' ' << kinetic << ' ' << kinetic_change << ' ' << lost
