@@ -111,14 +111,46 @@ namespace isochor
             given_acceleration.push_back(a);
           }
       }
-    project(step, momentum, followers, given_velocity, velocity);
-    if (by_stresses && !prescribed)
-      {
-        note_pressed(step, constraints, contact, at);
-        // those of a grid that is kept are those of the last step
-        if (step.mixed() && !step.grid_is_kept)
-          leave_out_unfelt_pressure(step, start);
-      }
+    if (!prescribed)
+      note_pressed(step, constraints, contact, at);
+    project_velocity(step);
+    project_acceleration(step, conditions, start);
+    prescribed = true;
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::project_velocity(const StepContext<dim> &step)
+  {
+    const std::vector<unsigned char> held_now = held;
+    // with what points in cells that are hardly filled bring, nodes would hit
+    // the wall in each step anew
+    const bool goes_on = !in_trial() && step.old_time > 0;
+    if (goes_on)
+      hold_pressed(step, &WallMotion::velocity_at_start, velocity);
+    const bool from_walls = goes_on && !pressed.followers.entry.empty();
+    project(step,
+            momentum,
+            from_walls ? pressed.followers : followers,
+            from_walls ? pressed.velocity : given_velocity,
+            velocity);
+    held = held_now;
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::project_acceleration(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+    const NodalConstraints                                     &start)
+  {
+    // those of a grid that is kept are those of the last step
+    if (by_stresses && !prescribed && step.mixed() && !step.grid_is_kept)
+      leave_out_unfelt_pressure(step, start);
     const bool from_walls = by_stresses && !pressed.followers.entry.empty();
     if (from_walls)
       {
@@ -130,17 +162,10 @@ namespace isochor
                                 from_walls ? pressed.constraints : start);
     const std::vector<unsigned char> held_now = held;
     if (by_stresses)
-      for (const Stopped &node : pressed.components)
-        {
-          held[node.entry] = 1;
-          if (node.entry < step.nodes.n_owned() * dim)
-            acceleration.local_element(node.entry) =
-              node.wall.acceleration_at_start;
-        }
+      hold_pressed(step, &WallMotion::acceleration_at_start, acceleration);
     project(
       step, force, followers, given_acceleration, acceleration, by_stresses);
-    held       = held_now;
-    prescribed = true;
+    held = held_now;
   }
 
 
@@ -163,43 +188,6 @@ namespace isochor
         result.push_back(smooth_start(dt).of(motion_of_step(places, dt)));
       }
     return result;
-  }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::note_pressed(const StepContext<dim> &step,
-                                 const NodalConstraints &constraints,
-                                 const Places           &contact,
-                                 const Places           &at)
-  {
-    const unsigned int nc = step.n_components;
-    pressed.components    = stopped;
-    pressed.followers     = {};
-    pressed.acceleration.clear();
-    bool walls = false;
-    for (const auto &equation : contact[0].equations)
-      walls = walls || equation.how == NodalConstraints::in_contact;
-    // what a wall along an axis holds may also follow a rigid side, a periodic
-    // partner or a tie, or be followed
-    if (!contact[0].equations.empty() || !constraints.ties.node.empty())
-      for (const auto how : contact[0].constrained)
-        walls = walls || how == NodalConstraints::in_contact;
-    if (Utilities::MPI::max(walls ? 1 : 0, step.grid.communicator()) == 0)
-      return;
-    Places all;
-    for (unsigned int k = 0; k < n_motion_places; ++k)
-      {
-        // see constraints_at()
-        all[k] = k > 0 && contact[k].equations.empty() ? at[k] : contact[k];
-        all[k].ties = constraints.ties;
-        all[k].resolve(nc);
-      }
-    pressed.constraints = all[0];
-    pressed.followers   = displacement_followers(all[0], nc);
-    for (const auto &start : starts_of_followers(all, nc, step.step_size()))
-      pressed.acceleration.push_back(start.second);
   }
 
 
@@ -299,86 +287,6 @@ namespace isochor
 
   template <int dim>
   void
-  InertiaTerm<dim>::note_stopping_walls(const Places      &constraints,
-                                        const unsigned int n_components,
-                                        const double       dt)
-  {
-    stopped_along.clear();
-    const NodalConstraints &start = constraints[0];
-    for (unsigned int k = 0; !trial.walls_lead && k < start.equations.size();
-         ++k)
-      {
-        const auto &equation = start.equations[k];
-        if (equation.how != NodalConstraints::in_contact)
-          continue;
-        StoppedAlong wall;
-        wall.wall =
-          wall_motion(motion_of_step({{equation.value,
-                                       constraints[1].equations[k].value,
-                                       constraints[2].equations[k].value,
-                                       constraints[3].equations[k].value}},
-                                     dt),
-                      dt);
-        for (std::size_t i = equation.first; i < equation.last; ++i)
-          wall.direction.emplace_back(start.entry[i] / n_components * dim +
-                                        start.entry[i] % n_components,
-                                      start.coefficient[i]);
-        stopped_along.push_back(wall);
-      }
-  }
-
-
-
-  template <int dim>
-  typename InertiaTerm<dim>::WallMotion
-  InertiaTerm<dim>::wall_motion(const MotionAtStart &motion,
-                                const double         dt) const
-  {
-    const SmoothStart smooth = smooth_start(dt);
-    const auto        end    = smooth.of(motion.after(dt));
-    return {motion, smooth.of(motion).second, end.first, end.second};
-  }
-
-
-
-  template <int dim>
-  double
-  InertiaTerm<dim>::excess_acceleration(const WallMotion &wall) const
-  {
-    return wall.acceleration_at_end -
-           integrator->inertial_acceleration(wall.acceleration_at_start,
-                                             wall.acceleration_at_end);
-  }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::stop_at_walls()
-  {
-    const auto set =
-      [](const StoppedAlong &wall, NodalField &field, const double value) {
-        double sum = 0, square = 0;
-        for (const auto &[i, a] : wall.direction)
-          {
-            sum += a * field.local_element(i);
-            square += a * a;
-          }
-        for (const auto &[i, a] : wall.direction)
-          field.local_element(i) += a / square * (value - sum);
-      };
-    for (const StoppedAlong &wall : stopped_along)
-      {
-        set(wall, at_end.velocity, wall.wall.velocity_at_end);
-        set(wall, at_end.acceleration, wall.wall.acceleration_at_end);
-        set(wall, at_end.excess, excess_acceleration(wall.wall));
-      }
-  }
-
-
-
-  template <int dim>
-  void
   InertiaTerm<dim>::set_trial_increments(const StepContext<dim> &step,
                                          NodalConstraints &constraints) const
   {
@@ -433,27 +341,33 @@ namespace isochor
     const StepContext<2> &,
     const std::vector<std::unique_ptr<BoundaryCondition<2>>> &,
     const NodalConstraints &);
+  template std::vector<std::pair<double, double>>
+  InertiaTerm<2>::starts_of_followers(const Places &,
+                                      const unsigned int,
+                                      const double) const;
+  template Followers
+  InertiaTerm<2>::displacement_followers(const NodalConstraints &,
+                                         const unsigned int);
   template Followers
   InertiaTerm<2>::pressure_followers(const NodalConstraints &);
   template void
   InertiaTerm<2>::set_trial_increments(const StepContext<2> &,
                                        NodalConstraints &) const;
   template void
-  InertiaTerm<2>::stop_at_walls();
-  template double
-  InertiaTerm<2>::excess_acceleration(const WallMotion &) const;
-  template void
   InertiaTerm<3>::prescribe(
     const StepContext<3> &,
     const std::vector<std::unique_ptr<BoundaryCondition<3>>> &,
     const NodalConstraints &);
+  template std::vector<std::pair<double, double>>
+  InertiaTerm<3>::starts_of_followers(const Places &,
+                                      const unsigned int,
+                                      const double) const;
+  template Followers
+  InertiaTerm<3>::displacement_followers(const NodalConstraints &,
+                                         const unsigned int);
   template Followers
   InertiaTerm<3>::pressure_followers(const NodalConstraints &);
   template void
   InertiaTerm<3>::set_trial_increments(const StepContext<3> &,
                                        NodalConstraints &) const;
-  template void
-  InertiaTerm<3>::stop_at_walls();
-  template double
-  InertiaTerm<3>::excess_acceleration(const WallMotion &) const;
 } // namespace isochor

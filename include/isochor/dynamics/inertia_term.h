@@ -6,6 +6,7 @@
 #define isochor_inertia_term_h
 
 #include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/dynamics/held_by_walls.h>
 #include <isochor/dynamics/mass_matrix.h>
 #include <isochor/dynamics/time_integrator.h>
 #include <isochor/equations/equation_term.h>
@@ -268,9 +269,11 @@ namespace isochor
      * others. Has to be called whenever other unknowns are held than before.
      * Collective.
      *
-     * What a one-sided wall holds starts with what the points bring, so that
-     * the search for the nodes in contact doesn't change what it starts from,
-     * and ends with the motion of the wall: the impact is over within the step.
+     * What a one-sided wall has held at the end of the last step starts with
+     * the motion of the wall, whether it is held in this one or not, and what
+     * it begins to hold in this step with what the points bring: the search
+     * for the nodes in contact must not change what it starts from. It ends
+     * with the motion of the wall: the impact is over within the step.
      */
     void
     prescribe(
@@ -297,6 +300,22 @@ namespace isochor
       return trial.is_past ? std::max(0., step.old_time - trial.step_size / 4) :
                              step.time;
     }
+    /** Project the velocities of the points to the nodes that are not held, and
+     * so the accelerations, or what forces give at the start of the step; @p
+     * start holds there but for one-sided walls. Collective. */
+    void
+    project_velocity(const StepContext<dim> &step);
+    void
+    project_acceleration(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
+      const NodalConstraints                                     &start);
+    /** Hold what one-sided walls pressed at the end of the last step, too, with
+     * what they @p start with in a @p field. */
+    void
+    hold_pressed(const StepContext<dim> &step,
+                 double WallMotion::*const start,
+                 NodalField               &field);
     /** What a motion over a time @p dt (s) is to start with. */
     SmoothStart
     smooth_start(const double dt) const
@@ -439,44 +458,13 @@ namespace isochor
     AtEnd at_end;
     /** Prescribed entries, of local nodes. */
     std::vector<unsigned char> held;
-    /** The motion of a one-sided wall over the step, by what the scheme follows
-     * it with at the start and at the end: what the next step is to start with
-     * if the wall goes on like this. */
-    struct WallMotion
-    {
-      MotionAtStart motion;
-      double        acceleration_at_start, velocity_at_end, acceleration_at_end;
-    };
     WallMotion
     wall_motion(const MotionAtStart &motion, const double dt) const;
     /** The excess acceleration of points at the wall at the end of the step. */
     double
-    excess_acceleration(const WallMotion &wall) const;
-    /** An entry that a one-sided wall holds. */
-    struct Stopped
-    {
-      unsigned int entry;
-      WallMotion   wall;
-    };
-    std::vector<Stopped> stopped;
-    /** What walls held at the end of the last step: their force on the body is
-     * not among those that accelerations from stresses are made of, so that
-     * these nodes start with the acceleration of the wall. By components, and
-     * by equations of walls; the same in all of the search for contact. */
-    struct Pressed
-    {
-      std::vector<Stopped> components;
-      Followers            followers;
-      std::vector<double>  acceleration;
-      NodalConstraints     constraints;
-    };
-    Pressed pressed;
-    /** The same for a wall that holds a combination Σ a_j x_j. */
-    struct StoppedAlong
-    {
-      std::vector<std::pair<unsigned int, double>> direction;
-      WallMotion                                   wall;
-    };
+                              excess_acceleration(const WallMotion &wall) const;
+    std::vector<Stopped>      stopped;
+    Pressed                   pressed;
     std::vector<StoppedAlong> stopped_along;
     /** Of velocities and accelerations. */
     Followers followers;

@@ -1,0 +1,107 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// An elastic block that hits a one-sided wall keeps its energy, however small
+// the steps are, and its momentum changes by the impulse of the wall.
+
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  struct Record
+  {
+    double energy, momentum, force, time;
+  };
+
+  /** A value per step, of the scene run last. */
+  std::vector<Record> &
+  records()
+  {
+    static std::vector<Record> r;
+    return r;
+  }
+} // namespace
+
+namespace isochor
+{
+  /** Fills records(). */
+  template <int dim>
+  class Records : public Postprocessor<dim>
+  {
+  public:
+    void
+    evaluate_points(const StepResult<dim> &result,
+                    Statistics            &statistics) override
+    {
+      if (result.time.step == 1)
+        records().clear();
+      records().push_back({statistics.get("Kinetic energy (J)") +
+                             statistics.get("Strain energy (J)"),
+                           statistics.get("Momentum y (kg m/s)"),
+                           statistics.get("Reaction y on bottom (N)"),
+                           result.step.time});
+    }
+  };
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Records, "Z: after all others")
+} // namespace isochor
+
+/** A block of 1 m x 0.5 m that flies at 2 m/s towards the bottom, 0.5 m away,
+ * with E = 100 Pa: longitudinal waves have 11.6 m/s, and it bounces off after
+ * some 0.15 s. No work is done on it. */
+void
+test_impact(const std::string &what, const std::string &settings)
+{
+  test::run_scene<2>(
+    "Grid/Upper corner = 2, 2\nGrid/Subdivisions = 12, 12\n"
+    "Grid/Diagonals = alternating\nFormulation/Type = u\n"
+    "Quadrature/Type = CPDI\nMaterial points/Points per cell = 4\n"
+    "Material points/Region = x > 0.5 && x < 1.5 && y > 0.5 && y < 1\n"
+    "Material/Young modulus = 100\nMaterial/Poisson ratio = 0.3\n"
+    "Material/Density = 1\nDynamics/Inertia = true\n"
+    "Dynamics/Initial velocity = 0, -2\nTime/End time = 0.4\n"
+    "Postprocess/Reactions = bottom\n" +
+    settings);
+  const auto &all     = records();
+  double      impulse = 0, least = all.front().energy, most = least;
+  for (unsigned int n = 1; n < all.size(); ++n)
+    {
+      impulse += all[n].force * (all[n].time - all[n - 1].time);
+      least = std::min(least, all[n].energy);
+      most  = std::max(most, all[n].energy);
+    }
+  const double energy   = all.front().energy,
+               momentum = all.back().momentum - all.front().momentum;
+  test::check_error(what + ", energy gained", most / energy - 1, 1e-3);
+  test::check_error(what + ", energy lost", 1 - least / energy, 0.025);
+  test::check_error(what + ", impulse",
+                    test::relative(impulse, momentum),
+                    0.01);
+  // it does bounce: off a rigid wall with its velocity, but for vibrations
+  test::check(what + ", bounces",
+              all.back().momentum > 0.8 * std::abs(all.front().momentum) &&
+                all.back().force == 0,
+              std::to_string(all.back().momentum));
+}
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const std::string                side =
+    "Boundary conditions/Displacement = bottom: y >= 0\n";
+  test_impact("steps of 2 ms", side + "Time/Step size = 0.002\n");
+  test_impact("steps of 0.5 ms", side + "Time/Step size = 0.0005\n");
+  test_impact("a wall along normals",
+              "Boundary conditions/Walls = bottom: n >= 0\n"
+              "Time/Step size = 0.001\n");
+  test_impact("a grid that is kept up to the wall",
+              side + "Grid reset/Steps between resets = 0\n"
+                     "Time/Step size = 0.001\n");
+  test_impact("steps that follow their error",
+              side + "Time/Step size = 0.01\nTime/Tolerated error = 1e-4\n"
+                     "Time/Minimum step size = 1e-4\n");
+}
