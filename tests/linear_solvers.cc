@@ -337,7 +337,7 @@ namespace
     const auto         solver  = create("MUMPS");
     LinearSolverReport first   = solver->factorise(A), last;
     unsigned int       n_again = 0;
-    for (unsigned int i = 0; i < 14; ++i)
+    for (unsigned int i = 0; i < 11; ++i)
       {
         last = solver->factorise(A);
         n_again += last.analysed;
