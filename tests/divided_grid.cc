@@ -9,7 +9,9 @@
 #include <isochor/base/safe_file.h>
 #include <isochor/grid/coordinate_bisection.h>
 
+#include <algorithm>
 #include <map>
+#include <set>
 
 #include "scene.h"
 
@@ -340,11 +342,69 @@ test_bisection()
               "");
 }
 
+/** Ranks take turns with the vertices that they share. */
+void
+test_vertex_owners()
+{
+  ParameterHandler prm;
+  BackgroundGrid<3>::declare_parameters(prm);
+  test::set_parameters(prm,
+                       "Grid/Type = box\nGrid/Upper corner = 1, 1, 2\n"
+                       "Grid/Subdivisions = 7, 7, 14\n");
+  BackgroundGrid<3> grid(MPI_COMM_WORLD);
+  grid.parse_parameters(prm);
+  grid.create();
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+
+  const SimplexGeometry<3>           &geometry = grid.geometry();
+  std::vector<std::set<unsigned int>> ranks(geometry.vertices().size());
+  std::vector<unsigned int>           n_cells(n_ranks);
+  for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+    {
+      ++n_cells[geometry.owner(cell)];
+      for (const unsigned int v : geometry.vertex_indices(cell))
+        ranks[v].insert(geometry.owner(cell));
+    }
+  test::check_error("as many cells for each rank",
+                    *std::max_element(n_cells.begin(), n_cells.end()) *
+                        double(n_ranks) / geometry.n_cells() -
+                      1,
+                    0.01);
+
+  bool is_of_its_cells = true;
+  // by the ranks that share vertices: how many each of them owns
+  std::map<std::set<unsigned int>, std::map<unsigned int, unsigned int>> owned;
+  for (unsigned int v = 0; v < ranks.size(); ++v)
+    {
+      is_of_its_cells &= ranks[v].count(grid.vertex_owner(v)) == 1;
+      ++owned[ranks[v]][grid.vertex_owner(v)];
+    }
+  test::check("a vertex has the rank of one of its cells", is_of_its_cells, "");
+  // in four rounds, each part of which is one vertex larger than another one
+  unsigned int largest_difference = 0;
+  for (const auto &[sharing, n_owned] : owned)
+    {
+      unsigned int least = ranks.size(), most = 0;
+      for (const unsigned int rank : sharing)
+        {
+          const auto         found = n_owned.find(rank);
+          const unsigned int n     = found == n_owned.end() ? 0 : found->second;
+          least                    = std::min(least, n);
+          most                     = std::max(most, n);
+        }
+      largest_difference = std::max(largest_difference, most - least);
+    }
+  test::check("and ranks share evenly what they have in common",
+              largest_difference <= 4,
+              std::to_string(largest_difference));
+}
+
 int
 main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_bisection();
+  test_vertex_owners();
   test_space();
   for (const std::string quadrature : {"points", "CPDI"})
     test_plastic(quadrature);

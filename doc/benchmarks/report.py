@@ -353,7 +353,8 @@ def phases_of(row):
         for key, value in row.items()
         if key.startswith("time ") and isinstance(value, float)
     }
-    # the reset is a part of the phase that begins with it
+    # the reset is a part of the phase that begins with it, and has parts
+    phases.pop("relocation", None)
     reset = phases.get("grid reset", 0.0)
     if "initialisation phase" in phases:
         phases["initialisation phase"] = max(

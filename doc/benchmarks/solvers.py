@@ -5,6 +5,7 @@
 
     solvers.py                  # a million equations in 3D need 5 GB
     solvers.py --quick          # up to 60 000, a minute
+    solvers.py --only ranks     # two ranks against one, see ranks.py
     solvers.py --publish        # also doc/benchmarks/results and doc/solvers.md
 
 Each run is one step of u-p with PPP, ν = 0.499: in 2D Cook's membrane, P = 1, in 3D a
@@ -26,6 +27,7 @@ sys.path.insert(0, str(HERE))
 import harness  # noqa: E402
 import numpy as np  # noqa: E402
 import programs  # noqa: E402
+import ranks  # noqa: E402
 import report  # noqa: E402
 from harness import PRM, output  # noqa: E402
 
@@ -189,12 +191,7 @@ def draw(rows, path):
     programs.save(figure, path)
 
 
-def main():
-    parser = programs.parser(__doc__, "output-solvers")
-    parser.add_argument("--quick", action="store_true")
-    parser.add_argument("--repeat", type=int, default=3)
-    arguments = programs.parse(parser)
-    start = time.time()
+def compare_solvers(arguments):
     rows = []
     for dimension, (sizes, largest_direct) in SIZES.items():
         for n in sizes:
@@ -203,14 +200,37 @@ def main():
             for solver in SOLVERS:
                 if solver != "MUMPS" or n <= largest_direct:
                     rows.append(measure(arguments, dimension, solver, n))
-    harness.write_rows(arguments.directory / "solvers.csv", rows)
-    text = table(rows)
-    (arguments.directory / "solvers.md").write_text(text + "\n")
     draw(rows, arguments.directory / "solvers")
+    finish(arguments, "solvers", rows, table(rows), ("png", "svg"))
+
+
+def compare_ranks(arguments):
+    rows, text = ranks.run_all(arguments)
+    finish(arguments, "ranks", rows, text)
+
+
+def finish(arguments, name, rows, text, pictures=()):
+    """Write table and text, to the documentation, too, if asked."""
+    harness.write_rows(arguments.directory / f"{name}.csv", rows)
+    (arguments.directory / f"{name}.md").write_text(text + "\n")
     if arguments.publish:
-        for name in ("solvers.csv", "solvers.png", "solvers.svg"):
-            shutil.copy(arguments.directory / name, HERE / "results" / name)
-        report.insert(HERE.parent / "solvers.md", "benchmark solvers", text)
+        for suffix in ("csv", *pictures):
+            file = f"{name}.{suffix}"
+            shutil.copy(arguments.directory / file, HERE / "results" / file)
+        report.insert(HERE.parent / "solvers.md", f"benchmark {name}", text)
+
+
+def main():
+    parser = programs.parser(__doc__, "output-solvers")
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--only", choices=("solvers", "ranks"))
+    arguments = programs.parse(parser)
+    start = time.time()
+    if arguments.only != "ranks":
+        compare_solvers(arguments)
+    if arguments.only != "solvers":
+        compare_ranks(arguments)
     print(f"{(time.time() - start) / 60:.1f} minutes")
     return 0
 

@@ -361,6 +361,7 @@ def overhead(work):
         for _ in range(max(1, work.repeat // 2)):
             cpu, _ = work.once(prm, overrides)
             phases = harness.sections(work.directory / "run")
+            phases.pop("relocation", None)  # a part of the reset
             reset = phases.pop("grid reset", 0)
             whole = sum(phases.values())
             phases["grid reset"] = reset

@@ -80,45 +80,14 @@ namespace isochor
 
 
   template <int dim>
-  std::vector<typename CoordinateBisection<dim>::Place>
-  GridPartition<dim>::places(const BackgroundGrid<dim> &grid)
-  {
-    // much less than a cell, much more than rounding
-    constexpr double            n_steps  = 1u << 24;
-    const SimplexGeometry<dim> &geometry = grid.geometry();
-    const auto                 &x        = grid.generated_vertices();
-    Point<dim>                  lower    = x[0];
-    double                      extent   = 0;
-    for (const Point<dim> &vertex : x)
-      for (unsigned int d = 0; d < dim; ++d)
-        lower[d] = std::min(lower[d], vertex[d]);
-    for (const Point<dim> &vertex : x)
-      for (unsigned int d = 0; d < dim; ++d)
-        extent = std::max(extent, vertex[d] - lower[d]);
-
-    std::vector<typename CoordinateBisection<dim>::Place> result(
-      geometry.n_cells());
-    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-      {
-        Tensor<1, dim> centre;
-        for (const unsigned int v : geometry.vertex_indices(cell))
-          centre += (x[v] - lower) / (dim + 1);
-        for (unsigned int d = 0; d < dim; ++d)
-          result[cell][d] = centre[d] / extent * n_steps + 0.5;
-      }
-    return result;
-  }
-
-
-
-  template <int dim>
   std::vector<unsigned int>
   GridPartition<dim>::owners(const CoordinateBisection<dim> &division,
                              const BackgroundGrid<dim>      &grid)
   {
     std::vector<unsigned int> ranks;
     ranks.reserve(grid.geometry().n_cells());
-    for (const auto &place : places(grid))
+    for (const auto &place :
+         places_of_cells(grid.generated_vertices(), grid.geometry()))
       ranks.push_back(division.rank(place));
     return ranks;
   }
@@ -145,7 +114,8 @@ namespace isochor
       return false;
 
     const auto weights = cell_weights(occupied, comm);
-    const auto place   = places(grid);
+    const auto place =
+      places_of_cells(grid.generated_vertices(), grid.geometry());
     std::vector<typename CoordinateBisection<dim>::Weight> entries;
     entries.reserve(weights.size());
     for (const auto &[cell, weight] : weights)

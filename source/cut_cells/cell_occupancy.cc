@@ -7,11 +7,71 @@
 #include <isochor/cut_cells/cell_occupancy.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace isochor
 {
+  namespace
+  {
+    /** Ranks that some vertices know of. */
+    class RanksOfVertices
+    {
+    public:
+      using Entries =
+        std::vector<std::pair<unsigned int, std::vector<unsigned int>>>;
+
+      explicit RanksOfVertices(const unsigned int n_vertices)
+        : number(n_vertices, numbers::invalid_unsigned_int)
+      {}
+
+      void
+      add(const unsigned int vertex, const unsigned int rank)
+      {
+        if (number[vertex] == numbers::invalid_unsigned_int)
+          {
+            number[vertex] = entries.size();
+            entries.push_back({vertex, {}});
+            n_taken.push_back(0);
+          }
+        auto &ranks = entries[number[vertex]].second;
+        if (std::find(ranks.begin(), ranks.end(), rank) == ranks.end())
+          ranks.push_back(rank);
+      }
+
+      /** What has been added since the last call. */
+      Entries
+      take_new()
+      {
+        Entries result;
+        for (std::size_t i = 0; i < entries.size(); ++i)
+          {
+            const auto &[vertex, ranks] = entries[i];
+            if (n_taken[i] < ranks.size())
+              result.push_back(
+                {vertex, {ranks.begin() + n_taken[i], ranks.end()}});
+            n_taken[i] = ranks.size();
+          }
+        return result;
+      }
+
+      const Entries &
+      all() const
+      {
+        return entries;
+      }
+
+    private:
+      std::vector<unsigned int> number; ///< by vertex, of its entry
+      Entries                   entries;
+      std::vector<std::size_t>  n_taken;
+    };
+  } // namespace
+
+
+
   template <int dim>
   CellOccupancy<dim>::CellOccupancy(const BackgroundGrid<dim> &grid)
     : grid(grid)
@@ -53,30 +113,35 @@ namespace isochor
     all_ranks.resize(Utilities::MPI::n_mpi_processes(comm));
     std::iota(all_ranks.begin(), all_ranks.end(), 0);
     this_rank = Utilities::MPI::this_mpi_process(comm);
-    const SimplexGeometry<dim>                    &geometry = grid.geometry();
-    std::map<unsigned int, std::set<unsigned int>> ranks; // of the others
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    RanksOfVertices             near(n_cells_at.size());
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       for (const unsigned int v : geometry.vertex_indices(cell))
         if (geometry.owner(cell) != owner_at(v))
-          ranks[v].insert({geometry.owner(cell), owner_at(v)});
+          {
+            near.add(v, owner_at(v));
+            near.add(v, geometry.owner(cell));
+          }
     for (unsigned int layer = 0; layer < n_near_layers(); ++layer)
       {
-        auto wider = ranks;
-        for (const auto &[v, known] : ranks)
-          for (unsigned int i = cells_at_start[v]; i < cells_at_start[v + 1];
-               ++i)
-            for (const unsigned int w :
-                 geometry.vertex_indices(cells_at_vertices[i]))
+        // (those that are new are handed on in the next layer)
+        for (const auto &[v, ranks] : near.take_new())
+          for (const unsigned int c : cells_at(v))
+            for (const unsigned int w : geometry.vertex_indices(c))
               {
-                wider[w].insert(known.begin(), known.end());
-                wider[w].insert(owner_at(w));
+                for (const unsigned int rank : ranks)
+                  near.add(w, rank);
+                near.add(w, owner_at(w));
               }
-        ranks.swap(wider);
       }
-    for (auto &[v, others] : ranks)
+    for (const auto &[v, ranks] : near.all())
       {
-        others.erase(this_rank);
-        near_ranks[v].assign(others.begin(), others.end());
+        std::vector<unsigned int> &others = near_ranks[v];
+        std::remove_copy(ranks.begin(),
+                         ranks.end(),
+                         std::back_inserter(others),
+                         this_rank);
+        std::sort(others.begin(), others.end());
       }
   }
 

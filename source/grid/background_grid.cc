@@ -4,10 +4,11 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_simplex_p.h>
-#include <deal.II/grid/grid_tools.h>
 
 #include <isochor/grid/background_grid.h>
+#include <isochor/grid/coordinate_bisection.h>
 #include <isochor/grid/nearest_cells.h>
+#include <isochor/grid/vertex_owners.h>
 
 #include <algorithm>
 #include <set>
@@ -77,13 +78,13 @@ namespace isochor
                0.);
         return;
       }
-    tria->signals.create.connect([this]() {
-      if (tria->n_active_cells() > 0)
-        GridTools::partition_triangulation(
-          Utilities::MPI::n_mpi_processes(comm), *tria);
-    });
     groups = grid_source->make_mesh(*tria);
     read_mesh_data();
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(comm);
+    if (n_ranks > 1)
+      set_owners(
+        equal_parts(places_of_cells(reference_vertices, *cached_geometry),
+                    n_ranks));
     if (is_moving())
       set_vertices(vertices_at_time(0.));
   }
@@ -200,11 +201,7 @@ namespace isochor
   void
   BackgroundGrid<dim>::assign_owners()
   {
-    vertex_owners.assign(tria->n_vertices(), numbers::invalid_unsigned_int);
-    for (unsigned int cell = 0; cell < cached_geometry->n_cells(); ++cell)
-      for (const unsigned int v : cached_geometry->vertex_indices(cell))
-        vertex_owners[v] =
-          std::min(vertex_owners[v], cached_geometry->owner(cell));
+    vertex_owners = owners_of_vertices(*cached_geometry);
   }
 
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace isochor
 {
@@ -110,6 +111,66 @@ namespace isochor
 
 
 
+  template <int dim>
+  std::vector<typename CoordinateBisection<dim>::Place>
+  places_of_cells(const std::vector<Point<dim>> &x,
+                  const SimplexGeometry<dim>    &geometry)
+  {
+    // much less than a cell, much more than rounding
+    constexpr double n_steps = 1u << 24;
+    Point<dim>       lower   = x[0];
+    double           extent  = 0;
+    for (const Point<dim> &vertex : x)
+      for (unsigned int d = 0; d < dim; ++d)
+        lower[d] = std::min(lower[d], vertex[d]);
+    for (const Point<dim> &vertex : x)
+      for (unsigned int d = 0; d < dim; ++d)
+        extent = std::max(extent, vertex[d] - lower[d]);
+
+    std::vector<typename CoordinateBisection<dim>::Place> places(
+      geometry.n_cells());
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      {
+        Tensor<1, dim> centre;
+        for (const unsigned int v : geometry.vertex_indices(cell))
+          centre += (x[v] - lower) / (dim + 1);
+        for (unsigned int d = 0; d < dim; ++d)
+          places[cell][d] = centre[d] / extent * n_steps + 0.5;
+      }
+    return places;
+  }
+
+
+
+  template <std::size_t dim>
+  std::vector<unsigned int>
+  equal_parts(const std::vector<std::array<std::uint32_t, dim>> &places,
+              const unsigned int                                 n_ranks)
+  {
+    std::vector<typename CoordinateBisection<dim>::Weight> weights;
+    weights.reserve(places.size());
+    for (const auto &place : places)
+      weights.push_back({place, 1.});
+    const CoordinateBisection<dim> division(std::move(weights), n_ranks);
+    std::vector<unsigned int>      ranks;
+    ranks.reserve(places.size());
+    for (const auto &place : places)
+      ranks.push_back(division.rank(place));
+    return ranks;
+  }
+
+
+
   template class CoordinateBisection<2>;
   template class CoordinateBisection<3>;
+  template std::vector<CoordinateBisection<2>::Place>
+  places_of_cells(const std::vector<Point<2>> &, const SimplexGeometry<2> &);
+  template std::vector<CoordinateBisection<3>::Place>
+  places_of_cells(const std::vector<Point<3>> &, const SimplexGeometry<3> &);
+  template std::vector<unsigned int>
+  equal_parts(const std::vector<std::array<std::uint32_t, 2>> &,
+              const unsigned int);
+  template std::vector<unsigned int>
+  equal_parts(const std::vector<std::array<std::uint32_t, 3>> &,
+              const unsigned int);
 } // namespace isochor

@@ -5,6 +5,7 @@
 
 #include <isochor/linear_solver/entry_exchange.h>
 
+#include <algorithm>
 #include <functional>
 #include <numeric>
 
@@ -59,15 +60,6 @@ namespace isochor
       AssertThrow(error >= 0,
                   ExcMessage(std::string("Trilinos: ") + call + " returned " +
                              std::to_string(error) + "."));
-    }
-
-    bool
-    are_consecutive(const std::vector<unsigned int> &numbers)
-    {
-      for (std::size_t i = 1; i < numbers.size(); ++i)
-        if (numbers[i] != numbers[i - 1] + 1)
-          return false;
-      return true;
     }
 
     void
@@ -135,12 +127,14 @@ namespace isochor
         AssertThrow(owner != end.end(), ExcInternalError());
         auto &entries = to_others[owner - end.begin()];
         for (int k = local.start[r]; k < local.start[r + 1]; ++k)
-          entries.emplace_back(
-            row, columns.local.MyGlobalElements()[local.column[k]]);
+          entries.push_back(
+            {{row, columns.local.MyGlobalElements()[local.column[k]]}});
       }
     const Entries from_others = Utilities::MPI::some_to_some(comm, to_others);
 
-    lay_out(local, rows, columns, from_others, sum);
+    std::vector<bool>      as_it_is;
+    const std::vector<int> column_in_sum =
+      lay_out(local, rows, columns, from_others, sum, as_it_is);
     for (const auto &[rank, entries] : to_others)
       {
         outgoing.push_back({static_cast<int>(rank),
@@ -162,19 +156,19 @@ namespace isochor
         incoming.push_back(message);
       }
     received.resize(n_received);
-    values   = to.value;
-    n_values = sum->NumMyNonzeros();
-    number_entries(local, rows, columns, *sum);
+    values = to.value;
+    find_places(local, rows, column_in_sum, *sum, as_it_is);
   }
 
 
 
-  void
+  std::vector<int>
   EntryExchange::lay_out(const LocalPattern                &local,
                          const Names                       &rows,
                          const Names                       &columns,
                          const Entries                     &received,
-                         std::unique_ptr<Epetra_CrsMatrix> &sum)
+                         std::unique_ptr<Epetra_CrsMatrix> &sum,
+                         std::vector<bool>                 &as_it_is)
   {
     const OwnedRange owned_rows(rows.owned), owned_columns(columns.owned);
     const int *const row_name    = rows.local.MyGlobalElements();
@@ -209,6 +203,11 @@ namespace isochor
                   foreign.begin());
     };
 
+    std::vector<int> column_in_sum(columns.local.NumMyElements());
+    for (unsigned int c = 0; c < column_in_sum.size(); ++c)
+      column_in_sum[c] = number(column_name[c]);
+    as_it_is.assign(rows.local.NumMyElements(), false);
+
     LocalPattern pattern;
     pattern.start.assign(owned_rows.n + 1, 0);
     pattern.column.reserve(local.column.size());
@@ -220,10 +219,15 @@ namespace isochor
         const int row = row_name[r] - owned_rows.begin;
         of_row.clear();
         for (int k = local.start[r]; k < local.start[r + 1]; ++k)
-          of_row.push_back(number(column_name[local.column[k]]));
+          of_row.push_back(column_in_sum[local.column[k]]);
+        as_it_is[r] = std::is_sorted(of_row.begin(), of_row.end());
         for (const int name : added[row])
           of_row.push_back(number(name));
-        sort_and_remove_copies(of_row);
+        if (!as_it_is[r] || !added[row].empty())
+          sort_and_remove_copies(of_row);
+        if (static_cast<int>(of_row.size()) >
+            local.start[r + 1] - local.start[r])
+          as_it_is[r] = false;
         pattern.column.insert(pattern.column.end(),
                               of_row.begin(),
                               of_row.end());
@@ -234,44 +238,49 @@ namespace isochor
       -1, all_columns.size(), all_columns.data(), 0, rows.owned.Comm());
     sum =
       zero_matrix(pattern, rows.owned, column_map, columns.owned, rows.owned);
+    return column_in_sum;
   }
 
 
 
   void
-  EntryExchange::number_entries(const LocalPattern     &local,
-                                const Names            &rows,
-                                const Names            &columns,
-                                const Epetra_CrsMatrix &sum)
+  EntryExchange::find_places(const LocalPattern      &local,
+                             const Names             &rows,
+                             const std::vector<int>  &column_in_sum,
+                             const Epetra_CrsMatrix  &sum,
+                             const std::vector<bool> &as_it_is)
   {
     const Rows       to(sum);
     const OwnedRange owned(rows.owned);
-    std::vector<int> column_here(columns.local.NumMyElements());
-    for (unsigned int c = 0; c < column_here.size(); ++c)
-      column_here[c] = sum.ColMap().LID(columns.local.MyGlobalElements()[c]);
+    const int *const row_name = rows.local.MyGlobalElements();
+    std::size_t      n_sent   = 0;
+    for (unsigned int r = 0; r < as_it_is.size(); ++r)
+      if (!as_it_is[r] && owned.contains(row_name[r]))
+        {
+          const int row = row_name[r] - owned.begin;
+          scattered_rows.emplace_back(to.start[row], to.start[row + 1]);
+          for (int k = local.start[r]; k < local.start[r + 1]; ++k)
+            place.push_back(to.find(row, column_in_sum[local.column[k]]));
+        }
+    scattered.resize(place.size());
 
     // what goes to others stands in to_send in the order of the local rows
-    unsigned int              n_sent = 0;
-    std::vector<unsigned int> places;
-    for (int r = 0; r < rows.local.NumMyElements(); ++r)
+    double *next_scattered = scattered.data();
+    for (unsigned int r = 0; r < as_it_is.size(); ++r)
       {
-        const int begin = local.start[r], end = local.start[r + 1],
-                  row = rows.local.MyGlobalElements()[r];
-        places.clear();
-        if (!owned.contains(row))
-          for (int k = begin; k < end; ++k)
-            places.push_back(n_values + n_sent++);
-        else
-          for (int k = begin; k < end; ++k)
-            places.push_back(
-              to.find(row - owned.begin, column_here[local.column[k]]));
-        if (owned.contains(row) && are_consecutive(places))
+        const int n_entries = local.start[r + 1] - local.start[r];
+        if (!owned.contains(row_name[r]))
           {
-            first_entry.push_back(places.empty() ? 0 : places.front());
-            continue;
+            first_entry.push_back(to_send.data() + n_sent);
+            n_sent += n_entries;
           }
-        first_entry.push_back(n_values + target.size());
-        target.insert(target.end(), places.begin(), places.end());
+        else if (as_it_is[r])
+          first_entry.push_back(values + to.start[row_name[r] - owned.begin]);
+        else
+          {
+            first_entry.push_back(next_scattered);
+            next_scattered += n_entries;
+          }
       }
     AssertThrow(n_sent == to_send.size(), ExcInternalError());
   }
@@ -309,6 +318,10 @@ namespace isochor
     const int ierr =
       MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
     AssertThrowMPI(ierr);
+    for (const auto &[begin, end] : scattered_rows)
+      std::fill(values + begin, values + end, 0.);
+    for (std::size_t i = 0; i < scattered.size(); ++i)
+      values[place[i]] += scattered[i];
     // in the order of the ranks, whichever came first
     for (const Message &message : incoming)
       for (unsigned int i = 0; i < message.size; ++i)

@@ -44,6 +44,8 @@ namespace isochor
       parameters.set("null space: vectors",
                      modes.MyLength() > 0 ? modes.Values() : &no_values);
       parameters.set("low memory usage", true);
+      // one rank alone factorises the coarsest matrix, and solves with it
+      parameters.set("coarse: max size", 500);
       hierarchy.initialize(K, parameters);
     }
 

@@ -275,10 +275,9 @@ namespace isochor
   {
     if (exchange)
       {
-        std::vector<unsigned int> next(exchange->first_entries());
-        exchange->start();
+        std::vector<double *> next(exchange->first_entries());
         for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t k) {
-          exchange->add(next[r]++, A.values[k]);
+          *next[r]++ = A.values[k];
         });
         exchange->finish();
         return;

@@ -252,7 +252,10 @@ namespace isochor
       scene.grid.set_vertices(scene.grid.vertices_at_time(time));
     grid_reset.start(time);
     // here and not after the last step, which may end outside of the grid
-    const auto n_changed = scene.points.relocate(*locator);
+    const auto n_changed = [&]() {
+      TimerOutput::Scope scope(timer, "relocation");
+      return scene.points.relocate(*locator);
+    }();
     if (!scene.bears_changes_of_cells() && scene.time.step > 0)
       spacing.watch_changes_of_cells(
         n_changed,

@@ -76,9 +76,6 @@ namespace isochor
     static std::vector<unsigned int>
     owners(const CoordinateBisection<dim> &division,
            const BackgroundGrid<dim>      &grid);
-    /** Of all cells: their centres when the grid was made. */
-    static std::vector<typename CoordinateBisection<dim>::Place>
-    places(const BackgroundGrid<dim> &grid);
 
     LoadBalance              balance;
     CoordinateBisection<dim> division;

@@ -5,6 +5,8 @@
 #ifndef isochor_coordinate_bisection_h
 #define isochor_coordinate_bisection_h
 
+#include <isochor/grid/simplex_geometry.h>
+
 #include <boost/serialization/access.hpp>
 #include <boost/serialization/array.hpp>
 
@@ -101,6 +103,20 @@ namespace isochor
       archive &cuts;
     }
   };
+
+
+
+  /** The centres of all cells, their vertices being at @p vertices. */
+  template <int dim>
+  std::vector<typename CoordinateBisection<dim>::Place>
+  places_of_cells(const std::vector<Point<dim>> &vertices,
+                  const SimplexGeometry<dim>    &geometry);
+
+  /** The ranks of cells at @p places, as many for each of @p n_ranks. */
+  template <std::size_t dim>
+  std::vector<unsigned int>
+  equal_parts(const std::vector<std::array<std::uint32_t, dim>> &places,
+              const unsigned int                                 n_ranks);
 } // namespace isochor
 
 #endif

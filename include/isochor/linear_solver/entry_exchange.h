@@ -11,7 +11,7 @@
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Map.h>
 
-#include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <utility>
@@ -65,39 +65,16 @@ namespace isochor
                   const MPI_Comm                     comm,
                   std::unique_ptr<Epetra_CrsMatrix> &sum);
 
-    /** Let the sum be zero. */
-    void
-    start()
-    {
-      std::fill(values, values + n_values, 0.);
-    }
-
-    /** For each local row the number of its first entry, for add(). Those of a
-     * row are numbered one after the other. */
-    const std::vector<unsigned int> &
+    /** For each local row where its contribution is to be written before
+     * finish(): the entries one after the other, all of them. */
+    const std::vector<double *> &
     first_entries() const
     {
       return first_entry;
     }
 
-    /** Add @p value to entry @p k of the contribution, see first_entries().
-     * Each entry at most once. */
-    void
-    add(const unsigned int k, const double value)
-    {
-      if (k < n_values)
-        {
-          values[k] += value;
-          return;
-        }
-      const unsigned int to = target[k - n_values];
-      if (to < n_values)
-        values[to] += value;
-      else
-        to_send[to - n_values] = value;
-    }
-
-    /** Hand over what other ranks own, and add what they have. Collective. */
+    /** Sum up what has been written: hand over what other ranks own, and add
+     * what they have. Collective. */
     void
     finish();
 
@@ -113,37 +90,43 @@ namespace isochor
 
     /** The entries that a rank has for others, and those that it gets, by
      * rank: global numbers of rows and columns. */
-    using Entries = std::map<unsigned int, std::vector<std::pair<int, int>>>;
+    using Entries = std::map<unsigned int, std::vector<std::array<int, 2>>>;
 
     /** Let @p sum have the entries of @p local in owned rows and those of
-     * @p received. */
-    static void
+     * @p received. Returns the columns of @p sum by local columns, and sets
+     * @p as_it_is for the local rows that are rows of @p sum, entry by entry.
+     */
+    static std::vector<int>
     lay_out(const LocalPattern                &local,
             const Names                       &rows,
             const Names                       &columns,
             const Entries                     &received,
-            std::unique_ptr<Epetra_CrsMatrix> &sum);
+            std::unique_ptr<Epetra_CrsMatrix> &sum,
+            std::vector<bool>                 &as_it_is);
 
-    /** Number the entries of @p local. */
+    /** Find where the entries of @p local go, see lay_out(). */
     void
-    number_entries(const LocalPattern     &local,
-                   const Names            &rows,
-                   const Names            &columns,
-                   const Epetra_CrsMatrix &sum);
+    find_places(const LocalPattern      &local,
+                const Names             &rows,
+                const std::vector<int>  &column_in_sum,
+                const Epetra_CrsMatrix  &sum,
+                const std::vector<bool> &as_it_is);
 
-    MPI_Comm     comm;
-    double      *values;
-    unsigned int n_values;
+    MPI_Comm comm;
+    double  *values; ///< of the sum
 
-    /** Rows that stand in the sum as they are, which are nearly all, have the
-     * numbers of their places there: without a list in between adding takes
-     * half the time. The entries of others have larger numbers. */
-    std::vector<unsigned int> first_entry;
-    /** By number of such an entry, less n_values: its place in the sum or,
-     * behind those, in to_send. */
-    std::vector<unsigned int> target;
-    std::vector<Message>      outgoing, incoming;
-    std::vector<double>       to_send, received;
+    /** Rows that stand in the sum as they are, which are nearly all, are
+     * written there: without a list of places in between that takes half the
+     * time. Those of other ranks are written to to_send, the others to
+     * scattered. */
+    std::vector<double *> first_entry;
+    /** The entries of the other owned rows, and their places in the sum. */
+    std::vector<double>       scattered;
+    std::vector<unsigned int> place;
+    /** Those rows in the sum: from where to where. */
+    std::vector<std::pair<unsigned int, unsigned int>> scattered_rows;
+    std::vector<Message>                               outgoing, incoming;
+    std::vector<double>                                to_send, received;
   };
 } // namespace isochor
 
