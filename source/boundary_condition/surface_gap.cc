@@ -88,6 +88,7 @@ namespace isochor
     const double     largest =
       std::max(*std::max_element(deformation.begin(), deformation.end()),
                *std::max_element(way.begin(), way.end()));
+    bool soft = false;
     for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
       for (unsigned int a = 0; a < dim; ++a)
         {
@@ -97,6 +98,7 @@ namespace isochor
             deformation[a] > rounding * largest ? deformation[a] : way[a];
           if (!(gap > considerable * moved))
             continue;
+          soft = true;
           step.warnings.add(
             "a surface stays behind its displacement",
             "At t = " + rounded(step.time) + " s the surface <" +
@@ -112,6 +114,81 @@ namespace isochor
               "incompressible and confined: set it to " +
               rounded(10 * conditions.penalty) + ", or use smaller cells.");
         }
+    check_work(step,
+               find_work(step, unknowns, points, forces, conditions),
+               conditions,
+               soft,
+               penalty_parameter);
+  }
+
+
+
+  template <int dim>
+  std::vector<typename SurfaceGap<dim>::Work>
+  SurfaceGap<dim>::find_work(const StepContext<dim>       &step,
+                             const NodalField             &unknowns,
+                             const BoundaryPoints<dim>    &points,
+                             const SurfaceForces<dim>     &forces,
+                             const SurfaceConditions<dim> &conditions) const
+  {
+    std::vector<double> sums(3 * conditions.surfaces.size());
+    for (unsigned int b = 0; b < points.size(); ++b)
+      {
+        const unsigned int   s = points.surface(b);
+        const Tensor<1, dim> u = forces.displacement(step, unknowns, b),
+                             t = forces.penalty_force(step, unknowns, b);
+        const double k         = forces.stiffness(step, b);
+        for (unsigned int a = 0; a < dim; ++a)
+          if (!conditions.surfaces[s].displacement[a].empty())
+            {
+              const double target = forces.target(step, b, a);
+              sums[3 * s] += t[a] * target;
+              sums[3 * s + 1] += t[a] * (target - u[a]);
+              sums[3 * s + 2] += k * target * target;
+            }
+      }
+    Utilities::MPI::sum(sums, step.grid.communicator(), sums);
+    std::vector<Work> work(conditions.surfaces.size());
+    for (unsigned int s = 0; s < work.size(); ++s)
+      work[s] = {sums[3 * s], sums[3 * s + 1], sums[3 * s + 2]};
+    return work;
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceGap<dim>::check_work(const StepContext<dim>       &step,
+                              const std::vector<Work>      &work,
+                              const SurfaceConditions<dim> &conditions,
+                              const bool                    soft,
+                              const std::string            &penalty_parameter)
+  {
+    constexpr double considerable = 0.03;
+    double           all          = 0;
+    for (const Work &of_surface : work)
+      all += of_surface.of_targets;
+    largest_work = std::max(largest_work, std::abs(all));
+    for (unsigned int s = 0; s < work.size() && !soft; ++s)
+      {
+        const double like_target =
+          work[s].scale > 0 ?
+            work[s].of_targets * work[s].of_targets / work[s].scale :
+            0.;
+        const double share = (work[s].of_gaps - like_target) / largest_work;
+        if (work[s].scale > 0 && share > considerable)
+          step.warnings.add(
+            "springs that are too stiff for a surface",
+            "At t = " + rounded(step.time) + " s the springs of the surface <" +
+              conditions.surfaces[s].place.name + "> take up " +
+              rounded(100 * share) +
+              " % of the work of the displacements that are prescribed on the "
+              "body; its forces are too large by about as much. The surface "
+              "goes through cells in which the body can't follow what is "
+              "prescribed. Set <" +
+              penalty_parameter + "> to " + rounded(conditions.penalty / 5) +
+              ", or use smaller cells.");
+      }
   }
 
 
@@ -124,7 +201,7 @@ namespace isochor
     text.precision(std::numeric_limits<double>::max_digits10);
     for (unsigned int a = 0; a < dim; ++a)
       text << deformation[a] << ' ' << way[a] << ' ';
-    text << '\n';
+    text << largest_work << '\n';
     return text.str();
   }
 
@@ -137,6 +214,7 @@ namespace isochor
     std::istringstream text(state);
     for (unsigned int a = 0; a < dim; ++a)
       text >> deformation[a] >> way[a];
+    text >> largest_work;
   }
 
 
