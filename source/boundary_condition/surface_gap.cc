@@ -116,6 +116,7 @@ namespace isochor
       }
     Utilities::MPI::sum(sums, step.grid.communicator(), sums);
     constexpr double considerable = 0.03;
+    bool             soft         = false;
     for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
       for (unsigned int a = 0; a < dim; ++a)
         {
@@ -123,6 +124,7 @@ namespace isochor
             std::sqrt(sums[stride * s + 1 + a] / sums[stride * s]);
           if (!(gap > considerable * moved[a]))
             continue;
+          soft = true;
           step.warnings.add(
             "a surface stays behind its displacement",
             "At t = " + rounded(step.time) + " s the surface <" +
@@ -139,6 +141,71 @@ namespace isochor
               rounded(10 * conditions.penalty(false)) +
               ", or use smaller cells.");
         }
+    if (!soft)
+      check_work(step,
+                 find_work(step, unknowns, points, forces, conditions),
+                 conditions,
+                 penalty_parameter);
+  }
+
+
+
+  template <int dim>
+  std::vector<typename SurfaceGap<dim>::Work>
+  SurfaceGap<dim>::find_work(const StepContext<dim>       &step,
+                             const NodalField             &unknowns,
+                             const BoundaryPoints<dim>    &points,
+                             const SurfaceForces<dim>     &forces,
+                             const SurfaceConditions<dim> &conditions) const
+  {
+    std::vector<double> sums(2 * conditions.surfaces.size());
+    for (unsigned int b = 0; b < points.size(); ++b)
+      {
+        const unsigned int   s = points.surface(b);
+        const Tensor<1, dim> u = forces.displacement(step, unknowns, b),
+                             t = forces.penalty_force(step, unknowns, b);
+        for (unsigned int a = 0; a < dim; ++a)
+          if (!conditions.surfaces[s].displacement[a].empty())
+            {
+              const double target = forces.target(step, b, a);
+              sums[2 * s] += t[a] * target;
+              sums[2 * s + 1] += t[a] * (target - u[a]);
+            }
+      }
+    Utilities::MPI::sum(sums, step.grid.communicator(), sums);
+    std::vector<Work> work(conditions.surfaces.size());
+    for (unsigned int s = 0; s < work.size(); ++s)
+      work[s] = {sums[2 * s], sums[2 * s + 1]};
+    return work;
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceGap<dim>::check_work(const StepContext<dim>       &step,
+                              const std::vector<Work>      &work,
+                              const SurfaceConditions<dim> &conditions,
+                              const std::string            &penalty_parameter)
+  {
+    constexpr double considerable = 0.03;
+    double           all          = 0;
+    for (const Work &of_surface : work)
+      all += of_surface.of_targets;
+    largest_work = std::max(largest_work, std::abs(all));
+    for (unsigned int s = 0; s < work.size(); ++s)
+      if (largest_work > 0 && work[s].of_gaps > considerable * largest_work)
+        step.warnings.add(
+          "springs that are too stiff for a surface",
+          "At t = " + rounded(step.time) + " s the springs of the surface <" +
+            conditions.surfaces[s].place.name + "> take up " +
+            rounded(100 * work[s].of_gaps / largest_work) +
+            " % of the work of the displacements that are prescribed on the "
+            "body; its forces are too large by about as much. The surface "
+            "goes through cells in which the body can't follow what is "
+            "prescribed. Set <" +
+            penalty_parameter + "> to " +
+            rounded(conditions.penalty(false) / 5) + ", or use smaller cells.");
   }
 
 
@@ -151,7 +218,7 @@ namespace isochor
     text.precision(std::numeric_limits<double>::max_digits10);
     for (unsigned int a = 0; a < dim; ++a)
       text << motion.deformation[a] << ' ' << motion.way[a] << ' ';
-    text << '\n';
+    text << largest_work << '\n';
     return text.str();
   }
 
@@ -164,6 +231,7 @@ namespace isochor
     std::istringstream text(state);
     for (unsigned int a = 0; a < dim; ++a)
       text >> motion.deformation[a] >> motion.way[a];
+    text >> largest_work;
   }
 
 

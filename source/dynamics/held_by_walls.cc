@@ -16,7 +16,7 @@ namespace isochor
                                  double WallMotion::*const start,
                                  NodalField               &field)
   {
-    for (const Stopped &node : pressed.components)
+    for (const StoppedAtWall &node : pressed.components)
       {
         held[node.entry] = 1;
         if (node.entry < step.nodes.n_owned() * dim)
@@ -79,7 +79,7 @@ namespace isochor
         const auto &equation = start.equations[k];
         if (equation.how != NodalConstraints::in_contact)
           continue;
-        StoppedAlong wall;
+        StoppedAlongWall wall;
         wall.wall =
           wall_motion(motion_of_step({{equation.value,
                                        constraints[1].equations[k].value,
@@ -123,7 +123,7 @@ namespace isochor
   InertiaTerm<dim>::stop_at_walls()
   {
     const auto set =
-      [](const StoppedAlong &wall, NodalField &field, const double value) {
+      [](const StoppedAlongWall &wall, NodalField &field, const double value) {
         double sum = 0, square = 0;
         for (const auto &[i, a] : wall.direction)
           {
@@ -133,7 +133,7 @@ namespace isochor
         for (const auto &[i, a] : wall.direction)
           field.local_element(i) += a / square * (value - sum);
       };
-    for (const StoppedAlong &wall : stopped_along)
+    for (const StoppedAlongWall &wall : stopped_along)
       {
         set(wall, at_end.velocity, wall.wall.velocity_at_end);
         set(wall, at_end.acceleration, wall.wall.acceleration_at_end);

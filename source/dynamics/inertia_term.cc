@@ -327,7 +327,7 @@ namespace isochor
           at_end.excess.local_element(i) =
             a - scheme().inertial_acceleration(a_n, a);
         }
-    for (const Stopped &node : stopped)
+    for (const StoppedAtWall &node : stopped)
       {
         at_end.velocity.local_element(node.entry) = node.wall.velocity_at_end;
         at_end.acceleration.local_element(node.entry) =

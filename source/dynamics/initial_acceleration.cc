@@ -223,9 +223,9 @@ namespace isochor
       sudden = std::max(sudden, std::abs(wall.motion.velocity));
       change = std::max(change, std::abs(end.velocity - wall.motion.velocity));
     };
-    for (const Stopped &node : stopped)
+    for (const StoppedAtWall &node : stopped)
       look(node.wall);
-    for (const StoppedAlong &wall : stopped_along)
+    for (const StoppedAlongWall &wall : stopped_along)
       look(wall.wall);
     const MPI_Comm comm = step.grid.communicator();
     change              = Utilities::MPI::max(change, comm);

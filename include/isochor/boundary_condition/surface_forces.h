@@ -117,6 +117,10 @@ namespace isochor
     starts_suddenly(const StepContext<dim> &step,
                     const NodalField       &velocity) const;
 
+    /** β G/h A_b at point @p b (N/m). */
+    double
+    stiffness(const StepContext<dim> &step, const unsigned int b) const;
+
     /** The displacement of point @p b at the end of the step (m). */
     Tensor<1, dim>
     displacement(const StepContext<dim> &step,
@@ -156,9 +160,6 @@ namespace isochor
     /** A_b at t = 0 (m^(dim-1); in axisymmetry m^2, of the ring). */
     double
     area(const StepContext<dim> &step, const unsigned int b) const;
-    /** β G/h A_b at a point. */
-    double
-    stiffness(const StepContext<dim> &step, const unsigned int b) const;
     /** The dead load at a point (N), zero without. */
     Tensor<1, dim>
     dead_load(const StepContext<dim> &step, const unsigned int b) const;

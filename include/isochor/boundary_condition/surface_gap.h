@@ -9,6 +9,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace isochor
 {
@@ -19,6 +20,12 @@ namespace isochor
    * the body is warned of. (In dynamics a body that has just been hit has
    * hardly moved, and the gap that comes with its inertia is a large part of
    * that.)
+   *
+   * Springs that are too stiff are told of, too: where functions linear in a
+   * cell can't follow what is prescribed, gaps alternate along the surface, and
+   * the springs take up work that the body does not, Σ t·g of the work Σ t·ū
+   * of their forces t on all surfaces, g the gap; of its affine part, which is
+   * corrected, there is none. Forces are too large by about that share.
    */
   template <int dim>
   class SurfaceGap
@@ -53,6 +60,26 @@ namespace isochor
     load_state(const std::string &state);
 
   private:
+    /** The work of the springs of a surface, in sums over its points (J). */
+    struct Work
+    {
+      double of_targets = 0; ///< Σ t·ū
+      double of_gaps    = 0; ///< Σ t·g
+    };
+    /** By surface. Collective. */
+    std::vector<Work>
+    find_work(const StepContext<dim>       &step,
+              const NodalField             &unknowns,
+              const BoundaryPoints<dim>    &points,
+              const SurfaceForces<dim>     &forces,
+              const SurfaceConditions<dim> &conditions) const;
+    /** Warn of springs that are too stiff. */
+    void
+    check_work(const StepContext<dim>       &step,
+               const std::vector<Work>      &work,
+               const SurfaceConditions<dim> &conditions,
+               const std::string            &penalty_parameter);
+
     struct Motion
     {
       /** By component, the largest in the run (m): by how much the
@@ -78,6 +105,8 @@ namespace isochor
 
     /** Up to the start of the step. */
     Motion motion;
+    /** The largest work of all targets in the run (J). */
+    double largest_work = 0;
   };
 } // namespace isochor
 

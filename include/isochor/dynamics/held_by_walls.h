@@ -25,14 +25,14 @@ namespace isochor
 
   /** An entry, of fields with dim components per node, that a one-sided wall
    * holds. */
-  struct Stopped
+  struct StoppedAtWall
   {
     unsigned int entry;
     WallMotion   wall;
   };
 
   /** The same for a wall that holds a combination Σ a_j x_j. */
-  struct StoppedAlong
+  struct StoppedAlongWall
   {
     std::vector<std::pair<unsigned int, double>> direction;
     WallMotion                                   wall;
@@ -43,12 +43,12 @@ namespace isochor
    * those that accelerations from stresses are made of, so that these nodes
    * start with the velocity and the acceleration of the wall. By components,
    * and by equations of walls; the same in all of the search for contact. */
-  struct Pressed
+  struct PressedByWalls
   {
-    std::vector<Stopped> components;
-    Followers            followers;
-    std::vector<double>  velocity, acceleration;
-    NodalConstraints     constraints;
+    std::vector<StoppedAtWall> components;
+    Followers                  followers;
+    std::vector<double>        velocity, acceleration;
+    NodalConstraints           constraints;
   };
 } // namespace isochor
 

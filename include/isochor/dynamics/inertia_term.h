@@ -462,10 +462,10 @@ namespace isochor
     wall_motion(const MotionAtStart &motion, const double dt) const;
     /** The excess acceleration of points at the wall at the end of the step. */
     double
-                              excess_acceleration(const WallMotion &wall) const;
-    std::vector<Stopped>      stopped;
-    Pressed                   pressed;
-    std::vector<StoppedAlong> stopped_along;
+    excess_acceleration(const WallMotion &wall) const;
+    std::vector<StoppedAtWall>    stopped;
+    PressedByWalls                pressed;
+    std::vector<StoppedAlongWall> stopped_along;
     /** Of velocities and accelerations. */
     Followers followers;
     /** What is given to them by prescribed motions, see MassMatrix::solve(). */
