@@ -391,9 +391,10 @@ namespace isochor
       const auto  &rinfog        = mumps->id.rinfog;
       const double scale = entry(rinfog, 4) * entry(rinfog, 5); // |A| |x|
       largest_scale      = std::max(largest_scale, scale);
-      // the error analysis is known to the host only
+      // the error analysis is known to the host only; nothing solves a system
+      // without a right-hand side
       const bool consistent = Utilities::MPI::broadcast(
-        comm, entry(rinfog, 6) * scale < 1e-10 * largest_scale);
+        comm, scale == 0 || entry(rinfog, 6) * scale < 1e-10 * largest_scale);
       AssertThrow(consistent,
                   ExcLinearSolverFailed(
                     "MUMPS: the matrix is singular, " +
