@@ -9,6 +9,7 @@
 #include <isochor/boundary_condition/contact_search.h>
 #include <isochor/boundary_condition/wall_surface.h>
 #include <isochor/equations/equation_term.h>
+#include <isochor/grid/prescribed_motion.h>
 
 #include <string>
 #include <vector>
@@ -35,15 +36,32 @@ namespace isochor
 
     std::string       boundary;
     bool              one_sided;
+    std::string       formula; ///< of the displacement (m), without blanks
     Expression<dim>   displacement;
     WallSurface<dim>  surface;
     std::vector<Node> nodes;
+
+    /** As it is in the parameter. */
+    std::string
+    condition() const
+    {
+      return std::string(one_sided ? "n >= " : "n = ") + formula;
+    }
 
     void
     add_vertices(std::vector<unsigned int> &vertices) const
     {
       for (const Node &node : nodes)
         vertices.push_back(node.vertex);
+    }
+
+    /** How far (m) the wall comes in the step along its normal, at @p x. */
+    double
+    motion(const Point<dim> &x, const StepContext<dim> &step) const
+    {
+      if (!one_sided)
+        return prescribed_increment(displacement, x, step.old_time, step.time);
+      return displacement(x, step.time) - displacement(x, step.old_time);
     }
 
     /** The displacement (m) in the step along @p normal of @p node, on a rank
