@@ -349,7 +349,7 @@ test_warnings()
                                        "0, -1\n");
   test::check("a plate that leaves a wall", away.empty(), away);
   test::check("a plate that goes through a wall",
-              against.find("<Boundary conditions/Walls> and <Boundary "
+              against.find("<Boundary conditions/Walls = left> and <Boundary "
                            "conditions/Rigid sides = top> determine the same 1 "
                            "displacement") != std::string::npos &&
                 against.find("by up to 0.025 m") != std::string::npos,

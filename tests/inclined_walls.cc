@@ -305,7 +305,7 @@ test_conflicts()
   for (const auto &warning : problem->all_warnings().all())
     found = found || warning.text.find(
                        "<Boundary conditions/Displacement> and "
-                       "<Boundary conditions/Walls> determine the "
+                       "<Boundary conditions/Walls = bottom> determine the "
                        "same 3 displacement components") != std::string::npos;
   test::check("contradictions are told", found, "");
 }

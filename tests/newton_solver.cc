@@ -207,6 +207,47 @@ test_plastic(const std::string &form)
               std::to_string(mean));
 }
 
+/** Where nothing changes the volume the pressure equation's residual is of
+ * higher order in the strain, and says nothing of a correction. Two bars in a
+ * row without lateral strain: Newton's method has nothing to shorten. */
+void
+test_no_change_of_volume()
+{
+  for (const std::string stretch : {"-0.002", "-0.1"})
+    for (const std::string ratio : {"0", "1e-8"})
+      {
+        const auto problem = test::run_scene<2>(
+          "Grid/Upper corner = 2, 1.25\nGrid/Subdivisions = 16, 10\n"
+          "Formulation/Type = u-p\nQuadrature/Type = cell-filled\n"
+          "Material points/Region = y < 1\n"
+          "Material points/Materials in zones = 2: x > 1\n"
+          "Material/Young modulus = 1e6\nMaterial 2/Young modulus = 3e6\n"
+          "Material/Poisson ratio = " +
+          ratio + "\nMaterial 2/Poisson ratio = " + ratio +
+          "\nPostprocess/Reactions = right\n"
+          "Boundary conditions/Displacement = left: x = 0; bottom: y = 0; "
+          "right: x = " +
+          stretch + "*t\n");
+        const bool        small  = stretch == "-0.002";
+        const std::string what   = stretch + " m, Poisson ratio " + ratio;
+        const auto        newton = test::recorded().newton;
+        bool              full   = true;
+        for (const auto &iteration : newton.front().iterations)
+          full = full && (iteration.step_length == 0. ||
+                          iteration.step_length >= (small ? 1. : 0.5));
+        test::check("corrections, " + what,
+                    full && newton.size() == 1 &&
+                      newton.front().n_iterations() <= (small ? 3 : 6),
+                    std::to_string(newton.front().n_iterations()));
+        if (small)
+          test::check_error("force of two bars in a row, " + what,
+                            test::relative(test::get(*problem,
+                                                     "Reaction x on right (N)"),
+                                           -0.002 / (1 / 1e6 + 1 / 3e6)),
+                            3e-3);
+      }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -216,4 +257,5 @@ main(int argc, char **argv)
   test_other_start();
   test_plastic("u");
   test_plastic("u-p");
+  test_no_change_of_volume();
 }

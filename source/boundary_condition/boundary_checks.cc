@@ -8,9 +8,75 @@
 #include <isochor/grid/nearest_cells.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace isochor
 {
+  namespace
+  {
+    /** Of the body's length along a push, what the gap behind it may have: the
+     * forces then lack about as much. */
+    constexpr double strain_lost = 0.01;
+
+    /** Whether material is in cells at the boundary @p id, or at any if
+     * @p everywhere. Collective. */
+    template <int dim>
+    bool
+    is_touched(const StepContext<dim>  &step,
+               const types::boundary_id id,
+               const bool               everywhere = false)
+    {
+      const SimplexGeometry<dim> &geometry = step.grid.geometry();
+      bool                        touched  = false;
+      for (const BoundaryFace &face : step.grid.boundary_faces())
+        if (everywhere || face.id == id)
+          for (unsigned int v = 0; v <= dim; ++v)
+            touched = touched ||
+                      (v != face.opposite_vertex &&
+                       step.nodes.node(geometry.vertex_indices(face.cell)[v]) !=
+                         numbers::invalid_unsigned_int);
+      return Utilities::MPI::max(static_cast<int>(touched),
+                                 step.grid.communicator()) != 0;
+    }
+
+    /** From the first of the material points to the last (m), along
+     * @p direction, or of a closed boundary along the longest axis. Collective.
+     */
+    template <int dim>
+    double
+    length_along(const StepContext<dim> &step, const Tensor<1, dim> &direction)
+    {
+      constexpr double            closed = 0.5;
+      std::vector<Tensor<1, dim>> axes;
+      if (direction.norm() > closed)
+        axes.push_back(direction / direction.norm());
+      else
+        for (unsigned int a = 0; a < dim; ++a)
+          axes.push_back(Point<dim>::unit_vector(a));
+      std::vector<double> low(axes.size(), 1e300), high(axes.size(), -1e300);
+      for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+        for (unsigned int q = step.points.cell_start[k];
+             q < step.points.cell_start[k + 1];
+             ++q)
+          for (unsigned int a = 0; a < axes.size(); ++a)
+            {
+              const double x =
+                axes[a] * step.points.location(step.grid.geometry(), k, q);
+              low[a]  = std::min(low[a], x);
+              high[a] = std::max(high[a], x);
+            }
+      const MPI_Comm comm = step.grid.communicator();
+      Utilities::MPI::min(low, comm, low);
+      Utilities::MPI::max(high, comm, high);
+      double length = 0;
+      for (unsigned int a = 0; a < axes.size(); ++a)
+        length = std::max(length, high[a] - low[a]);
+      return length;
+    }
+  } // namespace
+
+
+
   template <int dim>
   GridSide<dim>
   side_of(const BackgroundGrid<dim> &grid,
@@ -49,24 +115,15 @@ namespace isochor
   {
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
     Extent<dim>                 boundary, body;
-    bool                        touched = false;
+    if (is_touched(step, id, everywhere))
+      return;
     for (const BoundaryFace &face : step.grid.boundary_faces())
-      {
-        if (!everywhere && face.id != id)
-          continue;
+      if (everywhere || face.id == id)
         for (unsigned int v = 0; v <= dim; ++v)
           if (v != face.opposite_vertex)
-            {
-              const unsigned int vertex = geometry.vertex_indices(face.cell)[v];
-              boundary.include(geometry.vertices()[vertex]);
-              touched = touched || step.nodes.node(vertex) !=
-                                     numbers::invalid_unsigned_int;
-            }
-      }
+            boundary.include(
+              geometry.vertices()[geometry.vertex_indices(face.cell)[v]]);
     const MPI_Comm comm = step.grid.communicator();
-    if (Utilities::MPI::max(static_cast<int>(touched), comm) != 0)
-      return;
-
     for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
       for (const unsigned int vertex :
            geometry.vertex_indices(step.points.cell[k]))
@@ -132,17 +189,29 @@ namespace isochor
                            const std::string      &condition,
                            const double            along)
   {
-    const double size = side_of(step.grid, boundary, condition).cell_size;
-    if (along <= 0.5 * size)
+    if (along <= 0)
+      return;
+    const GridSide<dim> side = side_of(step.grid, boundary, condition);
+    const double        size = side.cell_size;
+    // with inertia the whole body may go along, and nothing be strained
+    const bool strains =
+      !step.has_inertia &&
+      is_touched(step, step.grid.boundary_id(boundary, condition));
+    const double length = strains ? length_along(step, side.inwards) : 0.;
+    if (along <= 0.5 * size && !(strains && along > strain_lost * length))
       return;
     step.warnings.add(
       "a boundary that leaves the body behind",
       "Until t = " + rounded(step.old_time) + " <" + condition +
         "> has pushed the body by " + rounded(along) +
-        " m away from the boundary <" + boundary +
-        ">, more than half of a cell (" + rounded(size) +
-        " m), but the grid is put back after each step, and the boundary with "
-        "it: it loses the body. Let the grid follow (<Grid/Stretch>), keep it "
+        " m away from the boundary <" + boundary + "> (a cell has " +
+        rounded(size) + " m" +
+        (strains ? ", the body " + rounded(length) + " m" : "") +
+        "), but the grid is put back after each step, and the boundary with "
+        "it: the row of cells there is partly empty and strained more than the "
+        "body, whose forces are too small by up to twice the share that the way "
+        "has of the body's length; beyond half of a cell the boundary loses the "
+        "body. Let the grid follow (<Grid/Stretch>), keep it "
         "(<Grid reset/Steps between resets>), or move the body's own surface "
         "(<Boundary conditions/Displacement of body>).");
   }

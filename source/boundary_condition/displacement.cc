@@ -55,8 +55,11 @@ namespace isochor
         "leaves it, and is held again when it comes back. On a grid that is put "
         "back in each step bodies meet it, and leave it, up to one cell away "
         "from it, so that impacts last longer. A boundary that "
-        "pushes the body by more than half of a cell must take the grid along "
-        "(<Grid/Stretch>), or the grid be kept.");
+        "pushes the body by more than a hundredth of its length must take the "
+        "grid along (<Grid/Stretch>), or the grid be kept: put back, the row of "
+        "cells there is partly empty and too soft, beyond half of a cell it "
+        "loses the body. One that pulls must do so at once: put back, it is "
+        "left by the body, which is an error.");
     }
 
     void

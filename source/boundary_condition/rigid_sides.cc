@@ -49,7 +49,7 @@ namespace isochor
           "reference point) act on it then. 'centre = (x, y)' is the "
           "reference point, else the centroid of the side. Force, moment, "
           "translation and rotation go into the statistics. A side that "
-          "moves by more than half of a cell needs a grid that is kept "
+          "moves by more than 1 % of the body needs a grid that is kept "
           "(<Grid reset/Steps between resets = 0>, <Smallest element quality "
           "= 0>). In bodies of revolution x = 0 and rotation = 0. "
           "<Displacement> and <Walls> override rigid sides at common nodes." :

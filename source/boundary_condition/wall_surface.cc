@@ -9,6 +9,8 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
+#include <utility>
 
 namespace isochor
 {
@@ -17,44 +19,68 @@ namespace isochor
     /** Faces belong to one smooth piece if their normals' product is more. */
     const double smooth = std::cos(40. / 180. * numbers::PI);
 
-    /** A face at a vertex: its number, its area vector into the grid. */
+    /** The cosine of the angle between two faces of @p area vectors. */
     template <int dim>
-    struct FaceAtVertex
+    double
+    cosine(const Tensor<1, dim> &first, const Tensor<1, dim> &second)
     {
-      unsigned int   face;
-      Tensor<1, dim> area;
-    };
+      return first * second / (first.norm() * second.norm());
+    }
 
-    /** For each of @p faces, those of one smooth piece have the same number. */
-    template <int dim>
-    std::vector<unsigned int>
-    find_pieces(const std::vector<FaceAtVertex<dim>>             &faces,
-                const std::vector<std::array<unsigned int, dim>> &vertices)
+    /** Whether faces share an edge (in 2D, a vertex). */
+    template <std::size_t dim>
+    bool
+    share_edge(const std::array<unsigned int, dim> &first,
+               const std::array<unsigned int, dim> &second)
     {
-      std::vector<unsigned int> piece(faces.size());
-      std::iota(piece.begin(), piece.end(), 0);
-      // faces that share an edge at the vertex (in 2D, the vertex itself)
-      const auto share_edge = [&](const unsigned int i, const unsigned int j) {
-        unsigned int n = 0;
-        for (const unsigned int v : vertices[faces[i].face])
-          for (const unsigned int w : vertices[faces[j].face])
-            n += (v == w);
-        return n + 1 >= dim;
-      };
+      unsigned int n = 0;
+      for (const unsigned int v : first)
+        n += std::count(second.begin(), second.end(), v);
+      return n + 1 >= dim;
+    }
+
+    /** Whether two faces at a vertex belong to one smooth piece, as far as that
+     * is a matter of their directions. */
+    template <class Face>
+    bool
+    meet_smoothly(const Face &a, const Face &b)
+    {
+      return share_edge(a.vertices, b.vertices) &&
+             cosine(a.area, b.area) > smooth;
+    }
+
+    /** By vertex, the numbers of the faces there. */
+    template <class Face>
+    std::map<unsigned int, std::vector<unsigned int>>
+    faces_at_vertices(const std::vector<Face> &faces)
+    {
+      std::map<unsigned int, std::vector<unsigned int>> at_vertex;
+      for (unsigned int f = 0; f < faces.size(); ++f)
+        for (const unsigned int v : faces[f].vertices)
+          at_vertex[v].push_back(f);
+      return at_vertex;
+    }
+
+    /** The groups of @p n things of which some are connected: for each, the
+     * smallest number in its group. */
+    template <class Connected>
+    std::vector<unsigned int>
+    groups_of(const unsigned int n, const Connected &connected)
+    {
+      std::vector<unsigned int> group(n);
+      std::iota(group.begin(), group.end(), 0);
       for (bool changed = true; changed;)
         {
           changed = false;
-          for (unsigned int i = 0; i < faces.size(); ++i)
-            for (unsigned int j = 0; j < faces.size(); ++j)
-              if (piece[i] < piece[j] && share_edge(i, j) &&
-                  faces[i].area * faces[j].area >
-                    smooth * faces[i].area.norm() * faces[j].area.norm())
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              if (group[i] < group[j] && connected(i, j))
                 {
-                  piece[j] = piece[i];
+                  group[j] = group[i];
                   changed  = true;
                 }
         }
-      return piece;
+      return group;
     }
 
     /** Components that are rounding are zero: a wall along an axis holds what
@@ -104,81 +130,177 @@ namespace isochor
 
 
   template <int dim>
-  void
-  WallSurface<dim>::initialize(const BackgroundGrid<dim> &grid,
-                               const types::boundary_id   id)
+  std::vector<typename WallSurface<dim>::NamedFace>
+  WallSurface<dim>::faces_of(const BackgroundGrid<dim>             &grid,
+                             const std::vector<types::boundary_id> &ids)
   {
-    const SimplexGeometry<dim>                &geometry = grid.geometry();
-    std::vector<std::array<unsigned int, dim>> vertices;
-    std::map<unsigned int, std::vector<FaceAtVertex<dim>>> at_vertex;
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    std::vector<NamedFace>      found;
     for (const BoundaryFace &face : grid.boundary_faces())
-      if (face.id == id)
-        {
-          // |e| ∇N of the opposite vertex is the face's area over dim
-          const Tensor<1, dim> area =
-            geometry.measure(face.cell) *
-            geometry.gradients(face.cell)[face.opposite_vertex];
-          std::array<unsigned int, dim> corners;
-          unsigned int                  n = 0;
-          for (unsigned int v = 0; v <= dim; ++v)
-            if (v != face.opposite_vertex)
-              {
-                const unsigned int vertex =
-                  geometry.vertex_indices(face.cell)[v];
-                corners[n++] = vertex;
-                at_vertex[vertex].push_back(
-                  {static_cast<unsigned int>(vertices.size()), area});
-              }
-          vertices.push_back(corners);
-        }
-
-    all_nodes.clear();
-    faces.assign(vertices.size(), Face());
-    for (unsigned int f = 0; f < faces.size(); ++f)
-      for (unsigned int c = 0; c < dim; ++c)
-        faces[f].corners[c] = geometry.vertices()[vertices[f][c]];
-    for (const auto &[vertex, here] : at_vertex)
       {
-        const std::vector<unsigned int> piece =
-          find_pieces<dim>(here, vertices);
-        std::map<unsigned int, Tensor<1, dim>> sums;
-        for (unsigned int i = 0; i < here.size(); ++i)
-          sums[piece[i]] += here[i].area;
-        for (const auto &sum : sums)
-          all_nodes.push_back({vertex, unit(sum.second)});
-        for (unsigned int i = 0; i < here.size(); ++i)
-          for (unsigned int c = 0; c < dim; ++c)
-            if (vertices[here[i].face][c] == vertex)
-              faces[here[i].face].normals[c] = unit(sums.at(piece[i]));
+        const auto id = std::find(ids.begin(), ids.end(), face.id);
+        if (id == ids.end())
+          continue;
+        NamedFace named;
+        named.boundary = id - ids.begin();
+        // |e| ∇N of the opposite vertex is the face's area over dim
+        named.area = geometry.measure(face.cell) *
+                     geometry.gradients(face.cell)[face.opposite_vertex];
+        unsigned int n = 0;
+        for (unsigned int v = 0; v <= dim; ++v)
+          if (v != face.opposite_vertex)
+            named.vertices[n++] = geometry.vertex_indices(face.cell)[v];
+        found.push_back(named);
       }
-    if (dim == 2)
-      improve_ends(vertices);
-    flat =
-      std::all_of(all_nodes.begin(), all_nodes.end(), [this](const auto &n) {
-        return (n.normal - all_nodes.front().normal).norm() < 1e-10;
-      });
-    if (flat)
-      for (Node &node : all_nodes)
-        node.normal = all_nodes.front().normal;
+    return found;
+  }
+
+
+
+  template <int dim>
+  std::vector<typename WallSurface<dim>::Piece>
+  WallSurface<dim>::find_pieces(const std::vector<NamedFace> &named,
+                                const GoesOn                 &goes_on)
+  {
+    std::vector<Piece> pieces;
+    for (const auto &[vertex, here] : faces_at_vertices(named))
+      {
+        const auto group =
+          groups_of(here.size(), [&, v = vertex, &f = here](auto i, auto j) {
+            const NamedFace &a = named[f[i]], &b = named[f[j]];
+            return meet_smoothly(a, b) && (a.boundary == b.boundary ||
+                                           goes_on(a.boundary, b.boundary, v));
+          });
+        std::map<unsigned int, Piece> of_group;
+        for (unsigned int i = 0; i < here.size(); ++i)
+          {
+            Piece &piece = of_group[group[i]];
+            piece.vertex = vertex;
+            piece.normal += named[here[i]].area;
+            piece.boundary = std::min(piece.boundary, named[here[i]].boundary);
+            piece.faces.push_back(here[i]);
+          }
+        for (auto &entry : of_group)
+          {
+            entry.second.normal = unit(entry.second.normal);
+            pieces.push_back(entry.second);
+          }
+      }
+    return pieces;
   }
 
 
 
   template <int dim>
   void
-  WallSurface<dim>::improve_ends(
-    const std::vector<std::array<unsigned int, dim>> &vertices)
+  WallSurface<dim>::leave_out_others(std::vector<NamedFace> &named,
+                                     const unsigned int      n_boundaries,
+                                     const unsigned int      own,
+                                     const GoesOn           &goes_on)
+  {
+    std::set<std::pair<unsigned int, unsigned int>> joined;
+    for (const Piece &piece : find_pieces(named, goes_on))
+      for (const unsigned int f : piece.faces)
+        {
+          joined.emplace(piece.boundary, named[f].boundary);
+          joined.emplace(named[f].boundary, piece.boundary);
+        }
+    const auto surface = groups_of(n_boundaries, [&](auto i, auto j) {
+      return joined.count({i, j}) != 0;
+    });
+    named.erase(std::remove_if(named.begin(),
+                               named.end(),
+                               [&](const NamedFace &face) {
+                                 return surface[face.boundary] != surface[own];
+                               }),
+                named.end());
+  }
+
+
+
+  template <int dim>
+  void
+  WallSurface<dim>::find_seams(const std::vector<NamedFace> &named,
+                               const unsigned int            own,
+                               const GoesOn                 &goes_on)
+  {
+    std::map<unsigned int, Seam> sharpest;
+    for (const auto &[vertex, here] : faces_at_vertices(named))
+      for (const unsigned int i : here)
+        for (const unsigned int j : here)
+          {
+            const NamedFace &a = named[i], &b = named[j];
+            if (a.boundary != own || b.boundary == own ||
+                !meet_smoothly(a, b) || goes_on(own, b.boundary, vertex))
+              continue;
+            const Seam seam{b.boundary,
+                            vertex,
+                            std::acos(std::min(cosine(a.area, b.area), 1.))};
+            const auto old = sharpest.insert({b.boundary, seam}).first;
+            if (old->second.angle < seam.angle)
+              old->second = seam;
+          }
+    all_seams.clear();
+    for (const auto &entry : sharpest)
+      all_seams.push_back(entry.second);
+  }
+
+
+
+  template <int dim>
+  void
+  WallSurface<dim>::initialize(const BackgroundGrid<dim>             &grid,
+                               const std::vector<types::boundary_id> &ids,
+                               const unsigned int                     own,
+                               const GoesOn                          &goes_on)
+  {
+    std::vector<NamedFace> named = faces_of(grid, ids);
+    find_seams(named, own, goes_on);
+    leave_out_others(named, ids.size(), own, goes_on);
+    std::vector<Piece> pieces = find_pieces(named, goes_on);
+
+    const auto &vertices = grid.geometry().vertices();
+    faces.assign(named.size(), Face());
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      for (unsigned int c = 0; c < dim; ++c)
+        faces[f].corners[c] = vertices[named[f].vertices[c]];
+    for (const Piece &piece : pieces)
+      for (const unsigned int f : piece.faces)
+        for (unsigned int c = 0; c < dim; ++c)
+          if (named[f].vertices[c] == piece.vertex)
+            faces[f].normals[c] = piece.normal;
+    if (dim == 2)
+      improve_ends(named, pieces);
+
+    const auto same_as_first = [&](const Piece &piece) {
+      return (piece.normal - pieces.front().normal).norm() < 1e-10;
+    };
+    flat = std::all_of(pieces.begin(), pieces.end(), same_as_first);
+    all_nodes.clear();
+    for (const Piece &piece : pieces)
+      if (piece.boundary == own)
+        all_nodes.push_back(
+          {piece.vertex, flat ? pieces.front().normal : piece.normal});
+  }
+
+
+
+  template <int dim>
+  void
+  WallSurface<dim>::improve_ends(const std::vector<NamedFace> &named,
+                                 std::vector<Piece>           &pieces)
   {
     std::map<unsigned int, unsigned int> n_faces, n_pieces;
-    for (const auto &corners : vertices)
-      for (const unsigned int v : corners)
+    for (const NamedFace &face : named)
+      for (const unsigned int v : face.vertices)
         ++n_faces[v];
-    for (const Node &node : all_nodes)
-      ++n_pieces[node.vertex];
+    for (const Piece &piece : pieces)
+      ++n_pieces[piece.vertex];
     for (unsigned int f = 0; f < faces.size(); ++f)
       for (unsigned int c = 0; c < 2; ++c)
         {
-          const unsigned int end = vertices[f][c], next = vertices[f][1 - c];
+          const unsigned int end  = named[f].vertices[c],
+                             next = named[f].vertices[1 - c];
           if (n_faces[end] != 1 || n_faces[next] != 2 || n_pieces[next] != 1)
             continue;
           Tensor<1, dim>       n_face;
@@ -188,9 +310,9 @@ namespace isochor
           n_face /= n_face.norm();
           const Tensor<1, dim> n = faces[f].normals[1 - c];
           faces[f].normals[c]    = unit(2 * (n_face * n) * n_face - n);
-          for (Node &node : all_nodes)
-            if (node.vertex == end)
-              node.normal = faces[f].normals[c];
+          for (Piece &piece : pieces)
+            if (piece.vertex == end)
+              piece.normal = faces[f].normals[c];
         }
   }
 

@@ -5,8 +5,7 @@
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/contact_search.h>
-#include <isochor/boundary_condition/smooth_wall.h>
-#include <isochor/grid/prescribed_motion.h>
+#include <isochor/boundary_condition/wall_joints.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +30,9 @@ namespace isochor
    * One-sided walls find their set of nodes by ContactSearch. Nodes that have
    * not touched the wall yet remember their distance from it, others begin each
    * step at the wall, on a kept grid where the last one left them.
+   *
+   * What is one surface may have several names (see WallJoints): its nodes
+   * belong to the wall named first.
    */
   template <int dim>
   class Walls : public BoundaryCondition<dim>
@@ -50,10 +52,11 @@ namespace isochor
         "stays at the wall, with 'n = 0.1*t' the wall pushes it. With 'n >= "
         "formula' the wall only pushes: nodes that would have to be pulled "
         "leave it. At vertices normals are the mean of the faces that meet at "
-        "less than 40 degrees; at a sharper corner those of both sides count. "
+        "less than 40 degrees, also of several boundaries with the same "
+        "formula; at a sharper corner those of both sides count. "
         "<Boundary conditions/Displacement> overrides walls. A wall that pushes "
-        "the body by more than half of a cell needs a grid that is kept (<Grid "
-        "reset/Steps between resets>).");
+        "the body by more than a hundredth of its length needs a grid that is "
+        "kept (<Grid reset/Steps between resets>).");
     }
 
     void
@@ -74,12 +77,12 @@ namespace isochor
                                  "> of the parameter <" + parameter() +
                                  "> must have the form <boundary: n = formula> "
                                  "or <boundary: n >= formula>."));
+          std::string           formula = item.substr(equals + 1);
+          const Expression<dim> displacement(formula, parameter());
+          formula.erase(std::remove(formula.begin(), formula.end(), ' '),
+                        formula.end());
           walls.push_back(
-            {entry.first,
-             one_sided,
-             Expression<dim>(item.substr(equals + 1), parameter()),
-             {},
-             {}});
+            {entry.first, one_sided, formula, displacement, {}, {}});
         }
     }
 
@@ -87,10 +90,10 @@ namespace isochor
     initialize(const BackgroundGrid<dim> &grid) override
     {
       reference = grid.vertices_at_time(0.);
-      for (Wall &wall : walls)
+      for (unsigned int w = 0; w < walls.size(); ++w)
         {
-          wall.surface.initialize(grid,
-                                  grid.boundary_id(wall.boundary, parameter()));
+          Wall &wall   = walls[w];
+          wall.surface = joints().surface(grid, w);
           wall.nodes.clear();
           for (const auto &at : wall.surface.nodes())
             {
@@ -129,6 +132,7 @@ namespace isochor
                           parameter(),
                           wall.boundary,
                           step.grid.boundary_id(wall.boundary, parameter()));
+      joints().warn_of_seams(step);
     }
 
     std::vector<unsigned int>
@@ -148,6 +152,7 @@ namespace isochor
       unsigned int                                 label = 0;
       for (const Wall &wall : walls)
         {
+          constraints.source = this->name + " = " + wall.boundary;
           const std::vector<Tensor<1, dim>> normals = normals_of(wall, step);
           for (unsigned int i = 0; i < wall.nodes.size(); ++i, ++label)
             {
@@ -286,6 +291,12 @@ namespace isochor
       return NamedPlugin::parameter("Walls");
     }
 
+    WallJoints<dim>
+    joints() const
+    {
+      return WallJoints<dim>(walls, reference, parameter());
+    }
+
     /** By node of the wall, at the start of the step. */
     std::vector<Tensor<1, dim>>
     normals_of(const Wall &wall, const StepContext<dim> &step) const
@@ -293,9 +304,8 @@ namespace isochor
       std::vector<Tensor<1, dim>> normals;
       if (step.grid.is_moving())
         {
-          WallSurface<dim> moved;
-          moved.initialize(step.grid,
-                           step.grid.boundary_id(wall.boundary, parameter()));
+          const WallSurface<dim> moved =
+            joints().surface(step.grid, &wall - walls.data());
           for (const auto &node : moved.nodes())
             normals.push_back(node.normal);
           if (normals.size() == wall.nodes.size())
@@ -328,28 +338,13 @@ namespace isochor
       return step.grid_is_kept || !node.contact.touched ? node.contact.gap : 0.;
     }
 
-    /** How far the wall comes in the step along its normal, at node i. */
-    double
-    motion(const Wall             &wall,
-           const unsigned int      i,
-           const StepContext<dim> &step) const
-    {
-      const Point<dim> &x = reference[wall.nodes[i].vertex];
-      if (!wall.one_sided)
-        return prescribed_increment(wall.displacement,
-                                    x,
-                                    step.old_time,
-                                    step.time);
-      return wall.displacement(x, step.time) -
-             wall.displacement(x, step.old_time);
-    }
-
     double
     increment(const Wall             &wall,
               const unsigned int      i,
               const StepContext<dim> &step) const
     {
-      return motion(wall, i, step) - gap(wall, i, step);
+      return wall.motion(reference[wall.nodes[i].vertex], step) -
+             gap(wall, i, step);
     }
 
     /** By walls and nodes one after the other: the force of the wall (N) on
@@ -450,7 +445,7 @@ namespace isochor
                   node.moved  = 0.;
                   node.offset = -gap(wall, i, step);
                 }
-              node.offset += motion(wall, i, step);
+              node.offset += wall.motion(reference[node.vertex], step);
               for (unsigned int a = 0; a < dim; ++a)
                 node.moved[a] += moved[i * dim + a];
             }

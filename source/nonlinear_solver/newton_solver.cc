@@ -152,6 +152,22 @@ namespace isochor
       return std::max(displacement_ratio(norms), pressure_ratio(norms));
     }
 
+    /**
+     * Whether the line search takes @p norms, coming from @p old. The largest
+     * residual of the pressure equation is no scale where a body hardly changes
+     * its volume, as at Poisson ratio zero: what there is may be rounding, or
+     * of higher order in the strains. So it may grow there while forces fall.
+     */
+    bool
+    is_progress(const ResidualNorms &norms, const ResidualNorms &old) const
+    {
+      constexpr double small = 1e-4; // against strains as large as the forces
+      return merit(norms) < merit(old) ||
+             (std::isfinite(merit(norms)) &&
+              norms.displacement < old.displacement &&
+              norms.pressure < small * force * norms.volume_per_force);
+    }
+
   private:
     double
     first(const ResidualNorms &norms) const
@@ -259,25 +275,26 @@ namespace isochor
                           const bool         with_matrix,
                           ResidualNorms     &norms) const
   {
-    const double old = gauge.merit(norms);
-    LineSearch   search;
+    const ResidualNorms start = norms;
+    const double        old   = gauge.merit(start);
+    LineSearch          search;
     for (unsigned int k = 0;; ++k, search.last /= 2)
       {
         problem.advance(search.last);
         norms              = problem.assemble(k == 0 && with_matrix);
         const double merit = gauge.merit(norms);
-        if (k == 0 || merit < search.merit)
+        search.failed =
+          may_grow ? !std::isfinite(merit) : !gauge.is_progress(norms, start);
+        if (k == 0 || merit < search.merit || !search.failed)
           {
             search.merit = merit;
             search.best  = search.last;
           }
-        const bool accepted = may_grow ? std::isfinite(merit) : merit < old;
-        if (accepted || k == n_backtracks || gauge.converged(norms, tolerance))
+        if (!search.failed || k == n_backtracks ||
+            gauge.converged(norms, tolerance))
           break;
       }
     search.reduction = search.merit / old;
-    search.failed =
-      may_grow ? !std::isfinite(search.merit) : !(search.merit < old);
     return search;
   }
 

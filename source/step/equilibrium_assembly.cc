@@ -212,6 +212,8 @@ namespace isochor
       norms.pending ? 0. : std::sqrt(std::max(squares[2], squares[3]));
     norms.displacement_floor = force_floor;
     norms.pressure_floor     = volume_floor;
+    norms.volume_per_force =
+      strain_floor > 0 ? volume_floor / strain_floor : 0.;
     return norms;
   }
 

@@ -55,8 +55,10 @@ namespace isochor
 
   /** On a grid that is put back, a @p boundary that by @p parameter has pushed
    * the body by @p push (m, along the axis @p component) out of the row of
-   * cells there hands hardly anything on to it: warn from half a cell on. All
-   * ranks alike. */
+   * cells there hands hardly anything on to it: warn from half a cell on. In
+   * statics its forces are too small before: the row of cells with the gap in
+   * it is strained by more than the body. Warn from 1 % of the body's length
+   * on, if the body touches the boundary. Collective. */
   template <int dim>
   void
   warn_of_lost_body(const StepContext<dim> &step,

@@ -9,6 +9,7 @@
 #include <isochor/boundary_condition/contact_search.h>
 #include <isochor/boundary_condition/wall_surface.h>
 #include <isochor/equations/equation_term.h>
+#include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
 #include <string>
@@ -36,9 +37,17 @@ namespace isochor
 
     std::string       boundary;
     bool              one_sided;
+    std::string       formula; ///< of the displacement (m), without blanks
     Expression<dim>   displacement;
     WallSurface<dim>  surface;
     std::vector<Node> nodes;
+
+    /** As it is in the parameter. */
+    std::string
+    condition() const
+    {
+      return std::string(one_sided ? "n >= " : "n = ") + formula;
+    }
 
     void
     add_vertices(std::vector<unsigned int> &vertices) const
@@ -89,6 +98,15 @@ namespace isochor
               displacement(old_reference[nearest->vertex], 0.) -
               displacement(x, 0.);
         }
+    }
+
+    /** How far (m) the wall comes in the step along its normal, at @p x. */
+    double
+    motion(const Point<dim> &x, const StepContext<dim> &step) const
+    {
+      if (!one_sided)
+        return prescribed_increment(displacement, x, step.old_time, step.time);
+      return displacement(x, step.time) - displacement(x, step.old_time);
     }
 
     /** The displacement (m) in the step along @p normal of @p node, on a rank

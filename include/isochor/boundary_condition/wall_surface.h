@@ -8,6 +8,7 @@
 #include <isochor/grid/background_grid.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace isochor
@@ -19,6 +20,10 @@ namespace isochor
    * one piece. It is the mean over the faces of a piece by their area, which
    * makes the flux Σ_I u_I·n_I through a closed surface that of a field u
    * (Engelman, Sani & Gresho, Int. J. Numer. Meth. Fluids 2 (1982) 225-238).
+   *
+   * A surface may consist of several named boundaries. Each of them has its own
+   * WallSurface, which knows the others that it goes on in: a piece across two
+   * of them has one normal, and belongs to the one that is named first.
    */
   template <int dim>
   class WallSurface
@@ -36,18 +41,54 @@ namespace isochor
       double         distance; ///< positive on the side of the grid (m)
     };
 
+    /** Whether two boundaries (by their numbers in a list of ids) are parts of
+     * one surface at a vertex if they meet there at less than 40 degrees. */
+    using GoesOn = std::function<bool(const unsigned int first,
+                                      const unsigned int second,
+                                      const unsigned int vertex)>;
+
+    /** Where another boundary meets this one smoothly, but is not part of the
+     * same surface. */
+    struct Seam
+    {
+      unsigned int other; ///< its number in the list of ids
+      unsigned int vertex;
+      double       angle; ///< between the faces (rad)
+    };
+
     /** The faces of @p id, with the vertices where they are on @p grid now. */
     void
-    initialize(const BackgroundGrid<dim> &grid, const types::boundary_id id);
+    initialize(const BackgroundGrid<dim> &grid, const types::boundary_id id)
+    {
+      initialize(grid, {id}, 0, [](unsigned int, unsigned int, unsigned int) {
+        return true;
+      });
+    }
 
-    /** By ascending vertex; a vertex on several pieces stands several times. */
+    /** The same of number @p own of the boundaries @p ids, of which others may
+     * be parts of the same surface. */
+    void
+    initialize(const BackgroundGrid<dim>             &grid,
+               const std::vector<types::boundary_id> &ids,
+               const unsigned int                     own,
+               const GoesOn                          &goes_on);
+
+    /** One for each other boundary, the sharpest. */
+    const std::vector<Seam> &
+    seams() const
+    {
+      return all_seams;
+    }
+
+    /** By ascending vertex; a vertex on several pieces stands several times. A
+     * piece that goes on in a boundary before this one is left out. */
     const std::vector<Node> &
     nodes() const
     {
       return all_nodes;
     }
 
-    /** Whether all normals are the same. */
+    /** Whether all normals are the same, of what it goes on in, too. */
     bool
     is_flat() const
     {
@@ -65,6 +106,23 @@ namespace isochor
     locate(const Point<dim> &x) const;
 
   private:
+    /** A face of one of the boundaries. */
+    struct NamedFace
+    {
+      std::array<unsigned int, dim> vertices;
+      Tensor<1, dim>                area; ///< over dim, into the grid
+      unsigned int                  boundary;
+    };
+
+    /** A smooth piece at a vertex. */
+    struct Piece
+    {
+      unsigned int vertex   = numbers::invalid_unsigned_int;
+      unsigned int boundary = numbers::invalid_unsigned_int; ///< the first one
+      Tensor<1, dim>            normal;
+      std::vector<unsigned int> faces;
+    };
+
     struct Face
     {
       std::array<Point<dim>, dim>     corners;
@@ -75,10 +133,31 @@ namespace isochor
      * normal of the next vertex becomes if it is reflected at that of the face
      * is exact for a circle. */
     void
-    improve_ends(const std::vector<std::array<unsigned int, dim>> &vertices);
+    improve_ends(const std::vector<NamedFace> &named,
+                 std::vector<Piece>           &pieces);
+
+    static std::vector<NamedFace>
+    faces_of(const BackgroundGrid<dim>             &grid,
+             const std::vector<types::boundary_id> &ids);
+
+    static std::vector<Piece>
+    find_pieces(const std::vector<NamedFace> &named, const GoesOn &goes_on);
+
+    /** Keep the faces of the surface that number @p own is part of. */
+    static void
+    leave_out_others(std::vector<NamedFace> &named,
+                     const unsigned int      n_boundaries,
+                     const unsigned int      own,
+                     const GoesOn           &goes_on);
+
+    void
+    find_seams(const std::vector<NamedFace> &named,
+               const unsigned int            own,
+               const GoesOn                 &goes_on);
 
     std::vector<Node> all_nodes;
     std::vector<Face> faces;
+    std::vector<Seam> all_seams;
     bool              flat = true;
   };
 } // namespace isochor

@@ -28,6 +28,9 @@ namespace isochor
     double displacement = 0, pressure = 0;
     /** External forces and reactions (N): what forces are measured against. */
     double force_scale = 0;
+    /** In the u-p form: the volume defect (m^dim) of strains over the forces
+     * (N) of strains as large, by the shear moduli of the body. */
+    double volume_per_force = 0;
     /** Below these a residual is rounding. */
     double displacement_floor = 0, pressure_floor = 0;
     /** Whether prescribed increments are still to be applied. Then the

@@ -1,0 +1,115 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/base/plain_message.h>
+#include <isochor/boundary_condition/wall_joints.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Whether formulas of displacements agree at @p x at @p t, but for the
+     * rounding of them and of the place; or have no value there. */
+    template <int dim>
+    bool
+    agree(const Expression<dim> &first,
+          const Expression<dim> &second,
+          const Point<dim>      &x,
+          const double           t)
+    {
+      constexpr double rounding = 1e-10, rounding_of_places = 1e-13;
+      try
+        {
+          const double a = first(x, t), b = second(x, t);
+          return std::abs(a - b) <=
+                 rounding * std::max(std::abs(a), std::abs(b)) +
+                   rounding_of_places * x.norm();
+        }
+      catch (const ExceptionBase &)
+        {
+          return true;
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  WallJoints<dim>::do_the_same(const unsigned int first,
+                               const unsigned int second,
+                               const unsigned int vertex) const
+  {
+    const SmoothWall<dim> &a = walls[first], &b = walls[second];
+    if (a.one_sided != b.one_sided)
+      return false;
+    if (a.formula == b.formula)
+      return true;
+    const Point<dim> &x = reference[vertex];
+    if (!agree(a.displacement, b.displacement, x, 0.))
+      return false;
+    // twenty times a decade, from a microsecond to a week
+    for (double t = 1e-6; t < 1e6; t *= std::pow(10., 0.05))
+      if (!agree(a.displacement, b.displacement, x, t))
+        return false;
+    return true;
+  }
+
+
+
+  template <int dim>
+  WallSurface<dim>
+  WallJoints<dim>::surface(const BackgroundGrid<dim> &grid,
+                           const unsigned int         w) const
+  {
+    std::vector<types::boundary_id> ids;
+    for (const SmoothWall<dim> &wall : walls)
+      ids.push_back(grid.boundary_id(wall.boundary, parameter));
+    WallSurface<dim> surface;
+    surface.initialize(grid, ids, w, [this](auto i, auto j, auto vertex) {
+      return do_the_same(i, j, vertex);
+    });
+    return surface;
+  }
+
+
+
+  template <int dim>
+  void
+  WallJoints<dim>::warn_of_seams(const StepContext<dim> &step) const
+  {
+    // nodes of walls in one plane that are one-sided have room
+    constexpr double plane = 1e-6;
+    for (unsigned int w = 0; w < walls.size(); ++w)
+      for (const auto &seam : walls[w].surface.seams())
+        {
+          const SmoothWall<dim> &other = walls[seam.other];
+          const bool one_sided         = walls[w].one_sided || other.one_sided;
+          if (seam.other < w || (one_sided && seam.angle < plane))
+            continue;
+          const Point<dim> &x = step.grid.geometry().vertices()[seam.vertex];
+          std::string       place = "(";
+          for (unsigned int d = 0; d < dim; ++d)
+            place += (d > 0 ? ", " : "") + rounded(x[d]);
+          step.warnings.add(
+            "walls that meet smoothly and move differently",
+            "The boundaries <" + walls[w].boundary + "> and <" +
+              other.boundary + "> of <" + parameter + "> meet at an angle of " +
+              rounded(seam.angle / numbers::PI * 180) + " degrees, as at " +
+              place + "), but '" + walls[w].condition() + "' and '" +
+              other.condition() +
+              "' are not the same there. Nodes between them are held by both, "
+              "and can't slide from one to the other. If they are one surface, "
+              "give both the same formula.");
+        }
+  }
+
+
+
+  template class WallJoints<2>;
+  template class WallJoints<3>;
+} // namespace isochor

@@ -1,0 +1,99 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// A boundary of the grid pushes the body, and the grid is put back: before the
+// gap between them makes the force wrong by more than some 1 %, a warning says
+// so. The force is that on a grid that is kept, on which the block stays
+// homogeneous.
+
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  const std::string subject = "a boundary that leaves the body behind";
+
+  struct Result
+  {
+    double      force;
+    std::string warning;
+  };
+
+  /** A block between smooth sides, of which the upper one comes down. */
+  template <int dim>
+  Result
+  push(const std::string &settings)
+  {
+    const auto problem = test::run_scene<dim>(
+      std::string(dim == 2 ?
+                    "Grid/Upper corner = 1.5, 1\nGrid/Subdivisions = 12, 8\n"
+                    "Boundary conditions/Displacement = left: x = 0; bottom: "
+                    "y = 0; top: y = -0.06*t\n" :
+                    "Grid/Upper corner = 1.5, 1, 0.25\n"
+                    "Grid/Subdivisions = 6, 4, 1\n"
+                    "Boundary conditions/Displacement = left: x = 0; bottom: "
+                    "y = 0; front: z = 0; back: z = 0; top: y = -0.06*t\n") +
+      "Formulation/Type = u-p\nQuadrature/Type = CPDI\n"
+      "Material points/Region = x < 1\nMaterial/Young modulus = 1e4\n"
+      "Material/Poisson ratio = 0.499\nTime/Step size = 0.1\n"
+      "Postprocess/Reactions = top\n" +
+      settings);
+    Result result{test::get(*problem, "Reaction y on top (N)"), ""};
+    for (const auto &warning : problem->all_warnings().all())
+      if (warning.subject == subject)
+        result.warning = warning.text;
+    return result;
+  }
+
+  /** How much the force is wrong at @p time; whether there was a warning. */
+  template <int dim>
+  void
+  test_force(const std::string &time, const double tolerance, const bool warned)
+  {
+    const std::string end  = "Time/End time = " + time + '\n',
+                      what = std::to_string(dim) + "D, t = " + time;
+    const Result kept      = push<dim>(test::keep_grid + end),
+                 put_back  = push<dim>(end);
+    test::check("told where it is wrong, " + what,
+                put_back.warning.empty() != warned,
+                put_back.warning);
+    test::check("nothing to tell of a grid that is kept, " + what,
+                kept.warning.empty(),
+                kept.warning);
+    const double error = test::relative(put_back.force, kept.force);
+    test::check("the force, " + what,
+                warned == (error > tolerance),
+                std::to_string(error));
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_force<2>("0.2", 0.015, false);
+  test_force<2>("0.6", 0.015, true);
+  test_force<3>("0.2", 0.015, false);
+  test_force<3>("0.6", 0.015, true);
+
+  const Result told = push<2>("Time/End time = 0.3\n");
+  test::check("way, cell and body are told",
+              told.warning.find("Until t = 0.2 ") == 0 &&
+                told.warning.find("top: y = ...> has pushed the body by 0.012 "
+                                  "m") != std::string::npos,
+              told.warning);
+  const Result stretched = push<2>("Grid/Stretch = y: 0 -> 0, 1 -> -0.06*t\n");
+  test::check("a grid that follows", stretched.warning.empty(), "");
+  const Result dynamic = push<2>(
+    "Dynamics/Inertia = true\nMaterial/Density = 1\nTime/End time = 0.6\n");
+  test::check("in motion the body may go along",
+              dynamic.warning.empty(),
+              dynamic.warning);
+  const Result apart = push<2>("Material points/Region = x < 1 && y < 0.5\n");
+  test::check("a body that the boundary doesn't touch",
+              apart.warning.empty(),
+              apart.warning);
+}
