@@ -288,6 +288,14 @@ main(int argc, char **argv)
                    "subsection Time\nset Minimum step size = 1\nend\n"),
              1,
              {"can't be cut back further", "inside out"});
+  test_entry("a number with a unit",
+             "Material",
+             "Young modulus = 1e6 Pa",
+             {"Young modulus", "without a unit"});
+  test_entry("a decimal comma",
+             "Material",
+             "Young modulus = 1,5e6",
+             {"Young modulus", "decimals are written with a point"});
   test_scene("body that nothing holds",
              scene("subsection Boundary conditions\nset Displacement = \n"
                    "set Gravity = 0, -1\nend\n"),

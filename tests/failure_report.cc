@@ -152,9 +152,64 @@ namespace
                 std::to_string(first) + " to " + std::to_string(last));
     test::check("weight: warning and error say the same",
                 number_after("Since t = ", warnings) == first &&
-                  number_after("The limit load is the one at t = ", warnings) ==
-                    first,
+                  number_after("The limit load isn't below the one at t = ",
+                               warnings) == first,
                 warnings);
+  }
+
+  /** A layer of soil, here in the first second of "time", and a strip load of
+   * the width 1 m beside its axis, from then on: @p loads. */
+  std::string
+  staged(const std::string &material,
+         const std::string &load,
+         const std::string &cells = "16, 9")
+  {
+    return "Grid/Upper corner = 4, 2.25\nGrid/Subdivisions = " + cells +
+           "\n"
+           "Material points/Region = y < 2\nMaterial/Density = 2000\n"
+           "Material/Young modulus = 1e7\nMaterial/Poisson ratio = 0.499\n"
+           "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: "
+           "x=0, y=0\n"
+           "Boundary conditions/Gravity = 0, -10*min(t,1)\n"
+           "Boundary conditions/Surfaces of body = pad: y > 1.99 && x < 0.5\n"
+           "Boundary conditions/Traction on body = pad: 0, -" +
+           load + "*max(t-1,0)\nTime/End time = 2\nTime/Step size = 0.05\n" +
+           material;
+  }
+
+  /** Weight beside held sides is much stiffer than a load on a part of the
+   * surface, which is a loading of its own: its limit is (2 + π) c, here at
+   * t = 1 + 0.643. */
+  void
+  test_stages()
+  {
+    const std::string message =
+      failure(staged("Material/Model = Mohr-Coulomb\n"
+                     "Material/Mohr-Coulomb/Cohesion = 1e4\n",
+                     "8e4",
+                     "32, 18"));
+    expect("a strip load after weight",
+           message,
+           {"No equilibrium found: limit load between t = 1.",
+            "stiffest step of this loading"});
+    const double first = number_after("limit load between t = ", message),
+                 last  = number_after("and t = ", message);
+    const double exact = 1 + (2 + numbers::PI) * 1e4 / 8e4;
+    test::check("a strip load after weight: the limit load is between",
+                first > 1.5 && first < exact && exact < last,
+                std::to_string(first) + " to " + std::to_string(last) +
+                  ", not " + std::to_string(exact));
+    for (const std::string material :
+         {"Material/Model = Neo-Hookean\n",
+          "Material/Model = Mohr-Coulomb\n"
+          "Material/Mohr-Coulomb/Cohesion = 1e5\n"})
+      {
+        const std::string error = failure(staged(material, "5e4"));
+        test::check("a strip load far below its limit, " +
+                      material.substr(17, 3),
+                    error.empty() && warnings.empty(),
+                    error + warnings);
+      }
   }
 
   void
@@ -203,6 +258,20 @@ namespace
                    "= 0; top: y = if(t < 0.1, -0.1*t, -3)\n"
                    "Time/Step size = 0.04\nTime/Minimum step size = 0.01\n"),
            {"Only displacements are prescribed", "Minimum step size"});
+    const std::string rests =
+      failure(staged("Material/Model = Mohr-Coulomb\n"
+                     "Material/Mohr-Coulomb/Cohesion = 1e5\n"
+                     "Time/Minimum step size = 0.02\n",
+                     "0") +
+              "Boundary conditions/Displacement = left: x=if(t < 1.12, 0, 3); "
+              "right: x=0; bottom: x=0, y=0\n");
+    expect("bad step while loads rest",
+           rests,
+           {"No load changes in this step", "Minimum step size"});
+    test::check("... is no limit load, and has displacements prescribed",
+                rests.find("limit load near") == std::string::npos &&
+                  rests.find("instead of loads") == std::string::npos,
+                rests);
     expect("points that leave the grid",
            failure("Grid/Subdivisions = 2, 2\nBoundary conditions/Displacement "
                    "= everywhere: x = 0, y = 2*t\nTime/Step size = 0.5\n"),
@@ -363,6 +432,7 @@ main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_limit_loads();
+  test_stages();
   test_false_alarms();
   test_others();
   test_reset();

@@ -41,6 +41,63 @@ namespace isochor
 
 
 
+    void
+    check_formula(const bool         ok,
+                  const std::string &formula,
+                  const std::string &parameter,
+                  const std::string &remedy)
+    {
+      AssertThrow(ok,
+                  ExcMessage("The formula <" + formula +
+                             "> of the parameter <" + parameter +
+                             ">: " + remedy));
+    }
+
+
+
+    /** Throw for words that other languages have for operators. */
+    void
+    check_words(const std::string &formula, const std::string &parameter)
+    {
+      for (const std::string &name : names_in_formula(formula))
+        {
+          std::string word = name;
+          std::transform(word.begin(), word.end(), word.begin(), [](char c) {
+            return static_cast<char>(std::tolower(c));
+          });
+          check_formula(word != "and" && word != "or",
+                        formula,
+                        parameter,
+                        "write '" + std::string(word == "and" ? "&&" : "||") +
+                          "' instead of '" + name + "'.");
+          check_formula(word != "not",
+                        formula,
+                        parameter,
+                        "there is no '" + name +
+                          "': write the opposite comparison, or '(...) == 0'.");
+        }
+    }
+
+
+
+    /** For the place of a `=` that assigns: what it may be instead. */
+    std::string
+    remedy_of_assignment(const std::string &formula, const std::size_t equals)
+    {
+      // "0 y": a component that begins where a comma is missing
+      const std::string before = Utilities::trim(formula.substr(0, equals));
+      const auto        blank  = before.find_last_of(" \t");
+      if (blank != std::string::npos &&
+          std::isalpha(static_cast<unsigned char>(before[blank + 1])))
+        return "a comma is missing before <" + before.substr(blank + 1) +
+               " =...>, if that is to be another component. ('=' assigns; two "
+               "values are compared by '=='.)";
+      return "'=' assigns; two values are compared by '==', or, as coordinates "
+             "are rounded, by abs(a - b) < 1e-6.";
+    }
+
+
+
     /** Throw for what muParser takes without a word, but not as it is meant:
      * `=` assigns, and `a < b < c` compares the truth of `a < b` with c. */
     void
@@ -50,10 +107,7 @@ namespace isochor
         return characters.find(c) != std::string::npos;
       };
       const auto check = [&](const bool ok, const std::string &remedy) {
-        AssertThrow(ok,
-                    ExcMessage("The formula <" + formula +
-                               "> of the parameter <" + parameter +
-                               ">: " + remedy));
+        check_formula(ok, formula, parameter, remedy);
       };
       // whether something is compared already, for each open parenthesis
       std::vector<bool> compared(1, false);
@@ -70,9 +124,7 @@ namespace isochor
           else if (is_one_of(c, "=!<>") && next == '=')
             ++i;
           else
-            check(c != '=',
-                  "'=' assigns; two values are compared by '==', or, as "
-                  "coordinates are rounded, by abs(a - b) < 1e-6.");
+            check(c != '=', c == '=' ? remedy_of_assignment(formula, i) : "");
           if (is_one_of(c, "<>"))
             {
               check(!compared.back(),
@@ -126,6 +178,7 @@ namespace isochor
                formula.find("if") == std::string::npos)
     , function(std::make_shared<FunctionParser<dim>>(1))
   {
+    check_words(formula, parameter);
     check_comparisons(formula, parameter);
     try
       {

@@ -335,6 +335,32 @@ namespace isochor
 
 
 
+    /** Why @p value is no number, if it isn't and is to match @p pattern. */
+    std::string
+    why_no_number(const std::string &value, const std::string &pattern)
+    {
+      if (pattern.rfind("[Double", 0) != 0 && pattern.rfind("[Integer", 0) != 0)
+        return "";
+      std::size_t end = 0;
+      try
+        {
+          std::stod(value, &end);
+        }
+      catch (const std::exception &)
+        {
+          return ". It must be a number";
+        }
+      const std::string rest = Utilities::trim(value.substr(end));
+      if (rest.empty())
+        return "";
+      if (rest.front() == ',')
+        return ". It must be one number; decimals are written with a point";
+      return ". It must be a number without a unit or anything else behind: "
+             "units are m, s, kg, N, Pa, J";
+    }
+
+
+
     void
     set_parameter(const ParameterStatement &statement,
                   const std::string        &pattern,
@@ -352,7 +378,8 @@ namespace isochor
           throw ParameterError(statement.origin + ": the value <" +
                                statement.value + "> of the parameter <" +
                                join_path(statement.path) +
-                               "> is not allowed; allowed is " + pattern);
+                               "> is not allowed; allowed is " + pattern +
+                               why_no_number(statement.value, pattern));
         }
       for (unsigned int i = 0; i < sections.size(); ++i)
         prm.leave_subsection();

@@ -395,9 +395,12 @@ namespace isochor
   BodySurfaceConditions<dim>::evaluate(const StepContext<dim> &step,
                                        const NodalField       &unknowns,
                                        const MixedSystem<dim> & /*system*/,
-                                       const NodalConstraints & /*constraints*/,
-                                       Statistics &statistics) const
+                                       const NodalConstraints &constraints,
+                                       Statistics             &statistics) const
   {
+    if (points)
+      warn_of_loads_on_supports(
+        step, unknowns, conditions, *points, *forces, constraints);
     // <Traction> may load a boundary that <Surfaces of body> has, too
     const auto set = [&](const std::string &surface,
                          const std::string &name,

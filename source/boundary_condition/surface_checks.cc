@@ -2,8 +2,12 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
 #include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/surface_checks.h>
+
+#include <cmath>
 
 namespace isochor
 {
@@ -70,6 +74,52 @@ namespace isochor
 
 
 
+  template <int dim>
+  void
+  warn_of_loads_on_supports(const StepContext<dim>       &step,
+                            const NodalField             &unknowns,
+                            const SurfaceConditions<dim> &conditions,
+                            const BoundaryPoints<dim>    &points,
+                            const SurfaceForces<dim>     &forces,
+                            const NodalConstraints       &constraints)
+  {
+    constexpr double nearly_all = 0.99;
+    // by surface and component: what is on supports, and all
+    std::vector<double> sums(2 * dim * conditions.surfaces.size());
+    for (unsigned int b = 0; b < points.size(); ++b)
+      {
+        const Tensor<1, dim> load    = forces.load(step, unknowns, b);
+        const auto           stencil = points.stencil(b);
+        double *const        sum     = &sums[2 * dim * points.surface(b)];
+        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+          for (unsigned int a = 0; a < dim; ++a)
+            {
+              const double       part = std::abs(stencil.shape[I] * load[a]);
+              const unsigned int i =
+                step.nodes.node(stencil.vertex[I]) * step.n_components + a;
+              sum[2 * a] +=
+                constraints.constrained[i] == NodalConstraints::prescribed ?
+                  part :
+                  0.;
+              sum[2 * a + 1] += part;
+            }
+      }
+    Utilities::MPI::sum(sums, step.grid.communicator(), sums);
+    for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
+      for (unsigned int a = 0; a < dim; ++a)
+        if (const double *const sum = &sums[2 * (dim * s + a)];
+            sum[1] > 0 && sum[0] > nearly_all * sum[1])
+          step.warnings.add(
+            "a load on a support",
+            "The load on <" + conditions.surfaces[s].place.name + "> of <" +
+              conditions.surfaces[s].place.parameter + "> acts in " + "xyz"[a] +
+              " where this component is prescribed: it goes straight into the "
+              "support, and the body doesn't feel it. Leave the component free "
+              "there, or put the load elsewhere.");
+  }
+
+
+
   template void
   warn_of_uncovered_faces(const StepContext<2> &,
                           const SurfaceConditions<2> &,
@@ -92,4 +142,18 @@ namespace isochor
                                const SurfaceConditions<3> &,
                                const std::vector<double> &,
                                const std::string &);
+  template void
+  warn_of_loads_on_supports(const StepContext<2> &,
+                            const NodalField &,
+                            const SurfaceConditions<2> &,
+                            const BoundaryPoints<2> &,
+                            const SurfaceForces<2> &,
+                            const NodalConstraints &);
+  template void
+  warn_of_loads_on_supports(const StepContext<3> &,
+                            const NodalField &,
+                            const SurfaceConditions<3> &,
+                            const BoundaryPoints<3> &,
+                            const SurfaceForces<3> &,
+                            const NodalConstraints &);
 } // namespace isochor

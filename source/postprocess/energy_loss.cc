@@ -56,6 +56,12 @@ namespace isochor
            << keep
            << " hardly lose any. Else smaller steps (<Time/Step size>) and "
               "cells.";
+    else if (told[loss > 0 ? 1 : 0])
+      text << "It has " << (loss > 0 ? "created" : "lost")
+           << " energy before, so that another <Dynamics/Spectral radius> "
+              "helps against one only: use smaller steps (<Time/Step size>) "
+              "and cells"
+           << (grid_is_kept ? "" : ", or " + keep) << '.';
     else
       text << "Use "
            << (loss > 0 ? "smaller steps (<Time/Step size>) and cells, a "
@@ -63,6 +69,7 @@ namespace isochor
                           "a smaller")
            << " <Dynamics/Spectral radius>"
            << (grid_is_kept ? "" : ", or " + keep) << '.';
+    told[loss > 0 ? 0 : 1] = true;
     warnings.add(loss > 0 ? "energy lost by the scheme" :
                             "energy created by the scheme",
                  text.str());

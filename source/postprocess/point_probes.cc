@@ -32,7 +32,8 @@ namespace isochor
         Patterns::Anything(),
         "Points of the body whose displacement (m) and "
         "pressure (Pa) go into the statistics, by their place "
-        "at t = 0: 'name: x, y(, z); name: ...'. The pressure is "
+        "at t = 0: 'name: x, y(, z); name: ...'. The pressure, the "
+        "mean Cauchy stress (Kirchhoff's with Mohr-Coulomb), is "
         "that of the nodes around, which is the least accurate "
         "at surfaces: there it converges with the cell size "
         "only, that of the material points faster.");
@@ -61,6 +62,23 @@ namespace isochor
     }
 
     void
+    check_scene(const StepContext<dim> &step) const override
+    {
+      if (probes.empty())
+        return;
+      const NodalField touched = touched_nodes(step);
+      for (const Probe &probe : probes)
+        {
+          const bool in_body = lies_in_body(step, probe);
+          const int  found =
+            in_body || find_cell(step, probe, touched, in_body).found();
+          assert_in_body(probe,
+                         Utilities::MPI::max(found, step.grid.communicator()) ==
+                           1);
+        }
+    }
+
+    void
     evaluate_nodes(const StepResult<dim> &result,
                    Statistics            &statistics) override
     {
@@ -73,14 +91,10 @@ namespace isochor
             place_in_moved_body(result, probe);
           Values     values;
           const bool in_body =
-            result.time.step > 0 || lies_in_body(result, probe);
+            result.time.step > 0 || lies_in_body(result.step, probe);
           if (!interpolate(result, probe, touched, in_body, values))
             {
-              AssertThrow(in_body,
-                          ExcMessage("The point probe <" + probe.name +
-                                     "> lies in no cell that holds material. "
-                                     "Check <" +
-                                     this->parameter("Point probes") + ">."));
+              assert_in_body(probe, in_body);
               extrapolate(result, probe, values);
             }
           for (unsigned int a = 0; a < dim; ++a)
@@ -142,6 +156,15 @@ namespace isochor
       bool is_new = false;
     };
 
+    void
+    assert_in_body(const Probe &probe, const bool in_body) const
+    {
+      AssertThrow(in_body,
+                  ExcMessage("The point probe <" + probe.name +
+                             "> lies in no cell that holds material. Check <" +
+                             this->parameter("Point probes") + ">."));
+    }
+
     /**
      * Where a probe of the undeformed body is now: as its nearest material
      * point X_p (by places at t = 0), x = x_p + F_p (X - X_p).
@@ -182,21 +205,33 @@ namespace isochor
       probe.is_new       = false;
     }
 
-    /** Whether the probe lies within what a material point stands for, at
-     * t = 0: 1.5 of its size reach to the corners of sharp triangles. */
-    static bool
-    lies_in_body(const StepResult<dim> &result, const Probe &probe)
+    /** Where point q in cell k of the list is at the start of the step. */
+    static Point<dim>
+    place_of(const StepContext<dim> &step,
+             const unsigned int      k,
+             const unsigned int      q)
     {
-      const PointLayout &l    = result.points.layout();
-      bool               near = false;
-      for (const auto &particle : result.points.handler())
-        {
-          const double *properties = particle.get_properties().data();
-          near = near || particle.get_location().distance(probe.location) <
-                           1.5 * std::pow(properties[l.volume], 1. / dim);
-        }
-      return Utilities::MPI::max(near ? 1 : 0,
-                                 result.step.grid.communicator()) == 1;
+      Point<dim> x;
+      for (unsigned int v = 0; v <= dim; ++v)
+        x += step.points.shape[q][v] *
+             step.points.corner(step.grid.geometry(), k, v);
+      return x;
+    }
+
+    /** Whether the probe lies within what a material point stands for, at
+     * t = 0: 1.5 of its size reach to the corners of sharp triangles.
+     * Collective. */
+    static bool
+    lies_in_body(const StepContext<dim> &step, const Probe &probe)
+    {
+      bool near = false;
+      for (unsigned int k = 0; k < step.points.n_occupied_cells && !near; ++k)
+        for (unsigned int q = step.points.cell_start[k];
+             q < step.points.cell_start[k + 1];
+             ++q)
+          near = near || place_of(step, k, q).distance(probe.location) <
+                           1.5 * std::pow(step.points.volume[q], 1. / dim);
+      return Utilities::MPI::max(near ? 1 : 0, step.grid.communicator()) == 1;
     }
 
     /** Displacement increment (m) and pressure (Pa) at a probe. */
@@ -248,29 +283,36 @@ namespace isochor
       return winner != numbers::invalid_unsigned_int;
     }
 
-    /**
-     * Interpolate in that cell around the probe whose nodes all move with the
-     * body and that fits best, its shape functions extrapolated if it must be:
-     * a probe @p in_body may lie on the surface, which may be beyond the last
-     * cell that holds a material point. False if there is no such cell.
-     * Collective.
-     */
-    static bool
-    interpolate(const StepResult<dim> &result,
-                const Probe           &probe,
-                const NodalField      &touched,
-                const bool             in_body,
-                Values                &values)
+    /** A cell of the list in PointArrays and how far inside of it a place is:
+     * its smallest barycentric coordinate. */
+    struct Fit
     {
-      const StepContext<dim>     &step     = result.step;
-      const SimplexGeometry<dim> &geometry = step.grid.geometry();
-      const auto moves_with_body           = [&](const unsigned int vertex) {
+      unsigned int cell   = numbers::invalid_unsigned_int;
+      double       inside = 0;
+
+      bool
+      found() const
+      {
+        return cell != numbers::invalid_unsigned_int;
+      }
+    };
+
+    /** That cell of this rank around the probe whose nodes all move with the
+     * body and that fits best: a probe @p in_body may lie on the surface, which
+     * may be beyond the last cell that holds a material point. */
+    static Fit
+    find_cell(const StepContext<dim> &step,
+              const Probe            &probe,
+              const NodalField       &touched,
+              const bool              in_body)
+    {
+      const auto moves_with_body = [&](const unsigned int vertex) {
         const unsigned int node = step.nodes.node(vertex);
         return node != numbers::invalid_unsigned_int &&
                (touched.size() == 0 || touched.local_element(node) > 0.);
       };
-      unsigned int best     = numbers::invalid_unsigned_int;
-      double       best_fit = in_body ? -1 : -1e-2;
+      Fit best;
+      best.inside = in_body ? -1 : -1e-2;
       for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         {
           const auto vertices =
@@ -278,22 +320,34 @@ namespace isochor
           if (!std::all_of(vertices.begin(), vertices.end(), moves_with_body))
             continue;
           const auto lambda =
-            step.points.barycentric(geometry, k, probe.location);
-          const double fit = *std::min_element(lambda.begin(), lambda.end());
-          if (fit > best_fit)
-            {
-              best     = k;
-              best_fit = fit;
-            }
+            step.points.barycentric(step.grid.geometry(), k, probe.location);
+          const double inside = *std::min_element(lambda.begin(), lambda.end());
+          if (inside > best.inside)
+            best = {k, inside};
         }
+      return best;
+    }
+
+    /** Interpolate in the cell that find_cell() finds, its shape functions
+     * extrapolated if it must be. False if there is none. Collective. */
+    static bool
+    interpolate(const StepResult<dim> &result,
+                const Probe           &probe,
+                const NodalField      &touched,
+                const bool             in_body,
+                Values                &values)
+    {
+      const StepContext<dim> &step = result.step;
+      const Fit               best = find_cell(step, probe, touched, in_body);
       values.fill(0.);
-      const bool found = best != numbers::invalid_unsigned_int;
-      if (found)
+      if (best.found())
         {
           typename ShapeFunctions<dim>::Values at;
           step.grid.shape_functions().evaluate(
-            step.points.cell[best],
-            step.points.barycentric(geometry, best, probe.location),
+            step.points.cell[best.cell],
+            step.points.barycentric(step.grid.geometry(),
+                                    best.cell,
+                                    probe.location),
             at);
           const NodalUnknowns<dim> nodal(step, result.unknowns);
           for (unsigned int I = 0; I < at.n_nodes; ++I)
@@ -305,7 +359,10 @@ namespace isochor
                 values[dim] += at.shape[I] * nodal.pressure(at.vertex[I]);
             }
         }
-      return take_best(step.grid.communicator(), -best_fit, found, values);
+      return take_best(step.grid.communicator(),
+                       -best.inside,
+                       best.found(),
+                       values);
     }
 
     /** Where no cell around the probe moves with the body, as where a surface
@@ -318,20 +375,15 @@ namespace isochor
     {
       const StepContext<dim>     &step     = result.step;
       const SimplexGeometry<dim> &geometry = step.grid.geometry();
-      const auto place_of = [&](const unsigned int k, const unsigned int q) {
-        Point<dim> x;
-        for (unsigned int v = 0; v <= dim; ++v)
-          x += step.points.shape[q][v] * step.points.corner(geometry, k, v);
-        return x;
-      };
-      double       nearest = std::numeric_limits<double>::max();
-      unsigned int cell = 0, point = 0;
+      double                      nearest  = std::numeric_limits<double>::max();
+      unsigned int                cell = 0, point = 0;
       for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
         for (unsigned int q = step.points.cell_start[k];
              q < step.points.cell_start[k + 1];
              ++q)
           {
-            const double distance = probe.location.distance(place_of(k, q));
+            const double distance =
+              probe.location.distance(place_of(step, k, q));
             if (distance < nearest)
               {
                 nearest = distance;
@@ -348,7 +400,7 @@ namespace isochor
           const Tensor<1, dim> increment =
             nodal.increment_at(stencil) +
             nodal.gradient_at(stencil) *
-              (probe.location - place_of(cell, point));
+              (probe.location - place_of(step, cell, point));
           for (unsigned int a = 0; a < dim; ++a)
             values[a] = increment[a];
           values[dim] = nodal.pressure_at(stencil);

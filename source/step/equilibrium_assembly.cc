@@ -118,14 +118,13 @@ namespace isochor
 
 
   template <int dim>
-  double
-  Equilibrium<dim>::change_of_loads() const
+  LoadChange
+  Equilibrium<dim>::change_of_loads(const TimeInterval &other) const
   {
-    constexpr double       rounding = 1e-10;
-    const StepContext<dim> end      = setup.context();
-    StepContext<dim>       start    = end;
-    start.time                      = end.old_time;
-    const auto loads_in             = [&](const StepContext<dim> &step) {
+    constexpr double rounding = 1e-10;
+    const auto       loads_at = [&](const double time) {
+      StepContext<dim> step = setup.context();
+      step.time             = time;
       NodalField loads, rest;
       setup.active_nodes().initialize(loads, scene.n_components);
       setup.active_nodes().initialize(rest, scene.n_components);
@@ -137,12 +136,48 @@ namespace isochor
       loads.compress(VectorOperation::add);
       return loads;
     };
-    NodalField   change = loads_in(end);
-    const double all    = change.l1_norm();
-    if (end.old_time > 0) // nothing has been applied at t = 0
-      change -= loads_in(start);
-    const double size = change.l1_norm();
-    return size > rounding * all ? size : 0.;
+    const auto change_in = [&](const TimeInterval &interval) {
+      NodalField   change = loads_at(interval.end);
+      const double all    = change.l1_norm();
+      if (interval.start > 0) // nothing has been applied at t = 0
+        change -= loads_at(interval.start);
+      if (!(change.l1_norm() > rounding * all))
+        change = 0.;
+      return change;
+    };
+    const StepContext<dim> step   = setup.context();
+    const NodalField       change = change_in({step.old_time, step.time});
+    LoadChange             result;
+    result.size = change.l1_norm();
+    if (result.size > 0 && !other.empty())
+      {
+        const NodalField reference = change_in(other);
+        const double     norm      = reference.l2_norm() * change.l2_norm();
+        result.likeness            = norm > 0 ? reference * change / norm : 0.;
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  long
+  Equilibrium<dim>::n_unstable_modes()
+  {
+    const long supposed = linear_step.n_unstable_modes();
+    if (supposed <= 0)
+      return supposed;
+    assemble(true);
+    try
+      {
+        linear_step.factorise();
+      }
+    catch (const ExcLinearSolverFailed &)
+      {
+        return -1;
+      }
+    terminal.work().count("factorisations", true);
+    return linear_step.n_unstable_modes();
   }
 
 
@@ -221,10 +256,14 @@ namespace isochor
 
   template ResidualNorms
   Equilibrium<2>::assemble(const bool);
-  template double
-  Equilibrium<2>::change_of_loads() const;
+  template long
+  Equilibrium<2>::n_unstable_modes();
+  template LoadChange
+  Equilibrium<2>::change_of_loads(const TimeInterval &) const;
   template ResidualNorms
   Equilibrium<3>::assemble(const bool);
-  template double
-  Equilibrium<3>::change_of_loads() const;
+  template long
+  Equilibrium<3>::n_unstable_modes();
+  template LoadChange
+  Equilibrium<3>::change_of_loads(const TimeInterval &) const;
 } // namespace isochor

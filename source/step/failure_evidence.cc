@@ -31,9 +31,9 @@ namespace isochor
            rounded(last_equilibrium) +
            ", the last equilibrium that was found (none at t = " +
            rounded(failed) +
-           "). The former is that of the body as it was; what is carried beyond "
-           "is so by the body as it has been deformed, or by a grid that is "
-           "too coarse, which may have raised the former, too";
+           "): nearer to the latter where the body yields bit by bit in small "
+           "strains, to the former where it is much deformed in between; a "
+           "grid that is too coarse raises both";
   }
 
 
@@ -44,10 +44,10 @@ namespace isochor
   {
     std::string text =
       growth < 0 ?
-        "displacements say nothing of it, as the body rests or is "
-        "moved by what is prescribed" :
+        "displacements say nothing of it, as the body rests, is moved by what "
+        "is prescribed, or other loads change than before" :
         "the displacement per " + measure + " was " + rounded(growth) +
-          " times that of the stiffest step in the last step "
+          " times that of the stiffest step of this loading in the last step "
           "that converged";
     if (soft_since >= 0)
       text += " (more than " + rounded(large_growth) +

@@ -2,8 +2,12 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
 #include <isochor/base/threads.h>
 #include <isochor/step/linear_step.h>
+
+#include <algorithm>
 
 namespace isochor
 {
@@ -54,6 +58,37 @@ namespace isochor
 
 
   template <int dim>
+  void
+  LinearStep<dim>::factorise()
+  {
+    TimerOutput::Scope scope(timer, "factorisation");
+    factorised_pattern = 0; // none, should this throw
+    factorisation      = linear_solver.factorise_and_free(system.matrix());
+    factorised_pattern = system.matrix().pattern_id;
+  }
+
+
+
+  template <int dim>
+  long
+  LinearStep<dim>::n_unstable_modes() const
+  {
+    if (!factorisation.knows_pivots || !has_factorisation())
+      return -1;
+    const SparseSystem &matrix      = system.matrix();
+    long                n_pressures = 0;
+    for (unsigned int i = 0; i < matrix.global_equation.size(); ++i)
+      n_pressures += matrix.field[i] == SparseSystem::Field::pressure &&
+                     matrix.locally_owned.is_element(matrix.global_equation[i]);
+    n_pressures = Utilities::MPI::sum(n_pressures, matrix.comm);
+    return std::max(0l,
+                    static_cast<long>(factorisation.n_negative_pivots) -
+                      n_pressures);
+  }
+
+
+
+  template <int dim>
   unsigned int
   LinearStep<dim>::solve(const NodalField       &unknowns,
                          const NodalConstraints &constraints,
@@ -65,12 +100,7 @@ namespace isochor
     system.right_hand_side(rhs);
     system.shape(solution);
     if (factorise)
-      {
-        TimerOutput::Scope scope(timer, "factorisation");
-        factorised_pattern = 0; // none, should this throw
-        factorisation      = linear_solver.factorise_and_free(system.matrix());
-        factorised_pattern = system.matrix().pattern_id;
-      }
+      this->factorise();
     LinearSolverReport report;
     {
       TimerOutput::Scope scope(timer, "solution");

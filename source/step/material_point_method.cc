@@ -198,7 +198,22 @@ namespace isochor
     NewtonReport report = equilibrium.solve();
     if (report.converged && scene.time.follows_error())
       check_error(report);
+    if (report.converged && !scene.has_inertia() && !is_unstable)
+      check_stability();
     return report;
+  }
+
+
+
+  /** What is told once isn't looked for again. */
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::check_stability()
+  {
+    const long n = equilibrium.n_unstable_modes();
+    is_unstable  = n > 0;
+    if (is_unstable)
+      warn_of_instability(scene, setup.context(), n);
   }
 
 
@@ -307,7 +322,7 @@ namespace isochor
                               statistics);
       equilibrium.remember_motion();
       if (!scene.has_inertia())
-        failure_report.remember(step, unknowns, drive());
+        failure_report.remember(step, unknowns, scene.points, drive());
       for (auto &condition : scene.boundary_conditions)
         condition->advance(step, unknowns);
       setup.advance(step, unknowns);

@@ -143,7 +143,7 @@ namespace isochor
                                    scene.points,
                                    scene.time,
                                    newton,
-                                   equilibrium.linear().report(),
+                                   equilibrium.linear().n_unstable_modes(),
                                    drive(),
                                    loaded,
                                    scene.has_inertia(),
@@ -161,8 +161,10 @@ namespace isochor
     bool                   dragged = false;
     for (const auto &condition : scene.boundary_conditions)
       dragged = dragged || condition->moves_body(step);
-    return {equilibrium.nodal_constraints(), dragged, [this]() {
-              return equilibrium.change_of_loads();
+    return {equilibrium.nodal_constraints(),
+            dragged,
+            [this](const TimeInterval &other) {
+              return equilibrium.change_of_loads(other);
             }};
   }
 

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/plain_message.h>
 #include <isochor/step/free_motions.h>
 #include <isochor/step/scene.h>
 #include <isochor/step/scene_checks.h>
@@ -169,6 +170,29 @@ namespace isochor
 
   template <int dim>
   void
+  warn_of_instability(Scene<dim>             &scene,
+                      const StepContext<dim> &step,
+                      const long              n_modes)
+  {
+    scene.warnings.add(
+      "an equilibrium that isn't stable",
+      "The step to t = " + rounded(step.time) + " (from " +
+        rounded(step.old_time) +
+        ") has found an equilibrium in which the matrix has " +
+        std::to_string(n_modes) +
+        " negative pivot(s) of displacements; where the body is stable it has "
+        "none. The body would leave it at the least disturbance, as a column "
+        "that stays straight beyond its buckling load: its loads are beyond "
+        "what it can carry, and what follows is hardly what a real body does. "
+        "To follow that, give it a larger imperfection or disturbance, and "
+        "smaller steps up to here, prescribe displacements instead of loads, "
+        "or give it inertia (<Dynamics/Inertia = true>). It is told once only.");
+  }
+
+
+
+  template <int dim>
+  void
   warn_if_nothing_moves(Scene<dim>         &scene,
                         const NewtonReport &newton,
                         const NodalField   &unknowns)
@@ -204,6 +228,10 @@ namespace isochor
   warn_of_rounding<2>(Scene<2> &, const NewtonReport &, const double);
   template void
   warn_of_rounding<3>(Scene<3> &, const NewtonReport &, const double);
+  template void
+  warn_of_instability<2>(Scene<2> &, const StepContext<2> &, const long);
+  template void
+  warn_of_instability<3>(Scene<3> &, const StepContext<3> &, const long);
   template void
   warn_if_nothing_moves<2>(Scene<2> &,
                            const NewtonReport &,

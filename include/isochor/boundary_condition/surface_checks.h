@@ -6,6 +6,7 @@
 #define isochor_surface_checks_h
 
 #include <isochor/boundary_condition/surface_conditions.h>
+#include <isochor/boundary_condition/surface_forces.h>
 #include <isochor/equations/equation_term.h>
 
 #include <string>
@@ -34,6 +35,19 @@ namespace isochor
                                const SurfaceConditions<dim> &conditions,
                                const std::vector<double>    &share_on_domains,
                                const std::string            &mesh_parameter);
+
+  /** Warn of loads of surfaces that act, in a component, on nodes alone at
+   * which
+   * @p constraints prescribe this component: they go into the support, and the
+   * body doesn't feel them. Collective. */
+  template <int dim>
+  void
+  warn_of_loads_on_supports(const StepContext<dim>       &step,
+                            const NodalField             &unknowns,
+                            const SurfaceConditions<dim> &conditions,
+                            const BoundaryPoints<dim>    &points,
+                            const SurfaceForces<dim>     &forces,
+                            const NodalConstraints       &constraints);
 } // namespace isochor
 
 #endif

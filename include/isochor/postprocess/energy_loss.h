@@ -7,6 +7,7 @@
 
 #include <isochor/base/warnings.h>
 
+#include <array>
 #include <iosfwd>
 
 namespace isochor
@@ -69,6 +70,8 @@ namespace isochor
     double lost = 0, lost_at_starts = 0;
     /** Steps since the last start. */
     unsigned int n_since_start = 0;
+    /** Which warnings have been given: energy lost, energy created. */
+    std::array<bool, 2> told{};
   };
 } // namespace isochor
 

@@ -9,6 +9,7 @@
 #include <isochor/equations/body_term.h>
 #include <isochor/nonlinear_solver/newton_solver.h>
 #include <isochor/step/linear_step.h>
+#include <isochor/step/load_change.h>
 #include <isochor/step/step_setup.h>
 #include <isochor/transfer/last_motion.h>
 
@@ -71,6 +72,14 @@ namespace isochor
     void
     evaluate();
 
+    /** The step has converged, without inertia: in how many modes the body is
+     * not stable in its equilibrium, -1 if that isn't known. Where the last
+     * factorisation says that there are some, the matrix is assembled and
+     * factorised here, since that one may be of an earlier iterate or step.
+     * Collective. */
+    long
+    n_unstable_modes();
+
     /** The step has converged: what the next one may start from. */
     void
     remember_motion();
@@ -89,12 +98,10 @@ namespace isochor
     {
       return external_force.l2_norm() > 0;
     }
-    /** By how much the loads change in the step (N): the sum over nodes and
-     * components of the change of their forces on the body as it is at the
-     * start of the step, which hardly depends on the grid, as shape functions
-     * are not negative. 0 if that is rounding. Collective. */
-    double
-    change_of_loads() const;
+    /** How the loads change in the step, against how they change in @p other,
+     * both on the body as it is at the start of the step. Collective. */
+    LoadChange
+    change_of_loads(const TimeInterval &other) const;
     /** The force (N) of strains that are zero but for rounding. */
     double
     zero_force() const

@@ -9,6 +9,7 @@
 #include <isochor/linear_solver/linear_solver.h>
 #include <isochor/nonlinear_solver/load_stepping.h>
 #include <isochor/nonlinear_solver/newton_solver.h>
+#include <isochor/step/load_change.h>
 
 #include <functional>
 #include <string>
@@ -31,9 +32,10 @@ namespace isochor
       const NodalConstraints &constraints;
       /** Whether boundary points drag the body. */
       bool dragged;
-      /** Returns by how much the loads change (N), which takes a loop over all
-       * points; see Equilibrium::change_of_loads(). Collective. */
-      std::function<double()> change_of_loads;
+      /** Returns how the loads change, against another interval of time, which
+       * takes loops over all points; see Equilibrium::change_of_loads().
+       * Collective. */
+      std::function<LoadChange(const TimeInterval &)> change_of_loads;
     };
 
     /** The state of the step that failed. */
@@ -45,8 +47,9 @@ namespace isochor
       const MaterialPoints<dim> &points;
       const LoadStepping        &time;
       const NewtonReport        &newton;
-      const LinearSolverReport  &solver;
-      const Drive                drive;
+      /** See LinearStep. */
+      const long  n_unstable_modes;
+      const Drive drive;
       /** Whether loads act, not displacements only. */
       bool loaded;
       bool dynamic;
@@ -56,13 +59,15 @@ namespace isochor
     };
 
     /** A step without inertia has converged: remember how fast it moved the
-     * body, and warn if that is much faster than before for several steps.
-     * Steps say nothing in which the body rests but for rounding, or is moved
-     * by what is prescribed. Collective. */
+     * body, and warn if that is much faster than before, under the same kind of
+     * loading, for several steps. Steps say nothing in which the body rests but
+     * for rounding, or is moved by what is prescribed. @p points are where the
+     * step has brought them. Collective. */
     void
-    remember(const StepContext<dim> &step,
-             const NodalField       &unknowns,
-             const Drive            &drive);
+    remember(const StepContext<dim>    &step,
+             const NodalField          &unknowns,
+             const MaterialPoints<dim> &points,
+             const Drive               &drive);
 
     /** Write the files and return the message: no smaller step is allowed, and
      * none of those tried has a solution. Collective. */
@@ -84,6 +89,13 @@ namespace isochor
       double per_time = -1, per_load = -1;
       /** The largest displacement in units of the smallest cell. */
       double in_cells = 0;
+      /** How the loads change, against the first step of the loading. */
+      LoadChange loads;
+
+      /** Whether other loads change than in the steps of the loading so far:
+       * what is stiff against those says nothing of it. */
+      bool
+      is_of_other_loading() const;
 
       /** How much softer it is than the @p stiffest step: the smaller of both
        * ratios, as loads may be faster than the time, and points that change
@@ -97,6 +109,30 @@ namespace isochor
       void
       take_smaller(const Softness &other);
     };
+
+    /** The share of the reference volume that has yielded so far; negative if
+     * no material has a plastic strain. Collective. */
+    static double
+    yielded_share(const MaterialPoints<dim> &points,
+                  const MixedKernel<dim>    &kernel,
+                  const MPI_Comm             comm);
+
+    /** The largest of what is prescribed in a step (m). Collective. */
+    static double
+    largest_prescribed(const StepContext<dim> &step, const Drive &drive);
+
+    /** Whether boundary points drag the body, on any rank. Collective. */
+    static bool
+    is_dragged(const StepContext<dim> &step, const Drive &drive);
+
+    /** @p last is measured against the loading so far: begin another one where
+     * it is the first step of it. */
+    void
+    take_yardstick(const TimeInterval &step);
+
+    /** Warn of what the last steps had in common. Collective. */
+    void
+    warn(const StepContext<dim> &step, const double plastic_share) const;
 
     /** By which the displacement per load has grown where a body flows. */
     static constexpr double large_growth = 10;
@@ -137,18 +173,26 @@ namespace isochor
     Evidence
     collect(const Failure &failure) const;
 
+    /** Whether loads rest in the step that failed, but not all that is
+     * prescribed. Collective. */
+    bool
+    only_prescribed_changes(const Failure &failure) const;
+
     /** Returns a sentence on where they are, or why they couldn't be written.
      */
     static std::string
     write_files(const Failure &failure);
 
     /** Collective. */
-    static Softness
+    Softness
     softness(const StepContext<dim> &step,
              const NodalField       &unknowns,
-             const Drive            &drive);
+             const Drive            &drive) const;
 
-    /** Of the step that converged last, and the least of all. */
+    /** The first step of the present loading: as long as it goes on, the change
+     * of the loads has the same direction. */
+    TimeInterval loading;
+    /** Of the step that converged last, and the least of this loading. */
     Softness last, stiffest;
     /** The start of the first of the steps up to the last one that were all
      * much softer than the stiffest; negative if that one wasn't. */
@@ -156,6 +200,7 @@ namespace isochor
     unsigned int n_soft     = 0; ///< their number
     /** How far the body has moved in them, in units of the smallest cell. */
     double soft_way = 0;
+    bool   told     = false; ///< that they are soft
   };
 } // namespace isochor
 

@@ -56,6 +56,19 @@ namespace isochor
           const bool              factorise,
           const SolutionAccuracy &accuracy);
 
+    /** Factorise the matrix last assembled, whose values may be freed. Throws
+     * ExcLinearSolverFailed. Collective. */
+    void
+    factorise();
+
+    /** How many negative pivots the last factorisation has beyond those of the
+     * pressures, one for each equation of a pressure as in any saddle point. By
+     * Sylvester's law of inertia it is the number of modes in which a body with
+     * a potential is not stable. -1 if the solver doesn't know, or the
+     * factorisation is of another pattern. Collective. */
+    long
+    n_unstable_modes() const;
+
     /** Whether the linear solver in use is. */
     bool
     is_iterative() const

@@ -110,6 +110,10 @@ namespace isochor
      * Collective. */
     void
     check_error(NewtonReport &report);
+    /** Warn if the body isn't stable in the equilibrium that was found.
+     * Collective. */
+    void
+    check_stability();
     void
     convective_phase(const NewtonReport &newton);
 
@@ -138,6 +142,7 @@ namespace isochor
      */
     unsigned int       n_jumps      = 0;
     double             time_of_jump = -1;
+    bool               is_unstable  = false; ///< as check_stability() has found
     StepSetup<dim>     setup;
     Equilibrium<dim>   equilibrium;
     GridToPoints<dim>  grid_to_points;

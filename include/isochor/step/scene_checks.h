@@ -47,6 +47,14 @@ namespace isochor
                    const NewtonReport &newton,
                    const double        zero_force);
 
+  /** Warn that in the equilibrium which @p step has found the body is not
+   * stable in @p n_modes modes. */
+  template <int dim>
+  void
+  warn_of_instability(Scene<dim>             &scene,
+                      const StepContext<dim> &step,
+                      const long              n_modes);
+
   /** Warn if the first step needed no iteration, as nothing moved. */
   template <int dim>
   void

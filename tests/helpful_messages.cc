@@ -1,0 +1,85 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// What is told of small mistakes: places of probes, before anything is run,
+// words and commas in formulas, loads that go into a support.
+
+#include <filesystem>
+
+#include "scene_messages.h"
+
+using namespace isochor;
+
+namespace
+{
+  void
+  test_probes()
+  {
+    const std::string low = good + "Material points/Region = y < 0.5\n"
+                                   "Postprocess/Point probes = a: ";
+    for (const std::string place : {"0.5, 0.8", "0.5, 1.6", "-3, 0.2"})
+      expect("--validate with a probe at " + place,
+             messages<2>(low + place + "\n"),
+             {"ERROR", "<a>", "no cell that holds material", "Point probes"});
+    for (const std::string place : {"0.5, 0.2", "0, 0", "1, 0.5"})
+      expect("--validate with a probe at " + place,
+             messages<2>(low + place + "\n"),
+             {});
+  }
+
+  void
+  test_formulas()
+  {
+    const std::string region = good + "Material points/Region = ";
+    expect("and",
+           messages<2>(region + "x < 1 and y < 1\n"),
+           {"ERROR", "Material points/Region", "write '&&' instead of 'and'"});
+    expect("OR",
+           messages<2>(region + "x < 0.5 OR y < 0.5\n"),
+           {"ERROR", "write '||' instead of 'OR'"});
+    expect("not",
+           messages<2>(region + "not (x > 0.5)\n"),
+           {"ERROR", "there is no 'not'", "opposite comparison"});
+    expect("what not is replaced by",
+           messages<2>(region + "(x > 0.5) == 0\n"),
+           {});
+    expect("a comma that is missing",
+           messages<2>("Grid/Subdivisions = 4, 4\nBoundary "
+                       "conditions/Displacement = left: x=0 y=0\n"),
+           {"ERROR", "a comma is missing before <y =...>"});
+    expect("= for ==",
+           messages<2>(region + "x = 1\n"),
+           {"ERROR", "'=' assigns", "'=='"});
+  }
+
+  void
+  test_loads_on_supports()
+  {
+    const std::string load = good + "Boundary conditions/Traction = ";
+    expect("a load on a support",
+           messages<2>(load + "bottom: 0, -1e4*t\n", false),
+           {"WARNING",
+            "a load on a support",
+            "<bottom>",
+            "acts in y where this component is prescribed"});
+    expect("a load on a side of which another component is held",
+           messages<2>(load + "left: 0, -1e2*t\nBoundary conditions/"
+                              "Displacement = left: x=0; bottom: y=0\n",
+                       false),
+           {});
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  std::filesystem::create_directory("scene_checks");
+  test_probes();
+  test_formulas();
+  test_loads_on_supports();
+}
