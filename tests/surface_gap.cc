@@ -149,6 +149,17 @@ test_confined()
           "Boundary conditions/Displacement of body = top: y=-1e-6*t, "
           "x=1e-22*t*x\n");
   test::check("rounding: no warning", !free.warned, "warned");
+  // nor is what second order leaves of a motion in another direction
+  const Pressed sheared = run<2>(
+    "Grid/Upper corner = 1.25, 1.25\nGrid/Lower corner = -0.25, -0.25\n"
+    "Grid/Subdivisions = 12, 12\nQuadrature/Type = CPDI\n"
+    "Material points/Region = x > 0 && x < 1 && y > 0 && y < 1\n"
+    "Boundary conditions/Surfaces of body = top: x < 0.001 || x > 0.999 || y < "
+    "0.001 || y > 0.999\n"
+    "Boundary conditions/Displacement of body = top: x=0.01*t*y, y=0\n"
+    "Material/Young modulus = 3\nMaterial/Poisson ratio = 0.5\n"
+    "Formulation/Type = u-p\nTime/Step size = 0.1\n");
+  test::check("sheared on all sides: no warning", !sheared.warned, "warned");
   // the first instant of an impact is one of inertia, not of springs
   const Pressed hit =
     press(rubber + "Dynamics/Inertia = true\nMaterial/Density = 1\n"

@@ -115,14 +115,17 @@ namespace isochor
               A * Utilities::fixed_power<2>(u[a] - forces.target(step, b, a));
       }
     Utilities::MPI::sum(sums, step.grid.communicator(), sums);
-    constexpr double considerable = 0.03;
-    bool             soft         = false;
+    // where the body hardly moves in a direction, a gap counts that is
+    // something against its motion in others
+    constexpr double considerable = 0.03, sideways = 0.2;
+    const double     largest = *std::max_element(moved.begin(), moved.end());
+    bool             soft    = false;
     for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
       for (unsigned int a = 0; a < dim; ++a)
         {
           const double gap =
             std::sqrt(sums[stride * s + 1 + a] / sums[stride * s]);
-          if (!(gap > considerable * moved[a]))
+          if (!(gap > considerable * std::max(moved[a], sideways * largest)))
             continue;
           soft = true;
           step.warnings.add(

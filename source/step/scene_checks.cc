@@ -184,6 +184,8 @@ namespace isochor
         "none. The body would leave it at the least disturbance, as a column "
         "that stays straight beyond its buckling load: its loads are beyond "
         "what it can carry, and what follows is hardly what a real body does. "
+        "(Where nothing can buckle it is the grid that doesn't hold the points "
+        "together: see the other warnings, on domains and volumes of points.) "
         "To follow that, give it a larger imperfection or disturbance, and "
         "smaller steps up to here, prescribe displacements instead of loads, "
         "or give it inertia (<Dynamics/Inertia = true>). It is told once only.");
