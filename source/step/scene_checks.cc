@@ -184,8 +184,9 @@ namespace isochor
         "none. The body would leave it at the least disturbance, as a column "
         "that stays straight beyond its buckling load: its loads are beyond "
         "what it can carry, and what follows is hardly what a real body does. "
-        "(Where nothing can buckle it is the grid that doesn't hold the points "
-        "together: see the other warnings, on domains and volumes of points.) "
+        "(Where nothing can buckle, as in a body that is strongly pressed or "
+        "stretched on a grid that is put back, it may be modes of the grid: "
+        "compare with smaller cells, or a grid that is kept.) "
         "To follow that, give it a larger imperfection or disturbance, and "
         "smaller steps up to here, prescribe displacements instead of loads, "
         "or give it inertia (<Dynamics/Inertia = true>). It is told once only.");
