@@ -342,17 +342,23 @@ namespace
         last = solver->factorise(A);
         n_again += last.analysed;
       }
+    // On several ranks MUMPS spreads fronts by the load that it sees, by which
+    // the number of entries differs a little from run to run.
+    const double tolerance = 1e-2 * first.n_factor_entries;
     report("a pattern that lasts",
-           n_again == 1 && last.n_factor_entries <= first.n_factor_entries,
+           n_again == 1 &&
+             last.n_factor_entries <= first.n_factor_entries + tolerance,
            std::to_string(n_again) + " times, " +
              std::to_string(first.n_factor_entries) + " and " +
              std::to_string(last.n_factor_entries) + " entries");
     check_solve("is solved as before", *solver, A);
 
-    A.pattern_id = make(options).pattern_id;
+    A.pattern_id       = make(options).pattern_id;
+    last               = solver->factorise(A);
+    const double other = last.n_factor_entries - first.n_factor_entries;
     report("and another begins anew",
-           solver->factorise(A).n_factor_entries == first.n_factor_entries,
-           "other factors");
+           last.analysed && std::abs(other) <= tolerance,
+           std::to_string(other) + " entries more");
   }
 
   /** What only MUMPS tells: a saddle point has a negative pivot for each
