@@ -29,7 +29,11 @@ import numpy as np  # noqa: E402
 
 PRM = ROOT / "prm"
 # of scenes of which only the statistics are wanted
-QUIET = {"Postprocess/Write grid": "false", "Time/Output interval": 1e9}
+QUIET = {
+    "Postprocess/Write grid": "false",
+    "Postprocess/Write material points": "false",
+    "Time/Output interval": 1e9,
+}
 
 TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001)
 

@@ -245,9 +245,7 @@ namespace isochor
         if constexpr (n_components == dim + 1)
           if (kernel.ppp_coefficient > 0)
             kernel.add_pressure_projection(element,
-                                           kernel.compliance_of_points(points,
-                                                                       begin,
-                                                                       end),
+                                           element.compliance,
                                            points.corners(geometry, k),
                                            with_matrix);
         system.add_element(first_element + k,
@@ -265,28 +263,30 @@ namespace isochor
   BodyTerm<dim>::add_unit_residual(const StepContext<dim> &step,
                                    NodalField             &scale) const
   {
+    // in the u form the rounding of J is multiplied by K
+    std::vector<double> modulus;
+    for (const auto &material : step.kernel.materials)
+      modulus.push_back(
+        material->shear_modulus() +
+        (step.mixed() ? 0. : 0.1 / material->inverse_bulk_modulus()));
+
     for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
           const auto   stencil = points.stencil(grid.geometry(), k, q);
           const double V       = points.measure(q);
-          const MaterialModel<dim> &material =
-            *step.kernel.materials[points.material[q]];
-          // in the u form the rounding of J is multiplied by K
-          double modulus = material.shear_modulus();
-          if (!step.mixed())
-            modulus += 0.1 / material.inverse_bulk_modulus();
+          const double force   = V * modulus[points.material[q]];
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
               const unsigned int entry =
                 step.nodes.node(stencil.vertex[I]) * step.n_components;
+              const double gradient = stencil.gradient[I].norm();
               for (unsigned int a = 0; a < dim; ++a)
-                scale.local_element(entry + a) +=
-                  V * modulus * stencil.gradient[I].norm();
+                scale.local_element(entry + a) += force * gradient;
               if (step.kernel.axisymmetric)
                 scale.local_element(entry) +=
-                  V * modulus * stencil.shape[I] / points.radius[q];
+                  force * stencil.shape[I] / points.radius[q];
               if (step.mixed())
                 scale.local_element(entry + dim) += V * stencil.shape[I];
             }

@@ -309,14 +309,14 @@ namespace isochor
 
     ModulusComponents<dim> modulus =
       isochoric_modulus((1 - beta_1) * mu_bar, (1 - beta_1) * trial.dev_stress);
-    for (unsigned int i = 0; i < n_components; ++i)
-      for (unsigned int j = 0; j < n_components; ++j)
-        {
-          const double n_m = n.in_plane(i) * m.in_plane(j),
-                       m_n = m.in_plane(i) * n.in_plane(j);
-          modulus[i * n_components + j] -=
-            symmetrize_tangent ? 0.5 * (n_m + m_n) : n_m;
-        }
+    unrolled<n_components>([&](const auto i) {
+      unrolled<n_components>([&](const auto j) {
+        const double n_m = n.in_plane(i) * m.in_plane(j),
+                     m_n = m.in_plane(i) * n.in_plane(j);
+        modulus[i * n_components + j] -=
+          symmetrize_tangent ? 0.5 * (n_m + m_n) : n_m;
+      });
+    });
     return modulus;
   }
 

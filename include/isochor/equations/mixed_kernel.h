@@ -47,6 +47,8 @@ namespace isochor
     std::array<double, max_nodes>         pressure;  ///< p_I
     std::array<double, n_max>             residual;
     std::array<double, n_max * n_max>     matrix; ///< row-major, n_dofs wide
+    /** Of the points that it has been summed over. */
+    CellCompliance compliance;
 
     constexpr unsigned int
     nodes() const
@@ -102,8 +104,7 @@ namespace isochor
                    CellCompliance         &compliance) const
     {
       const MaterialModel<dim> &material = *materials[points.material[q]];
-      compliance.volume += V / material.shear_modulus();
-      compliance.mass += V * material.density() / material.shear_modulus();
+      compliance.add(V / material.shear_modulus(), material.density());
     }
 
     /** That of the points [begin, end) of a cell. */

@@ -127,6 +127,7 @@ namespace isochor
     StressResponse<dim>                   response;
     std::array<double, max_history>       history;
 
+    element.compliance = {};
     internal::LawOfPoints<dim> law(materials);
     for (unsigned int q = begin; q < end; ++q)
       {
@@ -150,8 +151,9 @@ namespace isochor
                                    response) != StressStatus::success)
           return EvaluationStatus::return_map_failed;
 
-        const double                   V         = points.weight[q];
-        const double                   inverse_K = law.inverse_K;
+        const double V         = points.weight[q];
+        const double inverse_K = law.inverse_K;
+        element.compliance.add(V * law.inverse_G, law.density);
         const internal::PressureFactor factor(law.measure, kinematics.J);
         if (!mixed)
           p = response.volumetric_strain / inverse_K;
@@ -209,23 +211,28 @@ namespace isochor
     std::array<double, nc> derivative;
     for (unsigned int a = 0; a < dim; ++a)
       derivative[a] = weight[a];
-    derivative[dim]              = 1;
-    const unsigned int first     = weight.norm_square() > 0 ? 0 : dim;
-    const auto         deviation = pressure_deviation(element, weight, corners);
-    for (unsigned int I = 0; I <= dim; ++I)
-      for (unsigned int J = 0; J <= dim; ++J)
-        {
-          const double entry = projection_entry(compliance, I, J);
-          for (unsigned int a = first; a < nc; ++a)
-            element.residual[I * nc + a] -=
-              derivative[a] * entry * deviation[J];
-          if (!with_matrix)
-            continue;
-          for (unsigned int a = first; a < nc; ++a)
-            for (unsigned int b = first; b < nc; ++b)
-              element.matrix[(I * nc + a) * n_dofs + J * nc + b] -=
-                derivative[a] * entry * derivative[b];
-        }
+    derivative[dim]      = 1;
+    const auto deviation = pressure_deviation(element, weight, corners);
+    const auto add       = [&](const auto first) {
+      for (unsigned int I = 0; I <= dim; ++I)
+        for (unsigned int J = 0; J <= dim; ++J)
+          {
+            const double entry = projection_entry(compliance, I, J);
+            for (unsigned int a = first; a < nc; ++a)
+              element.residual[I * nc + a] -=
+                derivative[a] * entry * deviation[J];
+            if (!with_matrix)
+              continue;
+            for (unsigned int a = first; a < nc; ++a)
+              for (unsigned int b = first; b < nc; ++b)
+                element.matrix[(I * nc + a) * n_dofs + J * nc + b] -=
+                  derivative[a] * entry * derivative[b];
+          }
+    };
+    if (weight.norm_square() > 0)
+      add(std::integral_constant<unsigned int, 0>());
+    else
+      add(std::integral_constant<unsigned int, dim>());
   }
 
 

@@ -168,6 +168,7 @@ namespace isochor
       constexpr bool     mixed = (n_components == dim + 1);
       constexpr bool     hoop  = (strain_dim > dim);
       const unsigned int n     = element.nodes();
+      element.compliance       = {};
       std::fill_n(element.residual.begin(), element.n_dofs(), 0.);
       if (with_matrix)
         std::fill_n(element.matrix.begin(),
@@ -222,7 +223,8 @@ namespace isochor
               StressStatus::success)
             return EvaluationStatus::return_map_failed;
 
-          const double         V         = points.measure(q);
+          const double V = points.measure(q);
+          kernel.add_compliance(points, q, V, element.compliance);
           const double         inverse_K = material.inverse_bulk_modulus();
           const PressureFactor factor(material.volumetric_measure(),
                                       kinematics.J);

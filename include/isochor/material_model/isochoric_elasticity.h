@@ -25,18 +25,18 @@ namespace isochor
       SymmetricTensor<2, dim>::n_independent_components;
 
     ModulusComponents<dim> modulus;
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        {
-          const bool   row_normal = i < dim, column_normal = j < dim;
-          const double identity = (i != j ? 0. : row_normal ? 1. : 0.5);
-          modulus[i * n + j] =
-            2 * mu_bar *
-              (identity - (row_normal && column_normal ? 1. / 3. : 0.)) -
-            2. / 3. *
-              ((column_normal ? dev_tau.in_plane(i) : 0.) +
-               (row_normal ? dev_tau.in_plane(j) : 0.));
-        }
+    unrolled<n>([&](const auto i) {
+      unrolled<n>([&](const auto j) {
+        constexpr bool   row_normal = i < dim, column_normal = j < dim;
+        constexpr double identity = (i != j ? 0. : row_normal ? 1. : 0.5);
+        modulus[i * n + j] =
+          2 * mu_bar *
+            (identity - (row_normal && column_normal ? 1. / 3. : 0.)) -
+          2. / 3. *
+            ((column_normal ? dev_tau.in_plane(i) : 0.) +
+             (row_normal ? dev_tau.in_plane(j) : 0.));
+      });
+    });
     return modulus;
   }
 

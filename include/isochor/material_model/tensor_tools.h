@@ -9,6 +9,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
+#include <isochor/base/unrolled.h>
 #include <isochor/material_model/material_model.h>
 
 #include <array>
@@ -122,8 +123,8 @@ namespace isochor
     norm_square() const
     {
       double normal = 0, shear = 0;
-      for (unsigned int i = 0; i < n; ++i)
-        (i < 3 ? normal : shear) += entry[i] * entry[i];
+      unrolled<n>(
+        [&](const auto i) { (i < 3 ? normal : shear) += entry[i] * entry[i]; });
       return normal + 2 * shear;
     }
 
@@ -142,14 +143,16 @@ namespace isochor
     square() const
     {
       SymmetricComponents result;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = i; j < dim; ++j)
-          {
-            double sum = 0;
-            for (unsigned int k = 0; k < dim; ++k)
-              sum += entry[place(i, k)] * entry[place(k, j)];
-            result.entry[place(i, j)] = sum;
-          }
+      unrolled<dim>([&](const auto i) {
+        unrolled<dim - i>([&](const auto above) {
+          constexpr unsigned int j   = i + above;
+          double                 sum = 0;
+          unrolled<dim>([&](const auto k) {
+            sum += entry[place(i, k)] * entry[place(k, j)];
+          });
+          result.entry[place(i, j)] = sum;
+        });
+      });
       if (dim == 2)
         result.entry[2] = entry[2] * entry[2];
       return result;
@@ -160,8 +163,9 @@ namespace isochor
     operator+(const double mean) const
     {
       SymmetricComponents result;
-      for (unsigned int i = 0; i < n; ++i)
+      unrolled<n>([&](const auto i) {
         result.entry[i] = i < 3 ? entry[i] + mean : entry[i];
+      });
       return result;
     }
 
@@ -169,8 +173,8 @@ namespace isochor
     operator+(const SymmetricComponents &other) const
     {
       SymmetricComponents result;
-      for (unsigned int i = 0; i < n; ++i)
-        result.entry[i] = entry[i] + other.entry[i];
+      unrolled<n>(
+        [&](const auto i) { result.entry[i] = entry[i] + other.entry[i]; });
       return result;
     }
 
@@ -178,32 +182,30 @@ namespace isochor
     operator*(const double factor, const SymmetricComponents &t)
     {
       SymmetricComponents result;
-      for (unsigned int i = 0; i < n; ++i)
-        result.entry[i] = factor * t.entry[i];
+      unrolled<n>([&](const auto i) { result.entry[i] = factor * t.entry[i]; });
       return result;
     }
 
     void
     copy_to(SymmetricTensor<2, 3> &t) const
     {
-      for (unsigned int i = 0; i < 6; ++i)
-        t.access_raw_entry(i) = i < n ? entry[i] : 0.;
+      unrolled<n>([&](const auto i) { t.access_raw_entry(i) = entry[i]; });
+      for (unsigned int i = n; i < 6; ++i)
+        t.access_raw_entry(i) = 0.;
     }
 
     static SymmetricComponents
     load(const double *components)
     {
       SymmetricComponents t;
-      for (unsigned int i = 0; i < n; ++i)
-        t.entry[i] = components[i];
+      unrolled<n>([&](const auto i) { t.entry[i] = components[i]; });
       return t;
     }
 
     void
     store(double *components) const
     {
-      for (unsigned int i = 0; i < n; ++i)
-        components[i] = entry[i];
+      unrolled<n>([&](const auto i) { components[i] = entry[i]; });
     }
   };
 
@@ -219,8 +221,8 @@ namespace isochor
   inline void
   copy_modulus(const ModulusComponents<dim> &from, SymmetricTensor<4, dim> &to)
   {
-    for (unsigned int i = 0; i < from.size(); ++i)
-      to.access_raw_entry(i) = from[i];
+    unrolled<std::tuple_size<ModulusComponents<dim>>::value>(
+      [&](const auto i) { to.access_raw_entry(i) = from[i]; });
   }
 
   /** f b f^T, where f_33 = 1 in plane strain. @p b: the components of b. */
@@ -229,23 +231,24 @@ namespace isochor
   push_forward(const Tensor<2, dim> &f, const double *const b)
   {
     double f_b[dim][dim];
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        {
-          f_b[i][j] = 0;
-          for (unsigned int k = 0; k < dim; ++k)
-            f_b[i][j] += f[i][k] * b[component_in_plane<3>(k, j)];
-        }
+    unrolled<dim>([&](const auto i) {
+      unrolled<dim>([&](const auto j) {
+        f_b[i][j] = 0;
+        unrolled<dim>([&](const auto k) {
+          f_b[i][j] += f[i()][k()] * b[component_in_plane<3>(k, j)];
+        });
+      });
+    });
 
     SymmetricComponents<dim> result;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = i; j < dim; ++j)
-        {
-          double sum = 0;
-          for (unsigned int k = 0; k < dim; ++k)
-            sum += f_b[i][k] * f[j][k];
-          result.entry[result.place(i, j)] = sum;
-        }
+    unrolled<dim>([&](const auto i) {
+      unrolled<dim - i>([&](const auto above) {
+        constexpr unsigned int j   = i + above;
+        double                 sum = 0;
+        unrolled<dim>([&](const auto k) { sum += f_b[i][k] * f[j][k()]; });
+        result.entry[result.place(i, j)] = sum;
+      });
+    });
     if (dim == 2)
       result.entry[2] = b[2];
     return result;

@@ -28,6 +28,14 @@ namespace isochor
   {
     double volume = 0, mass = 0;
 
+    /** @p V_over_G: of points with @p density. */
+    void
+    add(const double V_over_G, const double density)
+    {
+      volume += V_over_G;
+      mass += density * V_over_G;
+    }
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
