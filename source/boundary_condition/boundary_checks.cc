@@ -167,17 +167,19 @@ namespace isochor
 
   template <int dim>
   void
-  warn_of_lost_body(const StepContext<dim> &step,
-                    const std::string      &parameter,
-                    const std::string      &boundary,
-                    const unsigned int      component,
-                    const double            push)
+  warn_of_lost_body(const StepContext<dim>      &step,
+                    const std::string           &parameter,
+                    const std::string           &boundary,
+                    const unsigned int           component,
+                    const std::array<double, 2> &push)
   {
-    warn_of_body_left_behind(
-      step,
-      boundary,
-      parameter + " = " + boundary + ": " + "xyz"[component] + " = ...",
-      push * side_of(step.grid, boundary, parameter).inwards[component]);
+    const double inwards =
+      side_of(step.grid, boundary, parameter).inwards[component];
+    warn_of_body_left_behind(step,
+                             boundary,
+                             parameter + " = " + boundary + ": " +
+                               "xyz"[component] + " = ...",
+                             std::max(push[0] * inwards, push[1] * inwards));
   }
 
 
@@ -204,8 +206,10 @@ namespace isochor
       "a boundary that leaves the body behind",
       "Until t = " + rounded(step.old_time) + " <" + condition +
         "> has pushed the body by " + rounded(along) +
-        " m away from the boundary <" + boundary + "> (a cell has " +
-        rounded(size) + " m" +
+        " m away from the boundary <" + boundary +
+        (step.grid.is_moving() ? ">, beyond what <Grid/Stretch> moves it" :
+                                 ">") +
+        " (a cell has " + rounded(size) + " m" +
         (strains ? ", the body " + rounded(length) + " m" : "") +
         "), but the grid is put back after each step, and the boundary with "
         "it: the row of cells there is partly empty and strained more than the "
@@ -251,13 +255,13 @@ namespace isochor
                     const std::string &,
                     const std::string &,
                     const unsigned int,
-                    const double);
+                    const std::array<double, 2> &);
   template void
   warn_of_lost_body(const StepContext<3> &,
                     const std::string &,
                     const std::string &,
                     const unsigned int,
-                    const double);
+                    const std::array<double, 2> &);
   template void
   warn_of_body_left_behind(const StepContext<2> &,
                            const std::string &,

@@ -176,7 +176,7 @@ namespace isochor
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override
     {
-      if (step.old_time > 0 && !step.grid_is_kept && !step.grid.is_moving())
+      if (step.old_time > 0 && !step.grid_is_kept)
         for (const auto &condition : conditions)
           if (condition.boundary != "everywhere")
             warn_if_body_is_lost(condition, step);
@@ -247,16 +247,19 @@ namespace isochor
     warn_if_body_is_lost(const Condition        &condition,
                          const StepContext<dim> &step) const
     {
-      double push = 0; // as far as it came before this step
+      const unsigned int c = condition.component;
+      double low = 0, high = 0; // as far as it came before this step
       for (const unsigned int v : condition.vertices)
         {
-          const double u = condition.displacement(reference[v], step.old_time);
-          if (std::abs(u) > std::abs(push))
-            push = u;
+          const double push =
+            condition.displacement(reference[v], step.old_time) -
+            (step.grid.geometry().vertices()[v][c] - reference[v][c]);
+          low  = std::min(low, push);
+          high = std::max(high, push);
         }
-      if (push != 0)
+      if (low < 0 || high > 0)
         warn_of_lost_body(
-          step, parameter(), condition.boundary, condition.component, push);
+          step, parameter(), condition.boundary, c, {{low, high}});
     }
 
     void

@@ -161,6 +161,10 @@ namespace isochor
                              const SurfaceForces<dim>     &forces,
                              const SurfaceConditions<dim> &conditions) const
   {
+    // displacements that are rounding, as those of max(t - 1, 0) at t = 1, do
+    // no work that could be compared with anything
+    constexpr double    rounding       = 1e-6;
+    double              largest_target = 0, largest_gap = 0;
     std::vector<double> sums(2 * conditions.surfaces.size());
     for (unsigned int b = 0; b < points.size(); ++b)
       {
@@ -171,12 +175,19 @@ namespace isochor
           if (!conditions.surfaces[s].displacement[a].empty())
             {
               const double target = forces.target(step, b, a);
+              largest_target      = std::max(largest_target, std::abs(target));
+              largest_gap = std::max(largest_gap, std::abs(target - u[a]));
               sums[2 * s] += t[a] * target;
               sums[2 * s + 1] += t[a] * (target - u[a]);
             }
       }
     Utilities::MPI::sum(sums, step.grid.communicator(), sums);
+    largest_target =
+      Utilities::MPI::max(largest_target, step.grid.communicator());
+    largest_gap = Utilities::MPI::max(largest_gap, step.grid.communicator());
     std::vector<Work> work(conditions.surfaces.size());
+    if (largest_target <= rounding * largest_gap)
+      return work;
     for (unsigned int s = 0; s < work.size(); ++s)
       work[s] = {sums[2 * s], sums[2 * s + 1]};
     return work;

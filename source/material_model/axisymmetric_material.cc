@@ -238,4 +238,12 @@ namespace isochor
   {
     return law->density();
   }
+
+
+
+  std::string
+  AxisymmetricMaterial::doubts() const
+  {
+    return law->doubts();
+  }
 } // namespace isochor

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
+#include <isochor/base/plain_message.h>
 #include <isochor/material_model/material_model.h>
 
 #include <string>
@@ -49,5 +50,25 @@ namespace isochor
 
     shear_modulus        = E / (2 * (1 + nu));
     inverse_bulk_modulus = 3 * (1 - 2 * nu) / E;
+  }
+
+
+
+  std::string
+  doubtful_strength(const std::string         &parameter,
+                    const double               strength,
+                    const IsotropicElasticity &elasticity)
+  {
+    // Young's modulus is 9 K G / (3 K + G)
+    const double E =
+      9 * elasticity.shear_modulus /
+      (3 + elasticity.shear_modulus * elasticity.inverse_bulk_modulus);
+    if (strength <= E)
+      return "";
+    return "<" + parameter + "> = " + rounded(strength) +
+           " Pa is more than <Young modulus> = " + rounded(E) +
+           " Pa: the material yields at strains of more than one only. Are both "
+           "in the same unit? If it shall not yield, take <Model = "
+           "Neo-Hookean>.";
   }
 } // namespace isochor

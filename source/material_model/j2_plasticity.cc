@@ -87,6 +87,12 @@ namespace isochor
       return elasticity.density;
     }
 
+    std::string
+    doubts() const override
+    {
+      return doubtful_strength("J2/Yield stress", yield_stress, elasticity);
+    }
+
   private:
     IsotropicElasticity elasticity;
     double              yield_stress        = 0;

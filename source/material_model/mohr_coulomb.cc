@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
+#include <isochor/base/plain_message.h>
 #include <isochor/material_model/material_model.h>
 #include <isochor/material_model/mohr_coulomb_return.h>
 #include <isochor/material_model/spectral_decomposition.h>
@@ -162,6 +163,9 @@ namespace isochor
       return elasticity.density;
     }
 
+    std::string
+    doubts() const override;
+
   private:
     IsotropicElasticity elasticity;
     MohrCoulombReturn   surface;
@@ -251,6 +255,25 @@ namespace isochor
     surface.bulk_modulus  = (phi > 0 && elasticity.inverse_bulk_modulus > 0 ?
                                1 / elasticity.inverse_bulk_modulus :
                                0);
+  }
+
+
+
+  template <int dim>
+  std::string
+  MohrCoulomb<dim>::doubts() const
+  {
+    // no soil has so little friction, but it is the angle of one in radians
+    constexpr double most_radians = 1.;
+    const double     phi = std::asin(surface.sin_phi) * 180 / numbers::PI;
+    if (phi > 0 && phi <= most_radians)
+      return "<Mohr-Coulomb/Friction angle> is " + rounded(phi) +
+             " degrees. Angles are in degrees: if this one is in radians, write " +
+             rounded(phi * 180 / numbers::PI) + ".";
+    return doubtful_strength("Mohr-Coulomb/Cohesion",
+                             surface.c_cos_phi /
+                               std::cos(phi * numbers::PI / 180),
+                             elasticity);
   }
 
 

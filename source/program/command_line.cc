@@ -182,7 +182,10 @@ namespace isochor
       AssertThrow(results.n_failures() == 0,
                   ExcMessage(std::to_string(results.n_failures()) + " of " +
                              std::to_string(n_runs) +
-                             " runs failed; the table is that of the others."));
+                             " runs failed, see below the table, which is that "
+                             "of the others. For the spread of a limit load "
+                             "let each run end below it, or compare the times "
+                             "at which the runs failed."));
     }
 
 

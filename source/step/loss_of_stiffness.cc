@@ -283,14 +283,16 @@ namespace isochor
               "deformed far, and its steps are hardly small enough to tell at "
               "which load it begins to.";
     else
-      text += "If loads drive the body, they come to or are beyond what it can "
-              "carry as it is: it flows or falls, and without inertia its "
-              "speed means nothing. The limit load isn't below the one at " +
-              since +
-              "; where the body yields bit by bit in small strains it may be "
-              "above by a quarter, near the last equilibrium that is found. "
-              "Else more is carried only by the body as it has been deformed, "
-              "or by a grid that is too coarse.";
+      text +=
+        "If loads drive the body, they come to or are beyond what it can "
+        "carry as it is: it flows or falls, and without inertia its "
+        "speed means nothing. The limit load on this grid isn't below the one at " +
+        since +
+        " (a coarse one bears more than a fine one, often by a tenth); "
+        "where the body yields bit by bit in small strains it may be "
+        "above by a quarter, near the last equilibrium that is found. "
+        "Else more is carried only by the body as it has been deformed, "
+        "or by a grid that is too coarse.";
     step.warnings.add("the body gives way",
                       text +
                         " To follow the body beyond, use <Dynamics/Inertia "

@@ -67,6 +67,41 @@ namespace isochor
 
 
 
+  /** Tell of materials that the scene's parameters hardly mean, and of such as
+   * lock in the u form. */
+  template <int dim>
+  static void
+  check_materials(const Scene<dim> &scene, Warnings &warnings)
+  {
+    const auto &materials = scene.kernel.materials;
+    // Poisson's ratio of 0.48
+    constexpr double nearly_incompressible = 25; // K/G
+    bool             locks                 = false;
+    for (unsigned int m = 0; m < materials.size(); ++m)
+      {
+        const std::string name =
+          m == 0 ? "Material" : "Material " + std::to_string(m + 1);
+        const std::string text = materials[m]->doubts();
+        if (!text.empty())
+          warnings.add("a parameter that is hardly meant",
+                       "Of <" + name + ">: " + text);
+        locks = locks || materials[m]->shear_modulus() *
+                             materials[m]->inverse_bulk_modulus() <
+                           1 / nearly_incompressible;
+      }
+    if (!scene.mixed() && (locks || scene.may_yield))
+      warnings.add(
+        "elements that lock",
+        std::string("<Formulation/Type = u>: ") +
+          (locks ? "with a <Poisson ratio> near 0.5" :
+                   "where the material yields and keeps its volume") +
+          " linear displacements are too stiff, forces and limit loads too "
+          "large and pressures wrong, by half and more on coarse grids. Use "
+          "<Formulation/Type = u-p>, unless this is what you want to see.");
+  }
+
+
+
   void
   check_supports(const SparseSystem &matrix, Warnings &warnings)
   {
@@ -111,6 +146,7 @@ namespace isochor
                    const bool              may_let_go)
   {
     check_body(step);
+    check_materials(scene, step.warnings);
     if (scene.quadrature->needs_domains())
       scene.points.check_domains(step.warnings);
     for (const auto &condition : scene.boundary_conditions)

@@ -7,6 +7,7 @@
 
 #include <isochor/equations/equation_term.h>
 
+#include <array>
 #include <string>
 
 namespace isochor
@@ -54,18 +55,19 @@ namespace isochor
                       const int               side);
 
   /** On a grid that is put back, a @p boundary that by @p parameter has pushed
-   * the body by @p push (m, along the axis @p component) out of the row of
-   * cells there hands hardly anything on to it: warn from half a cell on. In
-   * statics its forces are too small before: the row of cells with the gap in
-   * it is strained by more than the body. Warn from 1 % of the body's length
-   * on, if the body touches the boundary. Collective. */
+   * the body out of the row of cells there hands hardly anything on to it: warn
+   * from half a cell on. In statics its forces are too small before: the row of
+   * cells with the gap in it is strained by more than the body. Warn from 1 %
+   * of the body's length on, if the body touches the boundary. @p push: the
+   * least and the most that it prescribes to its vertices along the axis @p
+   * component beyond what moves the grid (m). Collective. */
   template <int dim>
   void
-  warn_of_lost_body(const StepContext<dim> &step,
-                    const std::string      &parameter,
-                    const std::string      &boundary,
-                    const unsigned int      component,
-                    const double            push);
+  warn_of_lost_body(const StepContext<dim>      &step,
+                    const std::string           &parameter,
+                    const std::string           &boundary,
+                    const unsigned int           component,
+                    const std::array<double, 2> &push);
 
   /** The same of what <@p condition> prescribes along the normal into the grid,
    * @p along (m). */

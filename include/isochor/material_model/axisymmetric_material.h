@@ -77,6 +77,8 @@ namespace isochor
     inverse_bulk_modulus() const override;
     double
     density() const override;
+    std::string
+    doubts() const override;
 
   private:
     /** F of the law, with @p hoop = F_θθ. */

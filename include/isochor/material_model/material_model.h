@@ -244,6 +244,14 @@ namespace isochor
     /** Reference density in kg/m^3. */
     virtual double
     density() const = 0;
+
+    /** What in the parameters is possible but hardly meant, such as numbers in
+     * other units: a sentence for a warning, or nothing. */
+    virtual std::string
+    doubts() const
+    {
+      return "";
+    }
   };
 
   /** Components of a symmetric 3D tensor that deformations of dimension @p dim
@@ -265,6 +273,14 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm);
   };
+
+  /** For MaterialModel::doubts(): a @p strength (Pa), the value of
+   * @p parameter, that no strain of less than one reaches. */
+  std::string
+  doubtful_strength(const std::string         &parameter,
+                    const double               strength,
+                    const IsotropicElasticity &elasticity);
+
 } // namespace isochor
 
 #endif
