@@ -87,6 +87,18 @@ main(int argc, char **argv)
               told.warning);
   const Result stretched = push<2>("Grid/Stretch = y: 0 -> 0, 1 -> -0.06*t\n");
   test::check("a grid that follows", stretched.warning.empty(), "");
+  const Result astray = push<2>("Grid/Stretch = y: 0 -> 0, 1 -> 0.06*t\n");
+  test::check("a grid that goes the other way",
+              astray.warning.find("Until t = 0.1 ") == 0 &&
+                astray.warning.find("by 0.012 m") != std::string::npos &&
+                astray.warning.find("<Grid/Stretch>") != std::string::npos,
+              astray.warning);
+  const Result in_part =
+    push<2>("Boundary conditions/Displacement = left: x = 0; bottom: y = 0; "
+            "top: y <= if(x < 0.3, -0.3*t, 1)\n");
+  test::check("a one-sided wall that is elsewhere far away",
+              in_part.warning.find("Until t = 0.1 ") == 0,
+              in_part.warning);
   const Result dynamic = push<2>(
     "Dynamics/Inertia = true\nMaterial/Density = 1\nTime/End time = 0.6\n");
   test::check("in motion the body may go along",

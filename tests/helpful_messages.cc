@@ -70,6 +70,37 @@ namespace
                        false),
            {});
   }
+
+  void
+  test_materials()
+  {
+    const auto law = [](const std::string &settings) {
+      return messages<2>(good + "Material/Young modulus = 1e6\n" + settings);
+    };
+    expect("a yield stress above Young's modulus",
+           law("Material/Model = J2\nMaterial/J2/Yield stress = 1.01e6\n"),
+           {"WARNING", "<J2/Yield stress> = 1.01e+06", "<Young modulus>"});
+    expect("a high one",
+           law("Material/Model = J2\nMaterial/J2/Yield stress = 0.99e6\n"),
+           {});
+    const std::string soil = "Material/Model = Mohr-Coulomb\n"
+                             "Material/Mohr-Coulomb/Cohesion = 1e3\n"
+                             "Material/Mohr-Coulomb/Friction angle = ";
+    expect("an angle in radians",
+           law(soil + "0.52\n"),
+           {"WARNING", "in degrees", "29.79"});
+    expect("one in degrees", law(soil + "20\n"), {});
+    const std::string plain = "Formulation/Type = u\n";
+    expect("the form u near the incompressible limit",
+           law(plain + "Material/Poisson ratio = 0.49\n"),
+           {"WARNING", "elements that lock", "Poisson ratio", "u-p"});
+    expect("... and far from it",
+           law(plain + "Material/Poisson ratio = 0.45\n"),
+           {});
+    expect("... with a law that yields",
+           law(plain + "Material/Model = J2\nMaterial/J2/Yield stress = 1e3\n"),
+           {"WARNING", "elements that lock", "yields", "u-p"});
+  }
 } // namespace
 
 
@@ -82,4 +113,5 @@ main(int argc, char **argv)
   test_probes();
   test_formulas();
   test_loads_on_supports();
+  test_materials();
 }
