@@ -410,10 +410,14 @@ def add_colour_bar(artist, axes, field_name, values=None, unit=None, **options):
 
 
 def _spacing(data, n):
-    """Edge length (m) of the square that has a point's current volume."""
+    """Edge length (m) of the square that has a point's current volume, in bodies of
+    revolution the area of the ring's section."""
     if "volume" not in data:
         raise OutputError("The points carry no field 'volume'.")
-    spacing = np.sqrt(np.maximum(data["volume"], 0))
+    area = np.maximum(data["volume"], 0)
+    if "hoop_stretch" in data:
+        area = area / (2 * np.pi * np.maximum(data["position"][:, 0], 1e-300))
+    spacing = np.sqrt(area)
     return np.resize(spacing, n)  # repeats it for the mirror image
 
 
