@@ -233,6 +233,12 @@ namespace
                    "Boundary conditions/Traction on body = top: 0, 9000\n"),
            {"very first step", "Young modulus", "Minimum step size"});
     expect_files("first step", true);
+    expect("a closed volume",
+           failure("Grid/Subdivisions = 4, 4\nMaterial/Poisson ratio = 0.5\n"
+                   "Time/Minimum step size = 0.25\n"
+                   "Boundary conditions/Displacement = left: x=0; right: x=0; "
+                   "bottom: y=0; top: y=-0.01*t\n"),
+           {"the whole surface of the body is held", "0.4999"});
     // a block that hangs upside down; an elastic one has no plastic limit load
     const std::string hanging =
       "Grid/Upper corner = 3, 6\nGrid/Subdivisions = 12, 24\n"

@@ -52,6 +52,14 @@ namespace
     expect("= for ==",
            messages<2>(region + "x = 1\n"),
            {"ERROR", "'=' assigns", "'=='"});
+    expect("a region that compares nothing",
+           messages<2>(region + "y\n"),
+           {"WARNING a region that leaves nothing out",
+            "<Material points/Region = y>",
+            "'y < 0.5'"});
+    for (const std::string formula :
+         {"0.3 - y", "if(x, y, x)", "x + y > 0", "2"})
+      expect("the region " + formula, messages<2>(region + formula + '\n'), {});
   }
 
   void

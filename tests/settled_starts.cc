@@ -207,6 +207,27 @@ test_resolved()
               std::to_string(row.done));
 }
 
+/** A grid of the same cells that is divided among the ranks anew, as it is on
+ * three of them in the step after this refinement, disturbs nothing. */
+void
+test_divisions()
+{
+  const auto problem = test::run_scene<2>(
+    stiff +
+    "Grid/Upper corner = 4, 4\nGrid/Subdivisions = 4, 4\n"
+    "Material points/Region = x < 1.1 && y < 1.1\n"
+    "Boundary conditions/Displacement = bottom: y=0; left: x=0\n"
+    "Boundary conditions/Gravity = 0, -1\nMaterial/Young modulus = 1e9\n" +
+    changing("0.5", "if(x < 0.4 && y < 0.4, 0.0625, 0.5)") +
+    "Adaptive grid/Maximum level = 4\n");
+  // the first change is that of t = 0
+  const double settled = problem->work().row("accelerations that settle").done,
+               changes = test::get(*problem, "Changes of grid") - 1;
+  test::check("settles as often as cells change",
+              settled == changes && changes > 0,
+              std::to_string(settled) + " for " + std::to_string(changes));
+}
+
 /** What is written as the acceleration of the points is all of it. */
 void
 test_acceleration_of_points()
@@ -230,5 +251,6 @@ main(int argc, char **argv)
   test_changing_grids();
   test_free_nodes();
   test_resolved();
+  test_divisions();
   test_acceleration_of_points();
 }

@@ -387,7 +387,7 @@ namespace isochor
 
 
   template <int dim>
-  bool
+  GridChange
   GridAdaptation<dim>::adapt(BackgroundGrid<dim>     &grid,
                              MaterialPoints<dim>     &points,
                              const PointLocator<dim> &locator,
@@ -396,7 +396,7 @@ namespace isochor
                              const bool               keep_points)
   {
     if (!grid.is_adaptive())
-      return false;
+      return GridChange::none;
     const AdaptiveGrid<dim> &forest = grid.adaptive_grid();
     const auto               old    = forest.leaves();
     std::vector<double>      n_points;
@@ -423,7 +423,7 @@ namespace isochor
     // to be divided among the ranks anew
     if (!is_refined &&
         !is_out_of_balance(weights, forest, owners, n_ranks, balance))
-      return false;
+      return GridChange::none;
     const Motion motion = motion_in_old_grid(grid, last_motion);
 
     points.change_grid(
@@ -431,9 +431,10 @@ namespace isochor
       [&]() { return grid.change(leaves, owners, time); },
       keep_points);
     set_motion_in_new_grid(motion, grid, last_motion);
-    if (is_refined)
-      ++n_changes;
-    return true;
+    if (!is_refined)
+      return GridChange::owners;
+    ++n_changes;
+    return GridChange::cells;
   }
 
 

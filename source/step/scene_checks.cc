@@ -147,8 +147,8 @@ namespace isochor
   {
     check_body(step);
     check_materials(scene, step.warnings);
-    if (scene.quadrature->needs_domains())
-      scene.points.check_domains(step.warnings);
+    scene.points.check_seeding(scene.quadrature->needs_domains(),
+                               step.warnings);
     for (const auto &condition : scene.boundary_conditions)
       condition->check_scene(step);
     for (const auto &postprocessor : scene.postprocessors)

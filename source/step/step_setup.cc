@@ -266,12 +266,13 @@ namespace isochor
     if (is_due)
       {
         TimerOutput::Scope scope(timer, "grid adaptation");
-        if (scene.adaptation.adapt(
-              scene.grid, scene.points, *locator, time, last_motion))
-          {
-            grid_changed();
-            disturbed = true;
-          }
+        const GridChange   change = scene.adaptation.adapt(
+          scene.grid, scene.points, *locator, time, last_motion);
+        if (change != GridChange::none)
+          grid_changed();
+        // other owners of the same cells must not matter
+        if (change == GridChange::cells)
+          disturbed = true;
       }
     if (partition.is_needed(scene.grid))
       {
@@ -362,8 +363,9 @@ namespace isochor
                                unknowns,
                                scene.points,
                                not_of_a_step);
-    if (!scene.adaptation.adapt(
-          scene.grid, scene.points, *locator, scene.time.time, none, false))
+    if (scene.adaptation.adapt(
+          scene.grid, scene.points, *locator, scene.time.time, none, false) ==
+        GridChange::none)
       return false;
     scene.points.seed(scene.kernel.materials,
                       scene.has_inertia(),

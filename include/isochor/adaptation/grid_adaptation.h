@@ -18,6 +18,16 @@
 
 namespace isochor
 {
+  /** What has become of a grid that may have been replaced. */
+  enum class GridChange
+  {
+    none,
+    owners, ///< the same cells, divided among the ranks in another way
+    cells
+  };
+
+
+
   /**
    * When and how a grid of the type "adaptive" is replaced by another one.
    * Material points carry all of the state, so that at a reset of the grid the
@@ -73,10 +83,11 @@ namespace isochor
      * The grid is reset at @p time, and the points have been located in the old
      * one: replace it and put them into the new one, if a leaf changes. Nodes
      * of the new one get what @p last_motion has at their places. Not
-     * @p keep_points: the new one has none, to be seeded anew. Returns whether
-     * the grid changed. Collective.
+     * @p keep_points: the new one has none, to be seeded anew. Also replaced is
+     * a grid of the same leaves that has to be divided among the ranks anew.
+     * Collective.
      */
-    bool
+    GridChange
     adapt(BackgroundGrid<dim>     &grid,
           MaterialPoints<dim>     &points,
           const PointLocator<dim> &locator,

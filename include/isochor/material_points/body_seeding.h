@@ -62,6 +62,11 @@ namespace isochor
     void
     check_domains(const BackgroundGrid<dim> &grid, Warnings &warnings) const;
 
+    /** Warn of a region that compares nothing and leaves no cell of the @p grid
+     * out: a formula is above zero there, but hardly meant so. */
+    void
+    check_region(const BackgroundGrid<dim> &grid, Warnings &warnings) const;
+
   private:
     /** Cells with the same number of points. */
     struct Zone

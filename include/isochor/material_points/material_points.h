@@ -142,11 +142,13 @@ namespace isochor
       keeps_ancestry = true;
     }
 
-    /** See BodySeeding::check_domains(); before the grid changes. */
+    /** See BodySeeding::check_region() and check_domains(); before the grid
+     * changes. */
     void
-    check_domains(Warnings &warnings) const
+    check_seeding(const bool domains_are_integrated, Warnings &warnings) const
     {
-      if (point_layout.with_domains)
+      seeding.check_region(grid, warnings);
+      if (domains_are_integrated && point_layout.with_domains)
         seeding.check_domains(grid, warnings);
     }
 
