@@ -14,12 +14,13 @@ namespace isochor
   /**
    * A wall that knows nothing of the body's surface (BodyAtWalls) holds a node
    * as soon as a cell around it holds material, at a distance g_I from the
-   * surface: the body is pressed by so much more than it should be. If the same nodes were held without their gaps,
-   * which are displacements, the force F = Σ_I F_I of a linear body would by
-   * Betti's theorem be less by Σ_I F_I g_I / δ, as the forces F_I belong to
-   * the motion δ of all nodes by which the wall has come nearer. F δ, the
-   * product of the forces and of what they have displaced the body by, is
-   * Σ_p V_p τ:ε by the principle of virtual work. So the part
+   * surface: the body is pressed by so much more than it should be. If the same
+   * nodes were held without their gaps, which are displacements, the force F =
+   * Σ_I F_I of a linear body would by Betti's theorem be less by Σ_I F_I g_I /
+   * δ, as the forces F_I belong to the motion δ of all nodes by which the wall
+   * has come nearer. F δ, the product of the forces and of what they have
+   * displaced the body by, is Σ_p V_p τ:ε by the principle of virtual work. So
+   * the part
    *
    *   s = Σ_I F_I g_I / Σ_p V_p |τ:ε|,   ε = (b - b^{-1})/4,
    *
