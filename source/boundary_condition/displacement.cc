@@ -28,10 +28,11 @@ namespace isochor
    * wall that stands in the distance u(x, t) from where the node was generated,
    * see ContactSearch. The set of nodes in contact is kept from step to step.
    *
-   * A node that has not yet touched the wall remembers its distance. One that
-   * has starts each step on a reset grid at the wall; on a grid that is kept
-   * (see GridReset), where the last one left it. So does material that comes to
-   * the boundary later.
+   * In statics, a step on a reset grid starts with the gap of the body
+   * (BodyAtWalls). Where that isn't known, a node that has not yet touched the
+   * wall remembers its distance. One that has starts each step on a reset grid
+   * at the wall; on a grid that is kept (see GridReset), where the last one
+   * left it. So does material that comes to the boundary later.
    */
   template <int dim>
   class PrescribedDisplacement : public BoundaryCondition<dim>
@@ -53,8 +54,9 @@ namespace isochor
         "boundary only pushes: it is a smooth wall in this distance from where "
         "the grid's boundary is at t = 0, a node that would have to be pulled "
         "leaves it, and is held again when it comes back. On a grid that is put "
-        "back in each step bodies meet it, and leave it, up to one cell away "
-        "from it, so that impacts last longer. A boundary that "
+        "back in each step it acts where the surface of the body reaches it "
+        "with <Quadrature/Type = CPDI> in statics, else up to one cell before, "
+        "so that impacts last longer. A boundary that "
         "pushes the body by more than a hundredth of its length must take the "
         "grid along (<Grid/Stretch>), or the grid be kept: put back, the row of "
         "cells there is partly empty and too soft, beyond half of a cell it "
@@ -80,13 +82,17 @@ namespace isochor
           const bool everywhere = condition.boundary == "everywhere";
           const types::boundary_id id =
             everywhere ? 0 : grid.boundary_id(condition.boundary, parameter());
-          std::set<unsigned int> vertices;
+          std::set<unsigned int>    vertices;
+          std::vector<BoundaryFace> faces;
           for (const BoundaryFace &face : grid.boundary_faces())
             if (everywhere || face.id == id)
-              for (unsigned int v = 0; v <= dim; ++v)
-                if (v != face.opposite_vertex)
-                  vertices.insert(grid.geometry().vertex_indices(face.cell)[v]);
+              faces.push_back(face);
+          for (const BoundaryFace &face : faces)
+            for (unsigned int v = 0; v <= dim; ++v)
+              if (v != face.opposite_vertex)
+                vertices.insert(grid.geometry().vertex_indices(face.cell)[v]);
           condition.vertices.assign(vertices.begin(), vertices.end());
+          condition.find_inward(reference, grid.geometry(), faces);
         }
       leave_nodes_to_later_entries();
       for (auto &condition : conditions)
@@ -187,6 +193,15 @@ namespace isochor
             for (WallNode &node : condition.wall)
               node.was_released = node.released;
           }
+    }
+
+    void
+    prepare_contact(const StepContext<dim> &step) override
+    {
+      BodyAtWalls<dim> body;
+      for (auto &condition : conditions)
+        condition.add_to(body, reference, step);
+      body.find(step);
     }
 
     void
@@ -334,8 +349,7 @@ namespace isochor
                                     step.time);
       const double motion = condition.displacement(x, step.time) -
                             condition.displacement(x, step.old_time);
-      const WallNode &node = condition.wall[i];
-      return step.grid_is_kept || !node.touched ? motion - node.gap : motion;
+      return motion - condition.wall[i].gap_at_start(step.grid_is_kept);
     }
 
     void
@@ -456,13 +470,14 @@ namespace isochor
   {
     for (const auto &condition : conditions)
       {
-        if (condition.side == 0)
+        const bool           holds  = condition.side == 0;
+        const Tensor<1, dim> normal = condition.normal();
+        const double         sign   = normal[condition.component];
+        if (sign == 0)
           continue;
-        walls.push_back({parameter(), condition.boundary, {}});
-        Tensor<1, dim> normal;
-        normal[condition.component] = condition.side;
+        walls.push_back({parameter(), condition.boundary, {}, holds});
         for (unsigned int i = 0; i < condition.vertices.size(); ++i)
-          if (!condition.wall[i].released)
+          if (holds || !condition.wall[i].released)
             {
               const unsigned int node = step.nodes.node(condition.vertices[i]);
               const double       force =
@@ -471,7 +486,10 @@ namespace isochor
                                                 condition.component) :
                         0.;
               walls.back().nodes.push_back(
-                {condition.vertices[i], normal, condition.side * force});
+                {condition.vertices[i],
+                 normal,
+                 sign * force,
+                 condition.distance_of_held(i, reference, step)});
             }
       }
   }

@@ -27,9 +27,10 @@ namespace isochor
    * reached, on the smooth surface through the vertices, so that what a step
    * errs is corrected by the next one.
    *
-   * One-sided walls find their set of nodes by ContactSearch. Nodes that have
-   * not touched the wall yet remember their distance from it, others begin each
-   * step at the wall, on a kept grid where the last one left them.
+   * One-sided walls find their set of nodes by ContactSearch. Nodes begin a
+   * step with the gap of the body (BodyAtWalls); where it isn't known, those
+   * that have not touched the wall yet remember their distance from it, others
+   * begin at the wall, on a kept grid where the last step left them.
    *
    * What is one surface may have several names (see WallJoints): its nodes
    * belong to the wall named first.
@@ -178,6 +179,15 @@ namespace isochor
     }
 
     void
+    prepare_contact(const StepContext<dim> &step) override
+    {
+      BodyAtWalls<dim> body;
+      for (Wall &wall : walls)
+        wall.add_to(body, reference, step);
+      body.find(step);
+    }
+
+    void
     start_contact() override
     {
       for (Wall &wall : walls)
@@ -194,8 +204,9 @@ namespace isochor
                   const typename BoundaryCondition<dim>::ContactTolerance
                     &tolerance) override
     {
-      const auto one_sided = [](const Wall &wall) { return wall.one_sided; };
-      if (std::none_of(walls.begin(), walls.end(), one_sided))
+      if (std::none_of(walls.begin(), walls.end(), [](const Wall &wall) {
+            return wall.one_sided;
+          }))
         return {};
       const auto objections =
         find_objections(step, unknowns, system, constraints, tolerance);
@@ -228,12 +239,16 @@ namespace isochor
       for (const Wall &wall : walls)
         {
           const std::vector<Tensor<1, dim>> normals = normals_of(wall, step);
-          if (wall.one_sided)
-            contacts.push_back({parameter(), wall.boundary, {}});
+          if (wall.is_judged())
+            contacts.push_back(
+              {parameter(), wall.boundary, {}, !wall.one_sided});
           for (unsigned int i = 0; i < wall.nodes.size(); ++i, ++k)
-            if (wall.one_sided && !wall.nodes[i].contact.released)
+            if (wall.is_judged() && !wall.nodes[i].contact.released)
               contacts.back().nodes.push_back(
-                {wall.nodes[i].vertex, normals[i], force[k]});
+                {wall.nodes[i].vertex,
+                 normals[i],
+                 force[k],
+                 wall.distance_of_held(i, reference, step)});
         }
     }
 
@@ -335,7 +350,7 @@ namespace isochor
       const Node &node = wall.nodes[i];
       if (follows_curve(wall, step))
         return node.gap_now;
-      return step.grid_is_kept || !node.contact.touched ? node.contact.gap : 0.;
+      return node.contact.gap_at_start(step.grid_is_kept);
     }
 
     double
@@ -360,14 +375,10 @@ namespace isochor
       for (unsigned int k = 0; k < constraints.equations.size(); ++k)
         if (constraints.equations[k].owner == this)
           force[constraints.equations[k].label] = system.multiplier(k);
-      unsigned int k = 0;
+      auto f = force.begin();
       for (const Wall &wall : walls)
         for (const Node &node : wall.nodes)
-          {
-            if (!(step.nodes.node(node.vertex) < step.nodes.n_owned()))
-              force[k] = 0;
-            ++k;
-          }
+          *f++ *= step.nodes.node(node.vertex) < step.nodes.n_owned();
       return force;
     }
 
@@ -397,15 +408,13 @@ namespace isochor
               const unsigned int node = step.nodes.node(wall.nodes[i].vertex);
               if (!wall.one_sided || node >= step.nodes.n_owned())
                 continue;
-              if (!wall.nodes[i].contact.released)
-                {
-                  if (force[k] < -tolerance.force)
-                    objections.back() = Objection::pulls;
-                }
-              else if (!is_tied[node] &&
-                       Wall::along(normals[i], node, step, unknowns) -
-                           increment(wall, i, step) <
-                         -penetration)
+              const bool released = wall.nodes[i].contact.released;
+              if (!released && force[k] < -tolerance.force)
+                objections.back() = Objection::pulls;
+              if (released && !is_tied[node] &&
+                  Wall::along(normals[i], node, step, unknowns) -
+                      increment(wall, i, step) <
+                    -penetration)
                 objections.back() = Objection::penetrates;
             }
         }
@@ -453,9 +462,9 @@ namespace isochor
         }
       if (!wall.one_sided)
         return;
-      std::vector<WallNode> contact;
-      for (const Node &node : wall.nodes)
-        contact.push_back(node.contact);
+      std::vector<WallNode> contact(n);
+      for (unsigned int i = 0; i < n; ++i)
+        contact[i] = wall.nodes[i].contact;
       update_gaps(gaps, comm, contact);
       for (unsigned int i = 0; i < n; ++i)
         wall.nodes[i].contact = contact[i];

@@ -79,6 +79,8 @@ namespace isochor
                              scene.time.step == 0);
     setup.collect_elements(terms);
     set_external_force();
+    for (const auto &condition : scene.boundary_conditions)
+      condition->prepare_contact(setup.context());
     start_contact(setup.nodes_have_changed());
     set_weight();
     compute_residual_floor();

@@ -24,7 +24,7 @@ namespace isochor
     std::string failure;     ///< why the search is to be given up, if it is
   };
 
-  /** The nodes that a one-sided wall holds. */
+  /** The nodes that a wall holds. */
   template <int dim>
   struct WallContacts
   {
@@ -34,10 +34,12 @@ namespace isochor
       unsigned int   vertex;
       Tensor<1, dim> normal; ///< from the wall towards the body
       double         force;  ///< N, on the rank that owns the node; elsewhere 0
+      double distance = 0;   ///< of the node from the wall along the normal (m)
     };
 
     std::string       parameter, boundary;
     std::vector<Node> nodes;
+    bool              holds = false; ///< it also pulls
   };
 
 
@@ -218,6 +220,12 @@ namespace isochor
       return 0.;
     }
 
+    /** Before the first start_contact() of a step or of an attempt at it: look
+     * where the body is. Collective. */
+    virtual void
+    prepare_contact(const StepContext<dim> & /*step*/)
+    {}
+
     /** The search for the contact nodes of a step begins, or begins again
      * after a failure: with those of the last step that was accepted. */
     virtual void
@@ -261,7 +269,7 @@ namespace isochor
       return false;
     }
 
-    /** The step has converged: append the nodes that one-sided walls hold, by
+    /** The step has converged: append the nodes that walls hold, by
      * wall; see check_early_contact(). */
     virtual void
     append_contacts(const StepContext<dim> & /*step*/,

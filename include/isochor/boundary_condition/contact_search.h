@@ -14,6 +14,9 @@
 
 namespace isochor
 {
+  /** For gaps that nobody knows. */
+  constexpr double gap_unknown = std::numeric_limits<double>::lowest();
+
   /** A node at a one-sided wall; the same on all ranks. */
   struct WallNode
   {
@@ -23,6 +26,22 @@ namespace isochor
     /** Its distance from the wall at the start of the step, along the direction
      * that the wall holds (m); may be negative. */
     double gap = 0;
+    /** That of the body there, if the step starts with what is known of it, see
+     * WallGaps; else gap_unknown. */
+    double body_gap = gap_unknown;
+
+    bool
+    knows_body() const
+    {
+      return body_gap != gap_unknown;
+    }
+
+    /** What has to be closed until the wall holds the node. */
+    double
+    gap_at_start(const bool grid_is_kept) const
+    {
+      return knows_body() ? body_gap : grid_is_kept || !touched ? gap : 0.;
+    }
 
     void
     save(std::ostream &state) const;
@@ -90,16 +109,15 @@ namespace isochor
   std::vector<unsigned char>
   tied_nodes(const NodalTies &ties, const unsigned int n_nodes);
 
-  /** Remember the gaps at the end of a step in @p nodes: @p gaps where the
-   * rank that owns the node knows them, gap_unknown elsewhere, from which they
-   * are collected. A node nobody knows is at the wall. Collective. */
-  constexpr double gap_unknown = std::numeric_limits<double>::lowest();
   /** The gap of a node that has @p moved in the step, where @p to_wall would
    * have brought it to its wall (m). One that came to it but for rounding is at
    * the wall like a node that is held, whoever moved it, as another one that it
    * follows: gap_unknown. */
   double
   gap_after(const double moved, const double to_wall);
+  /** Remember the gaps at the end of a step in @p nodes: @p gaps where the
+   * rank that owns the node knows them, gap_unknown elsewhere, from which they
+   * are collected. A node nobody knows is at the wall. Collective. */
   void
   update_gaps(std::vector<double>   &gaps,
               const MPI_Comm         comm,

@@ -12,14 +12,15 @@
 namespace isochor
 {
   /**
-   * A one-sided wall holds a node as soon as a cell around it holds material,
-   * at a distance g_I from the body's surface: the body is pressed by so much
-   * more than it should be. If the same nodes were held without their gaps,
-   * which are displacements, the force F = Σ_I F_I of a linear body would by
-   * Betti's theorem be less by Σ_I F_I g_I / δ, as the forces F_I belong to
-   * the motion δ of all nodes by which the wall has come nearer. F δ, the
-   * product of the forces and of what they have displaced the body by, is
-   * Σ_p V_p τ:ε by the principle of virtual work. So the part
+   * A wall that knows nothing of the body's surface (BodyAtWalls) holds a node
+   * as soon as a cell around it holds material, at a distance g_I from the
+   * surface: the body is pressed by so much more than it should be. If the same
+   * nodes were held without their gaps, which are displacements, the force F =
+   * Σ_I F_I of a linear body would by Betti's theorem be less by Σ_I F_I g_I /
+   * δ, as the forces F_I belong to the motion δ of all nodes by which the wall
+   * has come nearer. F δ, the product of the forces and of what they have
+   * displaced the body by, is Σ_p V_p τ:ε by the principle of virtual work. So
+   * the part
    *
    *   s = Σ_I F_I g_I / Σ_p V_p |τ:ε|,   ε = (b - b^{-1})/4,
    *
@@ -28,13 +29,11 @@ namespace isochor
    * other loads deform the body, too, makes it an estimate: forces that a round
    * body exerts on plates were too large by s to 2 s (tests/early_contact).
    *
-   * The gap g_I is that of the nearest corner of the points' domains that acts
-   * on the node, at the end of the step. Points without domains are spheres of
-   * radius 3/4 V_p^(1/d) that deform with the body, such that bodies that fill
-   * the cells at the wall have no gap.
+   * The gaps g_I are those at the end of the step, see WallGaps.
    *
-   * Sets the column "Share of gaps in contact" of @p statistics to s, and warns
-   * from 3 % on. @p walls are those of all conditions. Collective.
+   * Sets the column "Share of gaps in contact" of @p statistics to the part of
+   * one-sided walls in s, if there are any, and warns from s = 3 % on. @p walls
+   * are those of all conditions. Collective.
    */
   template <int dim>
   void

@@ -7,6 +7,7 @@
 
 #include <isochor/base/expression.h>
 #include <isochor/boundary_condition/contact_search.h>
+#include <isochor/boundary_condition/wall_gaps.h>
 
 #include <limits>
 #include <string>
@@ -27,6 +28,9 @@ namespace isochor
     Expression<dim>           displacement;
     std::vector<unsigned int> vertices;
     std::vector<WallNode>     wall; ///< by vertex, if one-sided
+    /** Of one that is held: the sign of the component of the normal into the
+     * grid, if it stands across the component; else 0. */
+    int inward = 0;
 
     /** The walls at t = 0, with the vertices of the grid at @p reference. A
      * node in one is pushed out by the first step. */
@@ -41,6 +45,107 @@ namespace isochor
           node.touched   = (node.gap == 0);
           node.released = node.was_released = (side * node.gap > 0);
         }
+    }
+
+    /** Whether the boundary stands across the component that it holds, with
+     * the vertices of the grid at t = 0 at @p reference. */
+    bool
+    is_level(const std::vector<Point<dim>> &reference) const
+    {
+      constexpr double rounding = 1e-8;
+      double           low      = std::numeric_limits<double>::max(),
+             high               = std::numeric_limits<double>::lowest();
+      for (const unsigned int v : vertices)
+        {
+          low  = std::min(low, reference[v][component]);
+          high = std::max(high, reference[v][component]);
+        }
+      double extent = 0;
+      for (const unsigned int v : vertices)
+        extent =
+          std::max(extent, reference[v].distance(reference[vertices[0]]));
+      return high - low <= rounding * extent;
+    }
+
+    /** Set inward, given the @p faces that the condition holds. */
+    void
+    find_inward(const std::vector<Point<dim>>   &reference,
+                const SimplexGeometry<dim>      &geometry,
+                const std::vector<BoundaryFace> &faces)
+    {
+      inward = 0;
+      if (vertices.empty() || !is_level(reference))
+        return;
+      for (const BoundaryFace &face : faces)
+        {
+          const unsigned int v =
+            geometry.vertex_indices(face.cell)[face.opposite_vertex];
+          const int sign =
+            (reference[v][component] > reference[vertices[0]][component] ? 1 :
+                                                                           -1);
+          inward = (inward == 0 || inward == sign ? sign : 2);
+        }
+      if (inward == 2)
+        inward = 0;
+    }
+
+    /** Towards the body, for walls and where inward is known. */
+    Tensor<1, dim>
+    normal() const
+    {
+      Tensor<1, dim> n;
+      n[component] = (side != 0 ? side : inward);
+      return n;
+    }
+
+    /** How far the vertices are from their wall at the start of @p step, along
+     * its normal. */
+    double
+    distance_of_vertex(const unsigned int             i,
+                       const std::vector<Point<dim>> &reference,
+                       const StepContext<dim>        &step) const
+    {
+      const Point<dim> &X = reference[vertices[i]];
+      const Point<dim> &x = step.grid.geometry().vertices()[vertices[i]];
+      // nothing is held before the first step
+      const double u =
+        (side == 0 && step.old_time == 0. ? 0. :
+                                            displacement(X, step.old_time));
+      return normal()[component] * (x[component] - X[component] - u);
+    }
+
+    /** How far a vertex that is held is from its wall at the end of the step.
+     * Where nothing is known of the body it counts as one at its wall. */
+    double
+    distance_of_held(const unsigned int             i,
+                     const std::vector<Point<dim>> &reference,
+                     const StepContext<dim>        &step) const
+    {
+      if (side == 0)
+        return step.grid_is_kept ? 0. : distance_of_vertex(i, reference, step);
+      return wall[i].knows_body() ? distance_of_vertex(i, reference, step) -
+                                      side * wall[i].body_gap :
+                                    0.;
+    }
+
+    /** Let the nodes of a wall know where the @p body is. */
+    void
+    add_to(BodyAtWalls<dim>              &body,
+           const std::vector<Point<dim>> &reference,
+           const StepContext<dim>        &step)
+    {
+      WallContacts<dim>       contacts{"", boundary, {}};
+      std::vector<WallNode *> nodes;
+      for (unsigned int i = 0; i < wall.size(); ++i)
+        {
+          contacts.nodes.push_back({vertices[i],
+                                    normal(),
+                                    0.,
+                                    distance_of_vertex(i, reference, step)});
+          nodes.push_back(&wall[i]);
+        }
+      if (side != 0)
+        body.add(step, is_level(reference), contacts, nodes, side);
     }
 
     /** After a change of the grid: each node knows of its wall what the nearest

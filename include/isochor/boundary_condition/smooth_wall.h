@@ -7,6 +7,7 @@
 
 #include <isochor/base/expression.h>
 #include <isochor/boundary_condition/contact_search.h>
+#include <isochor/boundary_condition/wall_gaps.h>
 #include <isochor/boundary_condition/wall_surface.h>
 #include <isochor/equations/equation_term.h>
 #include <isochor/grid/prescribed_motion.h>
@@ -70,6 +71,78 @@ namespace isochor
           node.normal_now = place.normal;
           node.gap_now    = place.distance - node.offset;
         }
+    }
+
+    /** How far a node is from the wall at the start of the step. A grid that
+     * moves takes the wall along. */
+    double
+    distance_of_vertex(const unsigned int             i,
+                       const std::vector<Point<dim>> &reference,
+                       const StepContext<dim>        &step) const
+    {
+      // nothing is held before the first step
+      const double time = (step.grid.is_moving() ? 0. : step.old_time);
+      return !one_sided && time == 0. ?
+               0. :
+               -displacement(reference[nodes[i].vertex], time);
+    }
+
+    /** The same at the end of the step, of one that is held. Where nothing is
+     * known of the body it counts as one at its wall. */
+    double
+    distance_of_held(const unsigned int             i,
+                     const std::vector<Point<dim>> &reference,
+                     const StepContext<dim>        &step) const
+    {
+      if (!one_sided)
+        return step.grid_is_kept ? 0. : distance_of_vertex(i, reference, step);
+      const WallNode &contact = nodes[i].contact;
+      return contact.knows_body() ?
+               distance_of_vertex(i, reference, step) - contact.body_gap :
+               0.;
+    }
+
+    /** Whether it is to be looked at if it acts before the body reaches it. */
+    bool
+    is_judged() const
+    {
+      return one_sided || surface.is_flat();
+    }
+
+    /** Of a flat wall: whether a grid that moves leaves its normal as it is. */
+    bool
+    is_along_axis() const
+    {
+      constexpr double rounding = 1e-8;
+      double           largest  = 0;
+      for (unsigned int a = 0; a < dim && !nodes.empty(); ++a)
+        largest = std::max(largest, std::abs(nodes[0].normal[a]));
+      return largest > 1 - rounding;
+    }
+
+    /** Let the nodes of a wall know where the @p body is. */
+    void
+    add_to(BodyAtWalls<dim>              &body,
+           const std::vector<Point<dim>> &reference,
+           const StepContext<dim>        &step)
+    {
+      WallContacts<dim>       contacts{"", boundary, {}};
+      std::vector<WallNode *> known;
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        {
+          contacts.nodes.push_back({nodes[i].vertex,
+                                    nodes[i].normal,
+                                    0.,
+                                    distance_of_vertex(i, reference, step)});
+          known.push_back(&nodes[i].contact);
+        }
+      if (one_sided)
+        body.add(step,
+                 surface.is_flat() &&
+                   (!step.grid.is_moving() || is_along_axis()),
+                 contacts,
+                 known,
+                 1);
     }
 
     /** After a change of the grid, whose vertices were at @p old_reference at
