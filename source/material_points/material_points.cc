@@ -8,6 +8,7 @@
 #include <isochor/base/thickness.h>
 #include <isochor/material_points/material_points.h>
 #include <isochor/material_points/point_domain.h>
+#include <isochor/material_points/relocation.h>
 
 #include <algorithm>
 #include <map>
@@ -159,10 +160,10 @@ namespace isochor
     const SimplexGeometry<dim> &geometry = grid.geometry();
     std::vector<double>         properties(point_layout.n_properties);
     // arrays that grow by themselves take up to twice the memory
-    particles->reserve(
+    particles->reserve(with_room_to_come(
       std::count_if(seeds.begin(), seeds.end(), [&](const Seed<dim> &seed) {
         return geometry.owner(seed.cell) == rank;
-      }));
+      })));
     for (unsigned int i = 0; i < seeds.size(); ++i)
       {
         const Seed<dim> &seed = seeds[i];

@@ -36,6 +36,15 @@ namespace isochor
     PointRecords<dim> lost;
   };
 
+  /** For how many particles a handler of @p n should reserve memory: some may
+   * come from other ranks, for which its arrays would else be copied to twice
+   * the room. What isn't written takes no memory. */
+  constexpr std::size_t
+  with_room_to_come(const std::size_t n)
+  {
+    return n + n / 8;
+  }
+
   /** All particles of this rank, in the order of @p handler. */
   template <int dim>
   PointRecords<dim>
