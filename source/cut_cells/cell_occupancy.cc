@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <set>
 #include <utility>
 
 namespace isochor
@@ -107,6 +106,7 @@ namespace isochor
   CellOccupancy<dim>::find_near_ranks()
   {
     near_ranks.clear();
+    near_number.assign(n_cells_at.size(), 0);
     const MPI_Comm comm = grid.communicator();
     if (Utilities::MPI::n_mpi_processes(comm) == 1)
       return;
@@ -136,7 +136,9 @@ namespace isochor
       }
     for (const auto &[v, ranks] : near.all())
       {
-        std::vector<unsigned int> &others = near_ranks[v];
+        near_ranks.emplace_back();
+        near_number[v]                    = near_ranks.size();
+        std::vector<unsigned int> &others = near_ranks.back();
         std::remove_copy(ranks.begin(),
                          ranks.end(),
                          std::back_inserter(others),
@@ -260,15 +262,15 @@ namespace isochor
 
 
   template <int dim>
-  std::set<unsigned int>
+  std::vector<unsigned int>
   CellOccupancy<dim>::ranks_near_cell(const unsigned int cell) const
   {
-    std::set<unsigned int> ranks;
+    std::vector<unsigned int> ranks; // of most cells none
     for (const unsigned int v : grid.geometry().vertex_indices(cell))
-      {
-        const auto near = ranks_near(v);
-        ranks.insert(near.begin(), near.end());
-      }
+      for (const unsigned int rank : ranks_near(v))
+        if (std::find(ranks.begin(), ranks.end(), rank) == ranks.end())
+          ranks.push_back(rank);
+    std::sort(ranks.begin(), ranks.end());
     return ranks;
   }
 

@@ -166,9 +166,8 @@ namespace isochor
     {
       if (all_ranks.size() <= 1 || n_cells_at[vertex] == 0)
         return {};
-      const auto near = near_ranks.find(vertex);
-      if (near != near_ranks.end())
-        return {near->second.data(), near->second.size()};
+      if (const unsigned int number = near_number[vertex]; number > 0)
+        return {near_ranks[number - 1].data(), near_ranks[number - 1].size()};
       const unsigned int owner = owner_at(vertex);
       return {all_ranks.data() + owner, owner == this_rank ? 0u : 1u};
     }
@@ -206,7 +205,7 @@ namespace isochor
     add_own(const PointArrays<dim> &points, const MixedKernel<dim> &kernel);
     void
     exchange();
-    std::set<unsigned int>
+    std::vector<unsigned int>
     ranks_near_cell(const unsigned int cell) const;
     void
     add_received(const std::vector<double> &message);
@@ -258,9 +257,11 @@ namespace isochor
     std::vector<unsigned char> open_vertex;
     /** Other ranks with cells within n_near_layers around a vertex, where there
      * are cells of several ranks; elsewhere there are those of owner_at(). */
-    std::map<unsigned int, std::vector<unsigned int>> near_ranks;
-    std::vector<unsigned int>                         all_ranks; ///< 0, 1, ...
-    unsigned int                                      this_rank = 0;
+    std::vector<std::vector<unsigned int>> near_ranks;
+    /** By vertex, of its list in near_ranks, from 1; 0 if it has none. */
+    std::vector<unsigned int> near_number;
+    std::vector<unsigned int> all_ranks; ///< 0, 1, ...
+    unsigned int              this_rank = 0;
 
     std::vector<Content>       contents;
     std::vector<Cavity>        cavities; ///< of which this rank knows
