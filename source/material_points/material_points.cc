@@ -160,10 +160,11 @@ namespace isochor
     const SimplexGeometry<dim> &geometry = grid.geometry();
     std::vector<double>         properties(point_layout.n_properties);
     // arrays that grow by themselves take up to twice the memory
-    particles->reserve(with_room_to_come(
+    const std::size_t n_own =
       std::count_if(seeds.begin(), seeds.end(), [&](const Seed<dim> &seed) {
         return geometry.owner(seed.cell) == rank;
-      })));
+      });
+    particles->reserve(with_room_to_come(n_own, grid.communicator()));
     for (unsigned int i = 0; i < seeds.size(); ++i)
       {
         const Seed<dim> &seed = seeds[i];

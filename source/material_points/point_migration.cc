@@ -104,7 +104,7 @@ namespace isochor
     std::size_t             n_shipped;
     const PointRecords<dim> own =
       exchange_points(std::move(records), grid.geometry(), n_shipped);
-    particles->reserve(with_room_to_come(own.size()));
+    particles->reserve(with_room_to_come(own.size(), grid.communicator()));
     insert_particles(*particles, locator, own);
   }
 

@@ -276,7 +276,8 @@ namespace isochor
       auto                       &pool     = old.get_property_pool();
       const SortedSources         sorted =
         sort_by_cell(places, received.cells, geometry, pool.n_slots());
-      fresh.reserve(with_room_to_come(sorted.source.size()));
+      fresh.reserve(
+        with_room_to_come(sorted.source.size(), geometry.communicator()));
       for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
         for (unsigned int k = sorted.first[cell]; k < sorted.first[cell + 1];
              ++k)

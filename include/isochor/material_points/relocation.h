@@ -6,6 +6,7 @@
 #ifndef isochor_relocation_h
 #define isochor_relocation_h
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/fe/mapping.h>
 #include <deal.II/particles/particle_handler.h>
 
@@ -37,12 +38,12 @@ namespace isochor
   };
 
   /** For how many particles a handler of @p n should reserve memory: some may
-   * come from other ranks, for which its arrays would else be copied to twice
-   * the room. What isn't written takes no memory. */
-  constexpr std::size_t
-  with_room_to_come(const std::size_t n)
+   * come from other ranks of @p comm, if there are any, for which its arrays
+   * would else be copied to twice the room. */
+  inline std::size_t
+  with_room_to_come(const std::size_t n, const MPI_Comm comm)
   {
-    return n + n / 8;
+    return Utilities::MPI::n_mpi_processes(comm) > 1 ? n + n / 32 : n;
   }
 
   /** All particles of this rank, in the order of @p handler. */
