@@ -115,11 +115,15 @@ namespace isochor
     this_rank = Utilities::MPI::this_mpi_process(comm);
     const SimplexGeometry<dim> &geometry = grid.geometry();
     RanksOfVertices             near(n_cells_at.size());
+    std::vector<unsigned int>   owners(n_cells_at.size());
+    for (unsigned int v = 0; v < owners.size(); ++v)
+      if (n_cells_at[v] > 0)
+        owners[v] = owner_at(v);
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       for (const unsigned int v : geometry.vertex_indices(cell))
-        if (geometry.owner(cell) != owner_at(v))
+        if (geometry.owner(cell) != owners[v])
           {
-            near.add(v, owner_at(v));
+            near.add(v, owners[v]);
             near.add(v, geometry.owner(cell));
           }
     for (unsigned int layer = 0; layer < n_near_layers(); ++layer)
