@@ -106,19 +106,24 @@ namespace isochor
   CellOccupancy<dim>::find_near_ranks()
   {
     near_ranks.clear();
-    near_number.assign(n_cells_at.size(), 0);
-    const MPI_Comm comm = grid.communicator();
-    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+    near_number.clear();
+    const MPI_Comm     comm    = grid.communicator();
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(comm);
+    if (n_ranks == 1)
       return;
-    all_ranks.resize(Utilities::MPI::n_mpi_processes(comm));
-    std::iota(all_ranks.begin(), all_ranks.end(), 0);
-    this_rank = Utilities::MPI::this_mpi_process(comm);
+    const unsigned int this_rank = Utilities::MPI::this_mpi_process(comm);
     const SimplexGeometry<dim> &geometry = grid.geometry();
     RanksOfVertices             near(n_cells_at.size());
     std::vector<unsigned int>   owners(n_cells_at.size());
+    near_number.assign(owners.size(), 0);
+    for (unsigned int rank = 0; rank < n_ranks; ++rank)
+      near_ranks.push_back({rank});
     for (unsigned int v = 0; v < owners.size(); ++v)
       if (n_cells_at[v] > 0)
-        owners[v] = owner_at(v);
+        {
+          owners[v]      = owner_at(v);
+          near_number[v] = owners[v] == this_rank ? 0 : owners[v] + 1;
+        }
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       for (const unsigned int v : geometry.vertex_indices(cell))
         if (geometry.owner(cell) != owners[v])
