@@ -7,8 +7,10 @@
 // factorised, from the matrix of the present iterate, whatever the line search
 // tried in between; and it is quadratic in the plastic range.
 
+#include <algorithm>
 #include <array>
 #include <functional>
+#include <tuple>
 
 #include "scene.h"
 
@@ -248,6 +250,51 @@ test_no_change_of_volume()
       }
 }
 
+/** A linear problem whose iterative solver leaves exactly what it may: the
+ * residual falls to 1, 1e-2, 1e-4 and 9e-9, unless that is just above the
+ * tolerance. Then more is asked of the last solve, and no matrix is assembled
+ * behind it. */
+void
+test_just_above_tolerance()
+{
+  for (const auto &[tolerance, n_expected, last] :
+       {std::tuple<std::string, unsigned int, double>{"3e-9", 3, 1.5e-9},
+        std::tuple<std::string, unsigned int, double>{"5e-10", 4, 5e-11},
+        std::tuple<std::string, unsigned int, double>{"2e-8", 3, 9e-9}})
+    {
+      double                residual = 1, next = 1;
+      bool                  was_with_matrix = true;
+      NewtonSolver::Problem problem;
+      problem.assemble = [&](const bool with_matrix) {
+        was_with_matrix = with_matrix;
+        ResidualNorms norms;
+        norms.displacement = residual;
+        norms.force_scale  = 1;
+        return norms;
+      };
+      problem.solve = [&](const bool, const SolutionAccuracy &accuracy) {
+        next = std::max(residual * accuracy.relative, accuracy.displacement);
+        return 1u;
+      };
+      problem.is_iterative      = []() { return true; };
+      problem.has_factorisation = []() { return true; };
+      problem.advance           = [&](const double) { residual = next; };
+      ParameterHandler prm;
+      NewtonSolver::declare_parameters(prm);
+      test::set_parameters(prm, "Newton/Tolerance = " + tolerance + '\n');
+      NewtonSolver solver;
+      solver.parse_parameters(prm);
+      const NewtonReport report = solver.solve(problem, nullptr);
+      test::check("iterations of an inexact method to " + tolerance,
+                  report.converged && report.n_iterations() == n_expected &&
+                    !was_with_matrix,
+                  std::to_string(report.n_iterations()));
+      test::check_error("and what they leave",
+                        test::relative(residual, last),
+                        1e-9);
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -258,4 +305,5 @@ main(int argc, char **argv)
   test_plastic("u");
   test_plastic("u-p");
   test_no_change_of_volume();
+  test_just_above_tolerance();
 }

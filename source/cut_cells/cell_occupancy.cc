@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <set>
 #include <utility>
 
 namespace isochor
@@ -107,19 +106,29 @@ namespace isochor
   CellOccupancy<dim>::find_near_ranks()
   {
     near_ranks.clear();
-    const MPI_Comm comm = grid.communicator();
-    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+    near_number.clear();
+    const MPI_Comm     comm    = grid.communicator();
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(comm);
+    if (n_ranks == 1)
       return;
-    all_ranks.resize(Utilities::MPI::n_mpi_processes(comm));
-    std::iota(all_ranks.begin(), all_ranks.end(), 0);
-    this_rank = Utilities::MPI::this_mpi_process(comm);
+    const unsigned int this_rank = Utilities::MPI::this_mpi_process(comm);
     const SimplexGeometry<dim> &geometry = grid.geometry();
     RanksOfVertices             near(n_cells_at.size());
+    std::vector<unsigned int>   owners(n_cells_at.size());
+    near_number.assign(owners.size(), 0);
+    for (unsigned int rank = 0; rank < n_ranks; ++rank)
+      near_ranks.push_back({rank});
+    for (unsigned int v = 0; v < owners.size(); ++v)
+      if (n_cells_at[v] > 0)
+        {
+          owners[v]      = owner_at(v);
+          near_number[v] = owners[v] == this_rank ? 0 : owners[v] + 1;
+        }
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       for (const unsigned int v : geometry.vertex_indices(cell))
-        if (geometry.owner(cell) != owner_at(v))
+        if (geometry.owner(cell) != owners[v])
           {
-            near.add(v, owner_at(v));
+            near.add(v, owners[v]);
             near.add(v, geometry.owner(cell));
           }
     for (unsigned int layer = 0; layer < n_near_layers(); ++layer)
@@ -136,7 +145,9 @@ namespace isochor
       }
     for (const auto &[v, ranks] : near.all())
       {
-        std::vector<unsigned int> &others = near_ranks[v];
+        near_ranks.emplace_back();
+        near_number[v]                    = near_ranks.size();
+        std::vector<unsigned int> &others = near_ranks.back();
         std::remove_copy(ranks.begin(),
                          ranks.end(),
                          std::back_inserter(others),
@@ -260,15 +271,15 @@ namespace isochor
 
 
   template <int dim>
-  std::set<unsigned int>
+  std::vector<unsigned int>
   CellOccupancy<dim>::ranks_near_cell(const unsigned int cell) const
   {
-    std::set<unsigned int> ranks;
+    std::vector<unsigned int> ranks; // of most cells none
     for (const unsigned int v : grid.geometry().vertex_indices(cell))
-      {
-        const auto near = ranks_near(v);
-        ranks.insert(near.begin(), near.end());
-      }
+      for (const unsigned int rank : ranks_near(v))
+        if (std::find(ranks.begin(), ranks.end(), rank) == ranks.end())
+          ranks.push_back(rank);
+    std::sort(ranks.begin(), ranks.end());
     return ranks;
   }
 

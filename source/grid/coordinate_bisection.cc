@@ -88,22 +88,36 @@ namespace isochor
     for (unsigned int d = 1; d < dim && begin != end; ++d)
       if (upper[d] - lower[d] > upper[cut.axis] - lower[cut.axis])
         cut.axis = d;
-    std::sort(begin, end, [&](const Weight &a, const Weight &b) {
-      return is_less(a.place, b.place, cut.axis);
-    });
     // behind the cut is what has more than half of it there
+    const auto is_before = [&](const Weight &a, const Weight &b) {
+      return is_less(a.place, b.place, cut.axis);
+    };
     const double share  = sum * (middle - first) / (last - first);
     double       before = 0;
     auto         behind = begin;
-    for (; behind != end && before + behind->weight / 2 < share; ++behind)
-      before += behind->weight;
+    for (auto rest = end; behind != rest;) // a search, where a sort would do
+      {
+        const auto half = behind + (rest - behind) / 2;
+        std::nth_element(behind, half, rest, is_before);
+        double up_to_half = before;
+        for (auto w = behind; w != half; ++w)
+          up_to_half += w->weight;
+        if (up_to_half + half->weight / 2 < share)
+          {
+            before = up_to_half + half->weight;
+            behind = half + 1;
+          }
+        else
+          rest = half;
+      }
     cut.at_end = (behind == end);
     if (!cut.at_end)
       {
         cut.place = behind->place;
         // the same place is on one side
-        while (behind != begin && (behind - 1)->place == cut.place)
-          --behind;
+        behind = std::partition(begin, behind, [&](const Weight &w) {
+          return is_less(w.place, cut.place, cut.axis);
+        });
       }
     divide(begin, behind, first, middle);
     divide(behind, end, middle, last);

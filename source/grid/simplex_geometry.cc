@@ -99,10 +99,11 @@ namespace isochor
   {
     const bool is_parallel =
       dynamic_cast<const parallel::TriangulationBase<dim> *>(tria) != nullptr;
-    const unsigned int n_cells = tria->n_active_cells();
+    const bool         is_refined = tria->n_levels() > 1;
+    const unsigned int n_cells    = tria->n_active_cells();
     cell_vertices.reserve(n_cells);
     cell_neighbours.reserve(n_cells);
-    iterators.reserve(n_cells);
+    iterators.reserve(is_refined ? n_cells : 0);
     owners.reserve(n_cells);
 
     for (const auto &cell : tria->active_cell_iterators())
@@ -122,7 +123,12 @@ namespace isochor
         for (const unsigned int v : cell->vertex_indices())
           indices[v] = cell->vertex_index(v);
         cell_vertices.push_back(indices);
-        iterators.push_back(cell);
+        if (is_refined)
+          iterators.push_back(cell);
+        else
+          AssertThrow(static_cast<unsigned int>(cell->index()) ==
+                        cell->active_cell_index(),
+                      ExcInternalError());
         owners.push_back(is_parallel ? cell->subdomain_id() : 0);
 
         std::array<unsigned int, dim + 1> neighbours;

@@ -8,6 +8,7 @@
 #include <isochor/base/thickness.h>
 #include <isochor/material_points/material_points.h>
 #include <isochor/material_points/point_domain.h>
+#include <isochor/material_points/relocation.h>
 
 #include <algorithm>
 #include <map>
@@ -91,6 +92,7 @@ namespace isochor
   template <int dim>
   MaterialPoints<dim>::MaterialPoints(const BackgroundGrid<dim> &grid)
     : grid(grid)
+    , particles(std::make_unique<Particles::ParticleHandler<dim>>())
   {}
 
 
@@ -136,9 +138,9 @@ namespace isochor
                                with_excess);
     point_layout.axisymmetric = axisymmetric;
     forget_order();
-    particles.initialize(grid.triangulation(),
-                         grid.mapping(),
-                         point_layout.n_properties);
+    particles->initialize(grid.triangulation(),
+                          grid.mapping(),
+                          point_layout.n_properties);
 
     insert(seeding.seeds(grid, with_domains, materials.size()), materials);
     if (!initial_velocity.empty())
@@ -158,10 +160,11 @@ namespace isochor
     const SimplexGeometry<dim> &geometry = grid.geometry();
     std::vector<double>         properties(point_layout.n_properties);
     // arrays that grow by themselves take up to twice the memory
-    particles.reserve(
+    const std::size_t n_own =
       std::count_if(seeds.begin(), seeds.end(), [&](const Seed<dim> &seed) {
         return geometry.owner(seed.cell) == rank;
-      }));
+      });
+    particles->reserve(with_room_to_come(n_own, grid.communicator()));
     for (unsigned int i = 0; i < seeds.size(); ++i)
       {
         const Seed<dim> &seed = seeds[i];
@@ -187,13 +190,13 @@ namespace isochor
 
         const Point<dim> reference = SimplexGeometry<dim>::reference_location(
           geometry.barycentric(seed.cell, seed.location));
-        particles.insert_particle(seed.location,
-                                  reference,
-                                  i,
-                                  geometry.cell_iterator(seed.cell),
-                                  make_array_view(properties));
+        particles->insert_particle(seed.location,
+                                   reference,
+                                   i,
+                                   geometry.cell_iterator(seed.cell),
+                                   make_array_view(properties));
       }
-    particles.update_cached_numbers();
+    particles->update_cached_numbers();
   }
 
 
@@ -209,7 +212,7 @@ namespace isochor
     AssertThrow(velocity.size() == dim,
                 ExcMessage("The parameter <" + name + "> needs " +
                            std::to_string(dim) + " components."));
-    for (auto &particle : particles)
+    for (auto &particle : *particles)
       for (unsigned int d = 0; d < dim; ++d)
         particle.get_properties()[point_layout.velocity + d] =
           velocity[d](particle.get_location(), 0.);
@@ -238,8 +241,8 @@ namespace isochor
     };
     std::vector<Group>        groups;
     std::vector<unsigned int> handles;
-    handles.reserve(particles.n_locally_owned_particles());
-    for (const auto &particle : particles)
+    handles.reserve(particles->n_locally_owned_particles());
+    for (const auto &particle : *particles)
       {
         const unsigned int cell =
           particle.get_surrounding_cell()->active_cell_index();
@@ -266,7 +269,7 @@ namespace isochor
         cells.push_back(group.cell);
         cell_start.push_back(found->slot.size());
       }
-    auto &pool = particles.get_property_pool();
+    auto &pool = particles->get_property_pool();
     if (!handles.empty())
       found->properties = pool.get_properties(0).data();
     found->n_properties = pool.n_properties_per_slot();
@@ -280,7 +283,7 @@ namespace isochor
   void
   MaterialPoints<dim>::gather(PointArrays<dim> &arrays)
   {
-    const unsigned int n    = particles.n_locally_owned_particles();
+    const unsigned int n    = particles->n_locally_owned_particles();
     arrays.n_history        = point_layout.n_history;
     arrays.cell             = order_by_cell();
     arrays.cell_start       = cell_start;
@@ -367,7 +370,7 @@ namespace isochor
   Particles::ParticleHandler<dim> &
   MaterialPoints<dim>::handler()
   {
-    return particles;
+    return *particles;
   }
 
 
@@ -376,7 +379,7 @@ namespace isochor
   const Particles::ParticleHandler<dim> &
   MaterialPoints<dim>::handler() const
   {
-    return particles;
+    return *particles;
   }
 
 

@@ -20,19 +20,10 @@ namespace isochor
                                 const std::vector<unsigned char> &is_concerned)
   {
     forget_order();
-    const RelocationReport<dim> report =
-      isochor::relocate(particles, locator, is_concerned);
+    const RelocationReport<dim> report = isochor::relocate(
+      particles, grid.mapping(), locator, is_concerned, n_out_of_order);
     if (report.n_lost == 0)
-      {
-        // laying out anew costs about what disorder does in a step
-        n_out_of_order += report.n_moved;
-        if (n_out_of_order > particles.n_global_particles() / 4)
-          {
-            order_memory(particles, locator);
-            n_out_of_order = 0;
-          }
-        return report.n_moved;
-      }
+      return report.n_moved;
 
     constexpr std::size_t               most = 3; // places to list
     std::string                         places;
@@ -46,7 +37,7 @@ namespace isochor
         if (i < most)
           places += place.str();
         // kept, so that the state can be looked at
-        particles.insert_particle(
+        particles->insert_particle(
           x,
           SimplexGeometry<dim>::reference_location(
             grid.geometry().barycentric(report.lost.cells[i], x)),
@@ -54,7 +45,7 @@ namespace isochor
           grid.geometry().cell_iterator(report.lost.cells[i]),
           report.lost.payload(i));
       }
-    particles.update_cached_numbers();
+    particles->update_cached_numbers();
 
     std::map<std::string, unsigned int> n_through_all;
     std::string                         all_places, boundaries;
@@ -93,13 +84,13 @@ namespace isochor
   {
     forget_order();
     n_out_of_order                  = 0;
-    const unsigned int n_properties = particles.n_properties_per_particle();
+    const unsigned int n_properties = particles->n_properties_per_particle();
     PointRecords<dim>  records =
-      keep_points ? all_points(particles) : PointRecords<dim>(n_properties);
-    particles.clear_particles();
+      keep_points ? all_points(*particles) : PointRecords<dim>(n_properties);
+    particles->clear_particles();
     const std::unique_ptr<Triangulation<dim>> old = change();
     // lets go of the old one
-    particles.initialize(grid.triangulation(), grid.mapping(), n_properties);
+    particles->initialize(grid.triangulation(), grid.mapping(), n_properties);
     if (!keep_points)
       return;
     for (std::size_t i = 0; i < records.size(); ++i)
@@ -110,12 +101,11 @@ namespace isochor
         AssertThrow(place.found, ExcInternalError());
         records.cells[i] = place.cell;
       }
-    std::size_t n_shipped;
-    insert_particles(particles,
-                     locator,
-                     exchange_points(std::move(records),
-                                     grid.geometry(),
-                                     n_shipped));
+    std::size_t             n_shipped;
+    const PointRecords<dim> own =
+      exchange_points(std::move(records), grid.geometry(), n_shipped);
+    particles->reserve(with_room_to_come(own.size(), grid.communicator()));
+    insert_particles(*particles, locator, own);
   }
 
 
@@ -126,16 +116,8 @@ namespace isochor
                                      const std::function<void()> &change)
   {
     forget_order();
-    n_out_of_order            = 0;
-    PointRecords<dim> records = all_points(particles);
-    particles.clear_particles();
-    change();
-    std::size_t n_shipped;
-    insert_particles(particles,
-                     locator,
-                     exchange_points(std::move(records),
-                                     grid.geometry(),
-                                     n_shipped));
+    isochor::change_owners(
+      particles, grid.mapping(), locator, change, n_out_of_order);
   }
 
 

@@ -301,11 +301,16 @@ namespace isochor
     touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched_vertices);
-    std::sort(touched_vertices.begin(), touched_vertices.end());
-    touched_vertices.erase(std::unique(touched_vertices.begin(),
-                                       touched_vertices.end()),
-                           touched_vertices.end());
-    touched_vertices.shrink_to_fit(); // each cell has named all of its own
+    // each cell has named all of its own
+    std::vector<unsigned char> is_touched(
+      scene.grid.geometry().vertices().size(), 0);
+    for (const unsigned int vertex : touched_vertices)
+      is_touched[vertex] = 1;
+    touched_vertices.clear();
+    for (unsigned int vertex = 0; vertex < is_touched.size(); ++vertex)
+      if (is_touched[vertex])
+        touched_vertices.push_back(vertex);
+    touched_vertices.shrink_to_fit();
     if (extends)
       {
         std::vector<unsigned int> never;

@@ -164,13 +164,11 @@ namespace isochor
     ArrayView<const unsigned int>
     ranks_near(const unsigned int vertex) const
     {
-      if (all_ranks.size() <= 1 || n_cells_at[vertex] == 0)
+      const unsigned int number = near_number.empty() ? 0 : near_number[vertex];
+      if (number == 0)
         return {};
-      const auto near = near_ranks.find(vertex);
-      if (near != near_ranks.end())
-        return {near->second.data(), near->second.size()};
-      const unsigned int owner = owner_at(vertex);
-      return {all_ranks.data() + owner, owner == this_rank ? 0u : 1u};
+      const std::vector<unsigned int> &near = near_ranks[number - 1];
+      return {near.data(), near.size()};
     }
 
     const BackgroundGrid<dim> &grid;
@@ -206,7 +204,7 @@ namespace isochor
     add_own(const PointArrays<dim> &points, const MixedKernel<dim> &kernel);
     void
     exchange();
-    std::set<unsigned int>
+    std::vector<unsigned int>
     ranks_near_cell(const unsigned int cell) const;
     void
     add_received(const std::vector<double> &message);
@@ -256,11 +254,12 @@ namespace isochor
     std::vector<unsigned int>  cells_at_start, cells_at_vertices;
     std::vector<unsigned int>  n_cells_at;
     std::vector<unsigned char> open_vertex;
-    /** Other ranks with cells within n_near_layers around a vertex, where there
-     * are cells of several ranks; elsewhere there are those of owner_at(). */
-    std::map<unsigned int, std::vector<unsigned int>> near_ranks;
-    std::vector<unsigned int>                         all_ranks; ///< 0, 1, ...
-    unsigned int                                      this_rank = 0;
+    /** Lists of other ranks: first those of one rank only, in order. */
+    std::vector<std::vector<unsigned int>> near_ranks;
+    /** By vertex, the number from 1 of the list that has the other ranks with
+     * cells within n_near_layers around it; 0 if there are none. Empty if there
+     * is one rank. */
+    std::vector<unsigned int> near_number;
 
     std::vector<Content>       contents;
     std::vector<Cavity>        cavities; ///< of which this rank knows

@@ -122,7 +122,7 @@ namespace isochor
     reference_location(const Barycentric &lambda);
 
     /** The triangulation's iterator to a cell. */
-    const active_cell_iterator &
+    active_cell_iterator
     cell_iterator(const unsigned int cell) const;
 
     /** Rank that owns a cell, within communicator(). */
@@ -153,8 +153,10 @@ namespace isochor
 
     std::vector<std::array<unsigned int, dim + 1>> cell_vertices;
     std::vector<std::array<unsigned int, dim + 1>> cell_neighbours;
-    std::vector<active_cell_iterator>              iterators;
     std::vector<unsigned int>                      owners;
+    /** Empty if the mesh isn't refined: they then follow from the numbers, and
+     * 16 bytes a cell are saved. */
+    std::vector<active_cell_iterator> iterators;
 
     std::vector<AffineMap> maps;
     std::vector<double>    determinants;
@@ -254,11 +256,12 @@ namespace isochor
   }
 
   template <int dim>
-  inline const typename SimplexGeometry<dim>::active_cell_iterator &
+  inline typename SimplexGeometry<dim>::active_cell_iterator
   SimplexGeometry<dim>::cell_iterator(const unsigned int cell) const
   {
     AssertIndexRange(cell, n_cells());
-    return iterators[cell];
+    return iterators.empty() ? active_cell_iterator(tria, 0, cell) :
+                               iterators[cell];
   }
 
   template <int dim>

@@ -193,7 +193,7 @@ namespace isochor
     void
     for_each(const Function &update)
     {
-      auto &pool = particles.get_property_pool();
+      auto &pool = particles->get_property_pool();
       for (unsigned int k = 0; k + 1 < cell_start.size(); ++k)
         for (unsigned int q = cell_start[k]; q < cell_start[k + 1]; ++q)
           {
@@ -238,18 +238,18 @@ namespace isochor
     void
     set_velocity(const std::string &formulas);
 
-    const BackgroundGrid<dim>      &grid;
-    BodySeeding<dim>                seeding;
-    bool                            keeps_ancestry = false;
-    PointLayout                     point_layout;
-    Particles::ParticleHandler<dim> particles;
+    const BackgroundGrid<dim> &grid;
+    BodySeeding<dim>           seeding;
+    bool                       keeps_ancestry = false;
+    PointLayout                point_layout;
+    /** Another one after relocate(). */
+    std::unique_ptr<Particles::ParticleHandler<dim>> particles;
     /** As PointArrays has them; null and empty if points have been located
      * since. */
     std::shared_ptr<const PointSlots> slots;
     std::vector<unsigned int>         cell_start;
-    /** How many have changed cells since memory was in order, see
-     * order_memory(). */
-    types::particle_index n_out_of_order = 0;
+    /** See isochor::relocate(). */
+    std::size_t n_out_of_order = 0;
   };
 } // namespace isochor
 

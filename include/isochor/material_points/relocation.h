@@ -6,76 +6,20 @@
 #ifndef isochor_relocation_h
 #define isochor_relocation_h
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/fe/mapping.h>
 #include <deal.II/particles/particle_handler.h>
 
 #include <isochor/material_points/point_locator.h>
+#include <isochor/material_points/point_records.h>
 
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace isochor
 {
   using namespace dealii;
-
-  /**
-   * Points detached from any container, with the same number of doubles as
-   * payload for each (whatever the point carries: mass, stress, history, ...).
-   */
-  template <int dim>
-  struct PointRecords
-  {
-    explicit PointRecords(const unsigned int n_payload = 0);
-
-    /** Number of points. */
-    std::size_t
-    size() const;
-
-    /** Make room for @p n points in all. */
-    void
-    reserve(const std::size_t n);
-
-    /** Append a point. @p values must have n_payload entries. */
-    void
-    push_back(const unsigned int             cell,
-              const types::particle_index    id,
-              const Point<dim>              &location,
-              const ArrayView<const double> &values);
-
-    /** Let point @p to be what point @p from is. */
-    void
-    move(const std::size_t from, const std::size_t to);
-
-    /** Keep the first @p n points. */
-    void
-    resize(const std::size_t n);
-
-    /** The payload of point @p i. */
-    ArrayView<const double>
-    payload(const std::size_t i) const;
-
-    unsigned int                       n_payload;
-    std::vector<unsigned int>          cells;
-    std::vector<types::particle_index> ids;
-    std::vector<Point<dim>>            locations;
-    /** n_payload entries for each point, one point after the other. */
-    std::vector<double> payloads;
-  };
-
-  /**
-   * Hand points over to the ranks that own their cells. Collective.
-   * @param records Any points; their cells are active cell indices.
-   * @param geometry Tells each cell's owner and the communicator.
-   * @param[out] n_shipped Number of points this rank sent to others.
-   * @return The points in cells of this rank, from all ranks: its own first,
-   * then by rank of origin, in the order they had there.
-   * @throws ExcMessage if the ranks disagree on n_payload.
-   */
-  template <int dim>
-  PointRecords<dim>
-  exchange_points(PointRecords<dim>           records,
-                  const SimplexGeometry<dim> &geometry,
-                  std::size_t                &n_shipped);
 
   /** The outcome of relocate(). */
   template <int dim>
@@ -92,6 +36,15 @@ namespace isochor
      * usually it is an error. */
     PointRecords<dim> lost;
   };
+
+  /** For how many particles a handler of @p n should reserve memory: some may
+   * come from other ranks of @p comm, if there are any, for which its arrays
+   * would else be copied to twice the room. */
+  inline std::size_t
+  with_room_to_come(const std::size_t n, const MPI_Comm comm)
+  {
+    return Utilities::MPI::n_mpi_processes(comm) > 1 ? n + n / 32 : n;
+  }
 
   /** All particles of this rank, in the order of @p handler. */
   template <int dim>
@@ -115,30 +68,42 @@ namespace isochor
    * takes simplices for cubes. Iterators to particles and ghost particles are
    * invalid afterwards.
    *
+   * Particles that change their cell take places in memory that others have
+   * left, so that after some time each is somewhere else, and whatever looks at
+   * all of them waits for memory. Where many have done so, all are copied,
+   * once, to where they belong: into a new handler with @p mapping, in which
+   * they stand one behind the other and which replaces @p handler. Where two
+   * copies would need too much memory, this isn't done. The order in which a
+   * handler goes through its particles is the same either way.
+   *
    * @param is_concerned By cell: 0 if all particles in it are as this left
    * them, so that they need not be looked at. Empty: look at all.
+   * @param[in,out] n_out_of_order How many particles of this rank have come to
+   * another cell since all stood in order.
    * @throws ExcMessage if the count over all ranks, lost points included, is
    * not conserved, or a rank disagrees with the sender on where a point is
    * (which means that the grids differ).
    */
   template <int dim>
   RelocationReport<dim>
-  relocate(Particles::ParticleHandler<dim>  &handler,
-           const PointLocator<dim>          &locator,
-           const std::vector<unsigned char> &is_concerned = {});
+  relocate(std::unique_ptr<Particles::ParticleHandler<dim>> &handler,
+           const Mapping<dim>                               &mapping,
+           const PointLocator<dim>                          &locator,
+           const std::vector<unsigned char>                 &is_concerned,
+           std::size_t                                      &n_out_of_order);
 
   /**
-   * Lay out what @p handler holds anew, in the order in which it goes through
-   * its particles, which stays as it is. Particles that change their cell take
-   * places in memory that others have left, so that after some time each is
-   * somewhere else, and whatever looks at all of them waits for memory. Needs a
-   * copy of all of them for a moment; where this would be too much, nothing is
-   * done. Iterators to particles are invalid afterwards. Collective.
+   * Let @p change give the cells other owners, and bring the particles, which
+   * must lie in the cells that they are in, to these. The rest is as with
+   * relocate(). Collective.
    */
   template <int dim>
   void
-  order_memory(Particles::ParticleHandler<dim> &handler,
-               const PointLocator<dim>         &locator);
+  change_owners(std::unique_ptr<Particles::ParticleHandler<dim>> &handler,
+                const Mapping<dim>                               &mapping,
+                const PointLocator<dim>                          &locator,
+                const std::function<void()>                      &change,
+                std::size_t &n_out_of_order);
 } // namespace isochor
 
 #endif
