@@ -262,19 +262,10 @@ namespace isochor
     warn_if_body_is_lost(const Condition        &condition,
                          const StepContext<dim> &step) const
     {
-      const unsigned int c = condition.component;
-      double low = 0, high = 0; // as far as it came before this step
-      for (const unsigned int v : condition.vertices)
-        {
-          const double push =
-            condition.displacement(reference[v], step.old_time) -
-            (step.grid.geometry().vertices()[v][c] - reference[v][c]);
-          low  = std::min(low, push);
-          high = std::max(high, push);
-        }
-      if (low < 0 || high > 0)
+      const std::array<double, 2> push = condition.push(reference, step);
+      if (push[0] < 0 || push[1] > 0)
         warn_of_lost_body(
-          step, parameter(), condition.boundary, c, {{low, high}});
+          step, parameter(), condition.boundary, condition.component, push);
     }
 
     void

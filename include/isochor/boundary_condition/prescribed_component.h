@@ -9,6 +9,8 @@
 #include <isochor/boundary_condition/contact_search.h>
 #include <isochor/boundary_condition/wall_gaps.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -112,6 +114,24 @@ namespace isochor
         (side == 0 && step.old_time == 0. ? 0. :
                                             displacement(X, step.old_time));
       return normal()[component] * (x[component] - X[component] - u);
+    }
+
+    /** The least and the most that has moved the vertices before @p step, along
+     * the component beyond what moves the grid (m), and 0. */
+    std::array<double, 2>
+    push(const std::vector<Point<dim>> &reference,
+         const StepContext<dim>        &step) const
+    {
+      std::array<double, 2> range{};
+      for (const unsigned int v : vertices)
+        {
+          const double way = displacement(reference[v], step.old_time) -
+                             (step.grid.geometry().vertices()[v][component] -
+                              reference[v][component]);
+          range[0] = std::min(range[0], way);
+          range[1] = std::max(range[1], way);
+        }
+      return range;
     }
 
     /** How far a vertex that is held is from its wall at the end of the step.
