@@ -150,11 +150,12 @@ namespace
     test::check("weight: its time",
                 first > 0.5 && first < last && last < 1,
                 std::to_string(first) + " to " + std::to_string(last));
-    test::check("weight: warning and error say the same",
-                number_after("Since t = ", warnings) == first &&
-                  number_after("The limit load isn't below the one at t = ",
-                               warnings) == first,
-                warnings);
+    test::check(
+      "weight: warning and error say the same",
+      number_after("Since t = ", warnings) == first &&
+        number_after("The limit load on this grid isn't below the one at t = ",
+                     warnings) == first,
+      warnings);
   }
 
   /** A layer of soil, here in the first second of "time", and a strip load of

@@ -327,10 +327,34 @@ namespace isochor
   {
     if (walls.empty())
       return;
-    const WallGaps found = find_wall_gaps(step, nullptr, walls, false);
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      if (found.gap[i] != WallGaps::unknown)
-        nodes[i]->body_gap = sides[i] * found.gap[i];
+    constexpr double considerable = 0.5; // of a cell
+    double           depth = 0, part = 0;
+    std::string      boundary;
+    const WallGaps   found = find_wall_gaps(step, nullptr, walls, false);
+    unsigned int     i     = 0;
+    for (const auto &wall : walls)
+      for (unsigned int k = 0; k < wall.nodes.size(); ++k, ++i)
+        if (found.gap[i] != WallGaps::unknown)
+          {
+            nodes[i]->body_gap = sides[i] * found.gap[i];
+            if (-found.gap[i] > part * found.cell_size[i])
+              {
+                depth    = -found.gap[i];
+                part     = depth / found.cell_size[i];
+                boundary = wall.boundary;
+              }
+          }
+    // at t = 0 it may have been put there
+    if (part > considerable && step.old_time > 0)
+      step.warnings.add(
+        "a body that went through a wall",
+        "At t = " + rounded(step.old_time) + " the body is " + rounded(depth) +
+          " m, " + rounded(part) + " cells, beyond the one-sided wall <" +
+          boundary +
+          ">: in the step before it slid or rolled on to nodes that it was far "
+          "away from. This step takes it back, but the force at that time was "
+          "too small, by 17 % in a seal. Take smaller steps "
+          "(<Time/Step size>).");
   }
 
 
