@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/wall_gaps.h>
 #include <isochor/grid/nearest_cells.h>
 
