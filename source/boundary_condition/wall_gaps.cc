@@ -54,8 +54,12 @@ namespace isochor
         constexpr unsigned int most_rounds = 12;
         // of a cell: what no longer counts, and what rounding leaves of nothing
         constexpr double enough = 1e-3, rounding = 1e-6;
+        // cells: a surface is hardly steeper within those at a node, and one
+        // that acts on the node by a millionth would let it go without end
+        constexpr double most = 2;
         found.gap.assign(nodes.size(), WallGaps::unknown);
-        bool grows = true;
+        std::vector<double> least;
+        bool                grows = true;
         for (unsigned int round = 0; round < most_rounds && grows; ++round)
           {
             const std::vector<double> more = growth(round == 0);
@@ -63,9 +67,17 @@ namespace isochor
             for (unsigned int i = 0; i < nodes.size(); ++i)
               if (more[i] != WallGaps::unknown)
                 {
-                  found.gap[i] = (round == 0 ? 0. : found.gap[i]) + more[i];
-                  grows        = grows || more[i] > enough * found.cell_size[i];
+                  const double before = (round == 0 ? 0. : found.gap[i]);
+                  found.gap[i]        = before + more[i];
+                  if (round > 0)
+                    found.gap[i] =
+                      std::min(found.gap[i],
+                               least[i] + most * found.cell_size[i]);
+                  grows = grows ||
+                          found.gap[i] - before > enough * found.cell_size[i];
                 }
+            if (round == 0)
+              least = found.gap;
           }
         for (unsigned int i = 0; i < nodes.size(); ++i)
           if (place[i][0] == -WallGaps::unknown)
