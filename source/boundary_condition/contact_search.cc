@@ -16,7 +16,8 @@ namespace isochor
   void
   WallNode::save(std::ostream &state) const
   {
-    state << released << ' ' << touched << ' ' << gap << ' ';
+    state << released << ' ' << touched << ' ' << gap << ' ' << held_body
+          << ' ';
   }
 
 
@@ -24,7 +25,7 @@ namespace isochor
   void
   WallNode::load(std::istream &state)
   {
-    state >> released >> touched >> gap;
+    state >> released >> touched >> gap >> held_body;
     was_released = released;
   }
 

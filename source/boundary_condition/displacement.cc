@@ -191,7 +191,7 @@ namespace isochor
           {
             find_gaps(condition, step, unknowns);
             for (WallNode &node : condition.wall)
-              node.was_released = node.released;
+              node.accept();
           }
     }
 
@@ -209,7 +209,7 @@ namespace isochor
     {
       for (auto &condition : conditions)
         for (WallNode &node : condition.wall)
-          node.released = node.was_released;
+          node.start();
       search.start();
     }
 

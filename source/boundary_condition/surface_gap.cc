@@ -162,10 +162,11 @@ namespace isochor
                              const SurfaceConditions<dim> &conditions) const
   {
     // displacements that are rounding, as those of max(t - 1, 0) at t = 1, do
-    // no work that could be compared with anything
+    // no work that could be compared with anything, nor do such along which
+    // nothing resists the body
     constexpr double    rounding       = 1e-6;
     double              largest_target = 0, largest_gap = 0;
-    std::vector<double> sums(2 * conditions.surfaces.size());
+    std::vector<double> sums(3 * conditions.surfaces.size());
     for (unsigned int b = 0; b < points.size(); ++b)
       {
         const unsigned int   s = points.surface(b);
@@ -177,8 +178,9 @@ namespace isochor
               const double target = forces.target(step, b, a);
               largest_target      = std::max(largest_target, std::abs(target));
               largest_gap = std::max(largest_gap, std::abs(target - u[a]));
-              sums[2 * s] += t[a] * target;
-              sums[2 * s + 1] += t[a] * (target - u[a]);
+              sums[3 * s] += t[a] * target;
+              sums[3 * s + 1] += t[a] * (target - u[a]);
+              sums[3 * s + 2] += std::abs(t[a] * target);
             }
       }
     Utilities::MPI::sum(sums, step.grid.communicator(), sums);
@@ -189,7 +191,8 @@ namespace isochor
     if (largest_target <= rounding * largest_gap)
       return work;
     for (unsigned int s = 0; s < work.size(); ++s)
-      work[s] = {sums[2 * s], sums[2 * s + 1]};
+      if (std::abs(sums[3 * s]) > rounding * sums[3 * s + 2])
+        work[s] = {sums[3 * s], sums[3 * s + 1]};
     return work;
   }
 

@@ -324,12 +324,49 @@ namespace isochor
                         const int                      side)
   {
     for (WallNode *const node : nodes_of_wall)
-      node->body_gap = gap_unknown;
+      {
+        node->body_gap    = gap_unknown;
+        node->starts_free = false;
+      }
     if (!may_be || step.grid_is_kept || step.has_inertia)
       return;
     walls.push_back(wall);
     nodes.insert(nodes.end(), nodes_of_wall.begin(), nodes_of_wall.end());
     sides.resize(nodes.size(), side);
+  }
+
+
+
+  /** Tell if the body is beyond a wall. At t = 0 it may have been put there. */
+  template <int dim>
+  static void
+  warn_of_passage(const StepContext<dim>               &step,
+                  const std::vector<WallContacts<dim>> &walls,
+                  const WallGaps                       &found)
+  {
+    constexpr double considerable = 0.5; // of a cell
+    double           depth = 0, part = 0;
+    std::string      boundary;
+    unsigned int     i = 0;
+    for (const auto &wall : walls)
+      for (unsigned int k = 0; k < wall.nodes.size(); ++k, ++i)
+        if (-found.gap[i] > part * found.cell_size[i])
+          {
+            depth    = -found.gap[i];
+            part     = depth / found.cell_size[i];
+            boundary = wall.boundary;
+          }
+    if (part <= considerable || step.old_time <= 0)
+      return;
+    step.warnings.add(
+      "a body that went through a wall",
+      "At t = " + rounded(step.old_time) + " the body is " + rounded(depth) +
+        " m, " + rounded(part) + " cells, beyond the one-sided wall <" +
+        boundary +
+        ">: in the step before it slid or rolled on to nodes that it was far "
+        "away from, or fell through cells that it hardly filled. This step "
+        "takes it back, but the force at that time was too small, by 17 % in a "
+        "seal. Take smaller steps (<Time/Step size>).");
   }
 
 
@@ -340,34 +377,26 @@ namespace isochor
   {
     if (walls.empty())
       return;
-    constexpr double considerable = 0.5; // of a cell
-    double           depth = 0, part = 0;
-    std::string      boundary;
+    constexpr double near  = 0.05; // of a cell
     const WallGaps   found = find_wall_gaps(step, nullptr, walls, false);
-    unsigned int     i     = 0;
+    unsigned int     first = 0;
     for (const auto &wall : walls)
-      for (unsigned int k = 0; k < wall.nodes.size(); ++k, ++i)
-        if (found.gap[i] != WallGaps::unknown)
-          {
-            nodes[i]->body_gap = sides[i] * found.gap[i];
-            if (-found.gap[i] > part * found.cell_size[i])
-              {
-                depth    = -found.gap[i];
-                part     = depth / found.cell_size[i];
-                boundary = wall.boundary;
-              }
-          }
-    // at t = 0 it may have been put there
-    if (part > considerable && step.old_time > 0)
-      step.warnings.add(
-        "a body that went through a wall",
-        "At t = " + rounded(step.old_time) + " the body is " + rounded(depth) +
-          " m, " + rounded(part) + " cells, beyond the one-sided wall <" +
-          boundary +
-          ">: in the step before it slid or rolled on to nodes that it was far "
-          "away from. This step takes it back, but the force at that time was "
-          "too small, by 17 % in a seal. Take smaller steps "
-          "(<Time/Step size>).");
+      {
+        const unsigned int end   = first + wall.nodes.size();
+        double             least = WallGaps::unknown;
+        for (unsigned int i = first; i < end; ++i)
+          least = std::min(least, found.gap[i]);
+        for (unsigned int i = first; i < end; ++i)
+          if (found.gap[i] != WallGaps::unknown)
+            {
+              nodes[i]->body_gap = sides[i] * found.gap[i];
+              nodes[i]->starts_free =
+                !nodes[i]->held_body &&
+                found.gap[i] > std::max(least, 0.) + near * found.cell_size[i];
+            }
+        first = end;
+      }
+    warn_of_passage(step, walls, found);
   }
 
 

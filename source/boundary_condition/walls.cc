@@ -192,7 +192,7 @@ namespace isochor
     {
       for (Wall &wall : walls)
         for (Node &node : wall.nodes)
-          node.contact.released = node.contact.was_released;
+          node.contact.start();
       search.start();
     }
 
@@ -261,7 +261,7 @@ namespace isochor
             warn_if_body_is_lost(wall, step);
           follow_nodes(wall, step, unknowns);
           for (Node &node : wall.nodes)
-            node.contact.was_released = node.contact.released;
+            node.contact.accept();
         }
     }
 

@@ -29,6 +29,12 @@ namespace isochor
     /** That of the body there, if the step starts with what is known of it, see
      * WallGaps; else gap_unknown. */
     double body_gap = gap_unknown;
+    /** When the last step was accepted the node held the body, whose gap was
+     * known. */
+    bool held_body = false;
+    /** The body meets the wall elsewhere first: to begin a step with the node
+     * held would pull at the body by the gap, however small the step. */
+    bool starts_free = false;
 
     bool
     knows_body() const
@@ -41,6 +47,21 @@ namespace isochor
     gap_at_start(const bool grid_is_kept) const
     {
       return knows_body() ? body_gap : grid_is_kept || !touched ? gap : 0.;
+    }
+
+    /** The search for the nodes that are held begins. */
+    void
+    start()
+    {
+      released = was_released || starts_free;
+    }
+
+    /** The step has been accepted. */
+    void
+    accept()
+    {
+      was_released = released;
+      held_body    = knows_body() && !released;
     }
 
     void
