@@ -185,6 +185,38 @@ test_moving_wall()
                     0.07);
 }
 
+/** Half of a disc that comes to rest on a wall which it touches with one
+ * corner, and yields there: nodes beside it that the first iteration held would
+ * pull its surface down, by so much that no step is small enough for a plastic
+ * body. The reaction is the weight. */
+void
+test_plastic()
+{
+  for (const std::string law :
+       {"Material/Model = J2\nMaterial/J2/Yield stress = 0.02\n",
+        "Material/Model = Mohr-Coulomb\nMaterial/Mohr-Coulomb/Cohesion = 0.01\n"
+        "Material/Mohr-Coulomb/Friction angle = 20\n"})
+    {
+      const auto problem = test::run_scene<2>(
+        cpdi +
+        test::seal(8,
+                   0.,
+                   "Grid/Stretch = \n"
+                   "Boundary conditions/Displacement = left: "
+                   "x=0; bottom: y>=0\n"
+                   "Boundary conditions/Gravity = 0, -0.01*t\n"
+                   "Material/Density = 1\n"
+                   "Material/Poisson ratio = 0.45\n"
+                   "Time/Step size = 0.1\n"
+                   "Time/Minimum step size = 0.05\n") +
+        law);
+      const double weight = 0.01 * test::get(*problem, "Mass (kg)");
+      test::check_error("plastic, the reaction is the weight",
+                        test::relative(test::get(*problem, reaction), weight),
+                        1e-7);
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -195,4 +227,5 @@ main(int argc, char **argv)
   test_block<3>();
   test_free();
   test_moving_wall();
+  test_plastic();
 }
