@@ -217,6 +217,29 @@ test_plastic()
     }
 }
 
+/** A ring between plates, incompressible, flattened by 40 %: its crown stays at
+ * the plate, where it was held a third of a cell away. */
+void
+test_ring()
+{
+  const auto problem = run_without_warning<2>(
+    "ring",
+    test::seal(15,
+               0.8,
+               "Material points/Region = x^2 + (y - 1)^2 > 0.36\n"
+               "Material/Poisson ratio = 0.5\nTime/Step size = 0.04\n"
+               "Postprocess/Reactions = bottom, top\n"
+               "Postprocess/Point probes = crown: 0, 1.999\n"));
+  test::check_error(
+    "ring, the way of the crown",
+    test::relative(test::get(*problem, "Displacement y of crown (m)"), -0.8),
+    1e-3);
+  test::check_error("ring, the forces of both plates",
+                    test::relative(test::get(*problem, "Reaction y on top (N)"),
+                                   -test::get(*problem, reaction)),
+                    1e-6);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -228,4 +251,5 @@ main(int argc, char **argv)
   test_free();
   test_moving_wall();
   test_plastic();
+  test_ring();
 }
