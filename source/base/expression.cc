@@ -188,7 +188,7 @@ namespace isochor
                              {{"pi", numbers::PI}},
                              true);
         function->set_time(0.);
-        function->value(Point<dim>());
+        value_of_constant = function->value(Point<dim>());
       }
     catch (const std::exception &)
       {
@@ -201,6 +201,11 @@ namespace isochor
                                "mathematical functions."));
       }
     check_variables<dim>(formula, parameter, variables);
+    const auto names = names_in_formula(formula);
+    is_constant      = std::isfinite(value_of_constant) &&
+                  std::all_of(names.begin(), names.end(), [](const auto &name) {
+                    return name == "pi";
+                  });
   }
 
 

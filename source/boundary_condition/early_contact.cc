@@ -143,8 +143,10 @@ namespace isochor
         if (sums[4 * w + 2] > sums[4 * most + 2])
           most = w;
       }
-    double share = 0;
-    if (work > 0)
+    // without a column to fill, what is no reason for a warning isn't measured
+    const bool gaps_count = sums[4 * most + 3] > no_gap * sums[4 * most];
+    double     share      = 0;
+    if (work > 0 && (gaps_count || n_one_sided > 0))
       {
         std::array<double, 2> of_body = deformation_work(step, unknowns);
         sum_over_ranks(of_body, comm);
@@ -154,7 +156,7 @@ namespace isochor
     if (n_one_sided > 0)
       statistics.set("Share of gaps in contact",
                      work > 0 ? share * of_one_sided / work : 0.);
-    if (share > considerable && sums[4 * most + 3] > no_gap * sums[4 * most])
+    if (share > considerable && gaps_count)
       warn(step,
            walls[most],
            {sums[4 * most],

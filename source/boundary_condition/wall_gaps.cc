@@ -104,18 +104,28 @@ namespace isochor
         double       weight;
       };
 
-      /** By vertex the nodes there: there may be several, with other normals.
-       */
+      /** By active node, of which the grid may have many more, the nodes of
+       * walls there: there may be several, with other normals. */
       void
       chain()
       {
-        first.assign(step.grid.triangulation().n_vertices(), none);
+        first.assign(step.nodes.n_local(), none);
         next.assign(nodes.size(), none);
         for (unsigned int i = 0; i < nodes.size(); ++i)
-          {
-            next[i]                = first[nodes[i].vertex];
-            first[nodes[i].vertex] = i;
-          }
+          if (const unsigned int node = step.nodes.node(nodes[i].vertex);
+              node < first.size())
+            {
+              next[i]     = first[node];
+              first[node] = i;
+            }
+      }
+
+      /** The first node of a wall at a vertex. */
+      unsigned int
+      first_at(const unsigned int vertex) const
+      {
+        const unsigned int node = step.nodes.node(vertex);
+        return node < first.size() ? first[node] : none;
       }
 
       /** Where the nodes are at the start of the step: on a grid that is kept
@@ -131,7 +141,7 @@ namespace isochor
         for (unsigned int k = 0; k < step.points.cell.size(); ++k)
           for (unsigned int v = 0; v <= dim; ++v)
             for (unsigned int i =
-                   first[geometry.vertex_indices(step.points.cell[k])[v]];
+                   first_at(geometry.vertex_indices(step.points.cell[k])[v]);
                  i != none;
                  i = next[i])
               for (unsigned int a = 0; a < dim; ++a)
@@ -184,7 +194,7 @@ namespace isochor
         const auto              stencil = points.stencil(geometry, k, q);
         bool                    is_near = false;
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-          is_near = is_near || first[stencil.vertex[I]] != none;
+          is_near = is_near || first_at(stencil.vertex[I]) != none;
         if (!is_near)
           return;
         const Point<dim> x = points.location(geometry, k, q);
@@ -226,7 +236,7 @@ namespace isochor
             if (N <= no_support && is_exact)
               continue;
             support.push_back(vertex);
-            for (unsigned int i = first[vertex]; i != none; i = next[i])
+            for (unsigned int i = first_at(vertex); i != none; i = next[i])
               near.push_back({i, std::max(N, no_support)});
           }
         const double size = cell_size(geometry, step.points.cell[k]);

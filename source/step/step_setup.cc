@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/keep_each_once.h>
 #include <isochor/equations/held_directions.h>
 #include <isochor/step/step_setup.h>
 
@@ -102,12 +103,7 @@ namespace isochor
       for (const auto &condition : scene.boundary_conditions)
         condition->touch_masters(nodes, touched_vertices);
       if (touched_vertices.size() > before)
-        {
-          std::sort(touched_vertices.begin(), touched_vertices.end());
-          touched_vertices.erase(std::unique(touched_vertices.begin(),
-                                             touched_vertices.end()),
-                                 touched_vertices.end());
-        }
+        keep_each_once(touched_vertices);
       return Utilities::MPI::max(touched_vertices.size() != before ? 1 : 0,
                                  scene.grid.communicator()) != 0;
     };
@@ -301,16 +297,8 @@ namespace isochor
     touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched_vertices);
-    // each cell has named all of its own
-    std::vector<unsigned char> is_touched(
-      scene.grid.geometry().vertices().size(), 0);
-    for (const unsigned int vertex : touched_vertices)
-      is_touched[vertex] = 1;
-    touched_vertices.clear();
-    for (unsigned int vertex = 0; vertex < is_touched.size(); ++vertex)
-      if (is_touched[vertex])
-        touched_vertices.push_back(vertex);
-    touched_vertices.shrink_to_fit();
+    keep_each_once(touched_vertices);
+    touched_vertices.shrink_to_fit(); // each cell has named all of its own
     if (extends)
       {
         std::vector<unsigned int> never;

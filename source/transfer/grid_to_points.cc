@@ -23,16 +23,21 @@ namespace isochor
     {
     public:
       /** A point of @p volume at t = 0 (m^dim) with @p excess = θ^e - p/K;
-       * @p stretch_square: |F|² in all three directions. */
+       * @p F in the plane or in space and @p hoop = F_33 of the plane. */
+      template <int dim>
       void
-      add(const double volume,
-          const double excess,
-          const double J,
-          const double stretch_square)
+      add(const double          volume,
+          const double          excess,
+          const Tensor<2, dim> &F,
+          const double          hoop)
       {
-        // 3 for a change of volume alone; its excess is 2 γ² for small shears
-        const double invariant = stretch_square / std::cbrt(J * J);
-        const double shear     = std::sqrt(std::max(invariant - 3, 0.));
+        // |dev b| / (tr b / 3), √2 γ for a small simple shear γ
+        const Tensor<2, dim> b    = F * transpose(F);
+        const double         b_33 = (dim == 2 ? hoop * hoop : 0.);
+        const double         tr_b = trace(b) + b_33;
+        const double         dev_b_square =
+          b.norm_square() + b_33 * b_33 - tr_b * tr_b / 3;
+        const double shear = 3 * std::sqrt(std::max(dev_b_square, 0.)) / tr_b;
         sums[0] += volume * excess * excess;
         sums[1] += volume;
         sums[2] += volume * shear * excess * excess;
@@ -188,11 +193,7 @@ namespace isochor
             state.pressure *
               step.kernel.materials[arrays.material[q]]->inverse_bulk_modulus();
           const double hoop = step.kernel.hoop_stretch(history.data());
-          volume_errors.add(properties[l.volume],
-                            excess,
-                            state.J,
-                            state.F.norm_square() +
-                              (dim == 2 ? hoop * hoop : 0.));
+          volume_errors.add(properties[l.volume], excess, state.F, hoop);
           if (projects_volume)
             volume_projection.set_excess(q, excess);
         }

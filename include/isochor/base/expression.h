@@ -48,6 +48,8 @@ namespace isochor
     double
     operator()(const Point<dim> &x, const double t) const
     {
+      if (is_constant)
+        return value_of_constant;
       function->set_time(t);
       if (compares)
         std::feclearexcept(FE_INVALID);
@@ -65,7 +67,11 @@ namespace isochor
     std::string formula, parameter;
     /** Whether the formula is a comparison, with nothing that could be meant to
      * exclude where it has no value. */
-    bool                                 compares;
+    bool compares;
+    /** Whether the formula has neither a variable nor a function, as most that
+     * hold a boundary: the parser isn't asked for each vertex then. */
+    bool                                 is_constant       = false;
+    double                               value_of_constant = 0;
     std::shared_ptr<FunctionParser<dim>> function;
   };
 
