@@ -109,6 +109,34 @@ namespace
            law(plain + "Material/Model = J2\nMaterial/J2/Yield stress = 1e3\n"),
            {"WARNING", "elements that lock", "yields", "u-p"});
   }
+
+  /** A block that is pressed by a plate on a part of its top
+   * (prm/compression_block, in the plane): its volumes are wrong where it is
+   * sheared. */
+  void
+  test_wandering_volumes()
+  {
+    const auto pressed = [](const std::string &way) {
+      return messages<2>(
+        "Grid/Subdivisions = 8, 8\nGrid reset/Steps between resets = 0\n"
+        "Material/Poisson ratio = 0.499\nMaterial points/Points per cell = 1\n"
+        "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
+        "Boundary conditions/Surfaces of body = plate: y > 0.99 && x < 0.5\n"
+        "Boundary conditions/Displacement of body = plate: x=0, y=-" +
+          way + "*t\nTime/Step size = 0.125\n",
+        false);
+    };
+    const std::string far = pressed("0.35");
+    test::check("volumes that are wrong where the body is sheared",
+                far.find("volumes of the points wander") != std::string::npos &&
+                  far.find("weighted with the shear strain") !=
+                    std::string::npos,
+                far);
+    const std::string near = pressed("0.02");
+    test::check("... and right",
+                near.find("wander") == std::string::npos,
+                near);
+  }
 } // namespace
 
 
@@ -122,4 +150,5 @@ main(int argc, char **argv)
   test_formulas();
   test_loads_on_supports();
   test_materials();
+  test_wandering_volumes();
 }

@@ -258,6 +258,35 @@ test_contradiction()
                     1e-6);
 }
 
+/** Springs can't be too stiff for displacements that are rounding, as those of
+ * a surface that is held until t = 1, nor for such as meet no resistance: their
+ * work is none. */
+void
+test_no_work()
+{
+  const std::string block =
+    "Output/Terminal = quiet\nGrid/Upper corner = 3, 1.5\n"
+    "Grid/Subdivisions = 24, 12\nMaterial/Poisson ratio = 0.3\n"
+    "Boundary conditions/Surfaces of body = top: y > 0.99\n"
+    "Boundary conditions/Gravity = 0, -10\n";
+  for (const std::string motion :
+       {"Material points/Region = x < 1 && y < 1\nTime/Step size = 0.05\n"
+        "Time/End time = 1.2\nBoundary conditions/Displacement = left: x=0; "
+        "bottom: y=0\n"
+        "Boundary conditions/Displacement of body = top: y=-0.1*max(t-1,0)\n",
+        "Material points/Region = x > 0.25 && x < 1.25 && y < 1\n"
+        "Boundary conditions/Displacement = bottom: y=0\nTime/Step size = 0.1\n"
+        "Boundary conditions/Displacement of body = top: x=0.5*t\n"})
+    {
+      const auto  problem = test::run_scene<2>(block + motion);
+      std::string subjects;
+      for (const auto &warning : problem->all_warnings().all())
+        if (warning.subject == "springs that are too stiff for a surface")
+          subjects += warning.text;
+      test::check("displacements without work", subjects.empty(), subjects);
+    }
+}
+
 int
 main(int argc, char **argv)
 {
@@ -268,4 +297,5 @@ main(int argc, char **argv)
   test_large_strain<3>();
   test_held();
   test_contradiction();
+  test_no_work();
 }

@@ -162,6 +162,23 @@ test_free()
                     0.03);
 }
 
+/** In steps that are too large the disc rolls through the wall. */
+void
+test_passage()
+{
+  for (const std::string size : {"0.5", "0.1"})
+    {
+      const auto problem = test::run_scene<2>(
+        cpdi + test::seal(20, 0.3, "Time/Step size = " + size + "\n"));
+      bool told = false;
+      for (const auto &warning : problem->all_warnings().all())
+        told = told || warning.subject == "a body that went through a wall";
+      test::check("through the wall in steps of " + size,
+                  told == (size == "0.5"),
+                  told ? "told" : "not told");
+    }
+}
+
 /** A wall that moves into a grid that stays, by almost half of a cell. */
 void
 test_moving_wall()
@@ -250,6 +267,7 @@ main(int argc, char **argv)
   test_block<3>();
   test_free();
   test_moving_wall();
+  test_passage();
   test_plastic();
   test_ring();
 }
