@@ -276,8 +276,11 @@ namespace isochor
         AssertThrow(false,
                     ExcMessage("The parameter <" + parameter +
                                "> names the boundary <" + name +
-                               ">, which the grid does not have. It has: " +
-                               known + "."));
+                               ">, which the grid does not have. " +
+                               (known.empty() ?
+                                  "No physical group of sides has a name in "
+                                  "<Grid/File>." :
+                                  "It has: " + known + ".")));
       }
     return found->second;
   }
