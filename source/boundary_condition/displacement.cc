@@ -280,8 +280,9 @@ namespace isochor
       int side = 0;
       if (!axis.empty() && (axis.back() == '>' || axis.back() == '<'))
         {
-          side = (axis.back() == '>' ? 1 : -1);
-          axis = Utilities::trim(axis.substr(0, axis.size() - 1));
+          side              = (axis.back() == '>' ? 1 : -1);
+          axis              = Utilities::trim(axis.substr(0, axis.size() - 1));
+          this->pushes_only = true;
         }
       AssertThrow(equals != std::string::npos && axis.size() == 1 &&
                     axes.find(axis) != std::string::npos,

@@ -82,6 +82,7 @@ namespace isochor
           const Expression<dim> displacement(formula, parameter());
           formula.erase(std::remove(formula.begin(), formula.end(), ' '),
                         formula.end());
+          this->pushes_only |= one_sided;
           walls.push_back(
             {entry.first, one_sided, formula, displacement, {}, {}});
         }

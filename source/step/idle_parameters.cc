@@ -94,7 +94,8 @@ namespace isochor
     void
     inspect_grid(const Inspector             &inspect,
                  const GridSource<dim>       &source,
-                 const std::set<std::string> &all)
+                 const std::set<std::string> &all,
+                 const GridReset<dim>        &reset)
     {
       const std::string type = inspect.value({"Grid", "Type"});
       std::string       with = "with <Grid/Type = " + type + ">";
@@ -108,10 +109,10 @@ namespace isochor
         if (in_use.count(name) == 0)
           inspect.idle({"Grid", name},
                        with + " in " + std::to_string(dim) + "D");
-      if (inspect.number({"Grid reset", "Steps between resets"}) == 1)
+      if (reset.always())
         inspect.idle({"Grid reset", "Smallest element quality"},
-                     "with <Grid reset/Steps between resets = 1>: the grid is "
-                     "reset after each step");
+                     reset.why_always() +
+                       ": the grid is reset after each step");
     }
 
 
@@ -297,7 +298,9 @@ namespace isochor
 
   template <int dim>
   void
-  warn_of_idle_parameters(const ParameterHandler &prm, Scene<dim> &scene)
+  warn_of_idle_parameters(const ParameterHandler &prm,
+                          Scene<dim>             &scene,
+                          const GridReset<dim>   &reset)
   {
     const ParameterList   list(prm);
     Inspector             inspect(list, scene.warnings);
@@ -306,7 +309,7 @@ namespace isochor
          Utilities::split_string_list(PluginRegistry<GridSource<dim>>::names(),
                                       '|'))
       of_grids.merge(PluginRegistry<GridSource<dim>>::parameters(name));
-    inspect_grid(inspect, scene.grid.source(), of_grids);
+    inspect_grid(inspect, scene.grid.source(), of_grids, reset);
     inspect_points(inspect,
                    scene.grid.source().is_adaptive(),
                    scene.quadrature->needs_domains(),
@@ -323,7 +326,11 @@ namespace isochor
 
 
   template void
-  warn_of_idle_parameters<2>(const ParameterHandler &, Scene<2> &);
+  warn_of_idle_parameters<2>(const ParameterHandler &,
+                             Scene<2> &,
+                             const GridReset<2> &);
   template void
-  warn_of_idle_parameters<3>(const ParameterHandler &, Scene<3> &);
+  warn_of_idle_parameters<3>(const ParameterHandler &,
+                             Scene<3> &,
+                             const GridReset<3> &);
 } // namespace isochor

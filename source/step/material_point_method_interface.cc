@@ -70,7 +70,7 @@ namespace isochor
     terminal.parse_parameters(prm);
     prm.leave_subsection();
     scene.warnings.print_here(Utilities::MPI::this_mpi_process(comm) == 0);
-    warn_of_idle_parameters(prm, scene);
+    warn_of_idle_parameters(prm, scene, setup.reset());
   }
 
 
@@ -221,6 +221,9 @@ namespace isochor
                                                              "u-p"))
                    << " form" << std::endl;
     terminal.out() << body_summary(scene.points, comm) << std::endl;
+    if (scene.has_inertia() && scene.quadrature->forces_jump())
+      if (const std::string text = setup.reset().describe(); !text.empty())
+        terminal.out() << text << std::endl;
   }
 
 

@@ -5,6 +5,7 @@
 #include <isochor/base/keep_each_once.h>
 #include <isochor/equations/held_directions.h>
 #include <isochor/step/step_setup.h>
+#include <isochor/step/why_to_reset.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -51,7 +52,9 @@ namespace isochor
     refinement.integrate_over_domains(scene.quadrature->needs_domains());
     if (refinement.splits_points())
       scene.points.keep_ancestry();
-    grid_reset.parse_parameters(prm);
+    grid_reset.parse_parameters(prm,
+                                why_to_reset(scene,
+                                             refinement.splits_points()));
     partition.parse_parameters(prm);
     extends         = extension.is_active(scene.ties_cut_cells());
     needs_occupancy = scene.quadrature->needs_occupancy() || extends;

@@ -20,16 +20,23 @@ namespace isochor
   {
     prm.enter_subsection("Grid reset");
     prm.declare_entry("Steps between resets",
-                      "1",
-                      Patterns::Integer(0),
+                      "auto",
+                      Patterns::Anything(),
                       "Steps after which the deformed grid is put back and the "
-                      "points are located anew. 1: after each, the Material "
-                      "Point Method as it is. Between resets the grid moves "
-                      "with the body, as in updated Lagrangian finite "
+                      "points are located anew, or 'auto'. 1: after each, the "
+                      "Material Point Method as it is. Between resets the grid "
+                      "moves with the body, as in updated Lagrangian finite "
                       "elements. 0: only by 'Smallest element quality'. "
                       "In any case it is put back where the body comes near "
                       "to a boundary that it did not touch, and in each step "
-                      "once bodies, or parts of one, come together.");
+                      "once bodies, or parts of one, come together. auto: 0 in "
+                      "dynamics with another <Quadrature/Type> than CPDI, "
+                      "where points that change cells lose energy, and in each "
+                      "step once bodies come together or to a boundary; but 1 "
+                      "on an adaptive grid that changes, with <Grid/Stretch>, "
+                      "<Material points/Split at share of cell> or boundaries "
+                      "that only push; and 1 in statics and with CPDI. In "
+                      "dynamics with another quadrature the run says which.");
     prm.declare_entry("Smallest element quality",
                       "0.3",
                       Patterns::Double(0, 1),
@@ -46,12 +53,54 @@ namespace isochor
 
   template <int dim>
   void
-  GridReset<dim>::parse_parameters(ParameterHandler &prm)
+  GridReset<dim>::parse_parameters(ParameterHandler  &prm,
+                                   const std::string &why_to_reset)
   {
     prm.enter_subsection("Grid reset");
-    interval         = prm.get_integer("Steps between resets");
-    smallest_quality = prm.get_double("Smallest element quality");
+    const std::string text = prm.get("Steps between resets");
+    smallest_quality       = prm.get_double("Smallest element quality");
     prm.leave_subsection();
+    is_automatic = (text == "auto");
+    if (is_automatic)
+      {
+        reason   = why_to_reset;
+        interval = reason.empty() ? 0 : 1;
+        return;
+      }
+    AssertThrow(Patterns::Integer(0).match(text),
+                ExcMessage("The parameter <Grid reset/Steps between resets> "
+                           "must be 'auto' or a number of steps, 0 for a grid "
+                           "that is kept, not '" +
+                           text + "'."));
+    interval = Utilities::string_to_int(text);
+  }
+
+
+
+  template <int dim>
+  std::string
+  GridReset<dim>::describe() const
+  {
+    if (!is_automatic)
+      return {};
+    const std::string value = "<Grid reset/Steps between resets = auto>: ";
+    return always() ?
+             value + "the grid is put back in each step, " + reason :
+             value + "the grid is kept, and put back where cells are distorted "
+                     "and, once bodies come together or to a boundary, in each "
+                     "step";
+  }
+
+
+
+  template <int dim>
+  std::string
+  GridReset<dim>::why_always() const
+  {
+    return is_automatic ?
+             "with <Grid reset/Steps between resets = auto>, which is 1 " +
+               reason :
+             "with <Grid reset/Steps between resets = 1>";
   }
 
 
@@ -104,17 +153,28 @@ namespace isochor
     const Approach approach =
       approach_watch.look(step, elements, locator, unknowns, points);
     is_due = (approach != Approach::none);
-    if (approach != Approach::of_bodies)
+    if (approach == Approach::none ||
+        (approach == Approach::to_boundary && !is_automatic))
       return;
     in_contact = true;
     std::ostringstream text;
-    text
-      << "At t = " << step.time << " bodies, or parts of one, have come "
-      << "together" << approach_watch.place_of_contact()
-      << ". They feel each other by nodes in common only, and the grid moved "
-         "with them until now, as <Grid reset/Steps between resets> asks "
-         "for. From now on it is put back in each step. Set 1 there if "
-         "contact is what the scene is about.";
+    text << "At t = " << step.time;
+    if (approach == Approach::to_boundary)
+      text << " the body has come to a boundary that it did not touch. It "
+              "feels that by nodes of the boundary only";
+    else
+      text << " bodies, or parts of one, have come together"
+           << approach_watch.place_of_contact()
+           << ". They feel each other by nodes in common only";
+    text << ", and the grid moved with the body until now, "
+         << (is_automatic ?
+               "<Grid reset/Steps between resets = auto>. From now on it is "
+               "put back in each step, by which vibrations lose energy with "
+               "this <Quadrature/Type>. CPDI is better if contact is what the "
+               "scene is about." :
+               "as <Grid reset/Steps between resets> asks for. From now on it "
+               "is put back in each step. Set 1 there if contact is what the "
+               "scene is about.");
     step.warnings.add("contact on a grid that is kept", text.str());
   }
 
@@ -131,7 +191,9 @@ namespace isochor
     std::string remedy = "Set it to 0 if no points have to change cells.";
     if (interval == 0 && in_contact)
       {
-        cause  = "bodies, or parts of one, have come together";
+        cause = "bodies, or parts of one, have come together";
+        if (is_automatic)
+          cause += ", or to a boundary";
         remedy = "Contact needs that.";
       }
     else if (interval == 0)

@@ -97,6 +97,14 @@ namespace isochor
              const PointArrays<dim> & /*points*/)
     {}
 
+    /** Whether parse_parameters() has found a boundary that only pushes, which
+     * the body may leave and come to again. See why_to_reset(). */
+    bool
+    only_pushes() const
+    {
+      return pushes_only;
+    }
+
     /** The first step is set up: what it acts on, in lines for the terminal, if
      * the parameters alone don't say it. The same on all ranks. */
     virtual std::string
@@ -400,6 +408,9 @@ namespace isochor
     virtual void
     load_state(const std::string & /*state*/)
     {}
+
+  protected:
+    bool pushes_only = false; ///< see only_pushes()
   };
 } // namespace isochor
 

@@ -40,8 +40,11 @@ namespace isochor
   public:
     static void
     declare_parameters(ParameterHandler &prm);
+    /** @p why_to_reset: what asks for a grid that is put back in each step, a
+     * phrase, if the parameters leave it to the scene; empty if nothing does.
+     */
     void
-    parse_parameters(ParameterHandler &prm);
+    parse_parameters(ParameterHandler &prm, const std::string &why_to_reset);
 
     /** Whether the step to come starts from the undeformed grid. */
     bool
@@ -56,6 +59,16 @@ namespace isochor
     {
       return interval == 1;
     }
+
+    /** What was chosen if the parameters leave it to the scene and it has
+     * forces that jump; else nothing. A line for the terminal. */
+    std::string
+    describe() const;
+
+    /** Why the grid is put back before each step, if it is: a phrase that names
+     * the parameter. */
+    std::string
+    why_always() const;
 
     /** The grid has been put back at @p time. */
     void
@@ -143,6 +156,9 @@ namespace isochor
 
     unsigned int interval         = 1;
     double       smallest_quality = 0;
+    /** Whether the scene has chosen the interval, and why it is 1 if it is. */
+    bool        is_automatic = false;
+    std::string reason;
 
     bool is_due = true;
     /** Bodies have come together: each step starts with a reset. */

@@ -1,0 +1,39 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_why_to_reset_h
+#define isochor_why_to_reset_h
+
+#include <isochor/step/scene.h>
+
+#include <string>
+
+namespace isochor
+{
+  /**
+   * What in the @p scene asks for a grid that is put back in each step, where
+   * `Grid reset/Steps between resets` is `auto`: a phrase for messages, empty
+   * if the grid is to be kept. @p splits_points: see
+   * PointRefinement::splits_points().
+   *
+   * Only dynamics gains by a grid that is kept, with quadratures whose forces
+   * jump when points change cells. In statics, and with CPDI, resets have no
+   * such price. What needs them all the same is what happens at a reset only:
+   * an adaptive grid changes, `Grid/Stretch` moves the grid, points are split;
+   * and what is made for them: boundaries that only push, which the body may
+   * leave and come to again elsewhere. Contact of bodies, and boundaries that
+   * the body comes to later, are not in the list, since ApproachWatch finds
+   * them. Rigid and periodic sides are not, since they take the body along,
+   * which a grid that is put back can't follow. `Project volume change` is not,
+   * since no volumes drift on a grid that is kept.
+   *
+   * After the parameters of the scene were read. From them alone, so that a run
+   * that continues decides alike.
+   */
+  template <int dim>
+  std::string
+  why_to_reset(const Scene<dim> &scene, const bool splits_points);
+} // namespace isochor
+
+#endif
