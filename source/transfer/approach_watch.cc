@@ -210,12 +210,16 @@ namespace isochor
                            MaterialPoints<dim>     &points)
   {
     place.clear();
+    n_apart = 0;
     if (!is_started)
       {
         const unsigned int n_before = n_parts;
         find_surface(step, elements);
         if (n_parts < n_before)
-          return Approach::of_bodies;
+          {
+            n_apart = n_before;
+            return Approach::of_bodies;
+          }
       }
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
     const NodalUnknowns<dim>    nodal(step, unknowns);
@@ -275,7 +279,8 @@ namespace isochor
     for (const auto &[vertex, mark] : marks)
       if (mark.least_part != mark.largest_part)
         {
-          place = near(geometry.vertices()[vertex]);
+          place   = near(geometry.vertices()[vertex]);
+          n_apart = n_parts;
           return Approach::of_bodies;
         }
     if (any_gap(step, locator, marks))

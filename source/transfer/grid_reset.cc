@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/plain_message.h>
+#include <isochor/equations/connected_parts.h>
 #include <isochor/equations/final_state.h>
 #include <isochor/transfer/grid_reset.h>
 
@@ -148,6 +149,10 @@ namespace isochor
                                    MaterialPoints<dim>     &points)
   {
     using Approach = typename ApproachWatch<dim>::Approach;
+    // bodies without a node in common have parted: the next step is the first
+    // one on a grid that is kept
+    if (in_contact && n_apart > 0 && number_of_parts(step, elements) >= n_apart)
+      in_contact = false;
     if (is_due)
       return;
     const Approach approach =
@@ -157,6 +162,7 @@ namespace isochor
         (approach == Approach::to_boundary && !is_automatic))
       return;
     in_contact = true;
+    n_apart    = approach_watch.n_bodies_apart();
     std::ostringstream text;
     text << "At t = " << step.time;
     if (approach == Approach::to_boundary)
@@ -167,14 +173,14 @@ namespace isochor
            << approach_watch.place_of_contact()
            << ". They feel each other by nodes in common only";
     text << ", and the grid moved with the body until now, "
+         << (is_automatic ? "<Grid reset/Steps between resets = auto>. " :
+                            "as <Grid reset/Steps between resets> asks for. ")
+         << "From now on it is put back in each step"
+         << (n_apart > 0 ? ", until they part. " : ". ")
          << (is_automatic ?
-               "<Grid reset/Steps between resets = auto>. From now on it is "
-               "put back in each step, by which vibrations lose energy with "
-               "this <Quadrature/Type>. CPDI is better if contact is what the "
-               "scene is about." :
-               "as <Grid reset/Steps between resets> asks for. From now on it "
-               "is put back in each step. Set 1 there if contact is what the "
-               "scene is about.");
+               "With this <Quadrature/Type> motions lose or gain energy by "
+               "that; choose CPDI if contact is what the scene is about." :
+               "Set 1 there if contact is what the scene is about.");
     step.warnings.add("contact on a grid that is kept", text.str());
   }
 

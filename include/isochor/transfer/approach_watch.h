@@ -80,6 +80,14 @@ namespace isochor
       return place;
     }
 
+    /** If bodies were found to come together: how many they were before; 0 if
+     * parts of one did. */
+    unsigned int
+    n_bodies_apart() const
+    {
+      return n_apart;
+    }
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
@@ -128,6 +136,7 @@ namespace isochor
     std::string            place;
     /** How many bodies there were at the last reset; 0: not known. */
     unsigned int n_parts = 0;
+    unsigned int n_apart = 0; ///< see n_bodies_apart()
     /** By occupied cell: whether it has a face at the boundary. */
     std::vector<unsigned char> has_face;
     /** By occupied cell: whether a neighbour is empty; its part; the number of

@@ -112,9 +112,9 @@ namespace isochor
     }
 
     /** After advance(), if no reset is due: demand one where contact needs it,
-     * and, where bodies come together, one in each step from now on, with a
-     * warning. The @p points are where the step has ended, the @p elements
-     * those of all equations. Collective. */
+     * and, where bodies come together, one in each step from now on until they
+     * are as many as before again, with a warning. The @p points are where the
+     * step has ended, the @p elements those of all equations. Collective. */
     void
     look_for_contact(const StepContext<dim>  &step,
                      const ElementNodes      &elements,
@@ -126,7 +126,8 @@ namespace isochor
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &is_due &n_steps_since &reset_time &in_contact &approach_watch;
+      archive &is_due &n_steps_since &reset_time &in_contact &n_apart
+        &approach_watch;
     }
 
   private:
@@ -162,7 +163,9 @@ namespace isochor
 
     bool is_due = true;
     /** Bodies have come together: each step starts with a reset. */
-    bool               in_contact = false;
+    bool in_contact = false;
+    /** How many bodies they have to be for that to end; 0: it doesn't. */
+    unsigned int       n_apart = 0;
     ApproachWatch<dim> approach_watch;
     unsigned int       n_steps_since = 0;
     double             reset_time    = 0;
