@@ -42,6 +42,7 @@ test_idle_ranks()
     "Quadrature/Type = cell-filled\nMaterial points/Region = x < 0.75\n"
     "Material/Young modulus = 1000\nMaterial/Poisson ratio = 0.3\n"
     "Material/Density = 1\nDynamics/Inertia = true\n"
+    "Grid reset/Steps between resets = 1\n"
     "Dynamics/Initial velocity = 1 + 0.2*sin(pi*x), 0, 0\n"
     "Boundary conditions/Displacement = bottom: y=0; back: z=0\n"
     "Time/End time = 2\nTime/Step size = 0.25\n",
@@ -64,6 +65,7 @@ main(int argc, char **argv)
                  "Material/Model = J2\nMaterial/J2/Yield stress = 20\n");
   test_crossings("dynamic",
                  "Quadrature/Type = cell-filled\nMaterial/Density = 1\n"
-                 "Dynamics/Inertia = true\n");
+                 "Dynamics/Inertia = true\n"
+                 "Grid reset/Steps between resets = 1\n");
   test_idle_ranks();
 }

@@ -470,7 +470,11 @@ main(int argc, char **argv)
     test_spin(quadrature, "u");
   test_spin("CPDI", "u-p");
   test_collision();
-  test_losses("cell-filled", "Quadrature/Type = cell-filled\n", 0.015, 0.2);
+  test_losses("cell-filled",
+              "Quadrature/Type = cell-filled\n"
+              "Grid reset/Steps between resets = 1\n",
+              0.015,
+              0.2);
   test_losses("CPDI", "Quadrature/Type = CPDI\n", -0.002, 0.003);
   for (const std::string quadrature :
        {"points", "cell-filled", "cell-filled + boundary"})

@@ -297,6 +297,7 @@ namespace
             "\nGrid/Shape functions = " + functions +
             "\nMaterial points/Region = x<0.5 && y<0.5\nTime/Step size = 0.1\n"
             "Time/End time = 0.4\nDynamics/Inertia = true\n"
+            "Grid reset/Steps between resets = 1\n"
             "Material/Density = 1\nDynamics/Initial velocity = 1, 0.5\n");
           test::check("points may change cells, " + quadrature + ", " +
                         functions,

@@ -232,6 +232,7 @@ test_no_measure()
         "Material points/Region = x < 1 && y > 0.5\nDynamics/Inertia = true\n"
         "Boundary conditions/Gravity = 0, -10\nMaterial/Young modulus = 1e5\n"
         "Time/Step size = 0.01\nTime/End time = 0.03\n"
+        "Grid reset/Steps between resets = 1\n"
         "Time/Tolerated error = 1e-4\nQuadrature/Type = " +
         quadrature + '\n');
       test::check("error of steps, " + quadrature,
