@@ -100,7 +100,8 @@ main(int argc, char **argv)
               in_part.warning.find("Until t = 0.1 ") == 0,
               in_part.warning);
   const Result dynamic = push<2>(
-    "Dynamics/Inertia = true\nMaterial/Density = 1\nTime/End time = 0.6\n");
+    "Dynamics/Inertia = true\nMaterial/Density = 1\nTime/End time = 0.6\n"
+    "Grid reset/Steps between resets = 1\n");
   test::check("in motion the body may go along",
               dynamic.warning.empty(),
               dynamic.warning);

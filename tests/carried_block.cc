@@ -26,6 +26,7 @@ test_balance(const std::string &type, const std::string &box)
                          " < 2\n"
                          "Material/Young modulus = 1000\n"
                          "Dynamics/Inertia = true\n"
+                         "Grid reset/Steps between resets = 1\n"
                          "Time/End time = 5.5\nTime/Step size = 0.25\n");
   const std::string name = std::to_string(dim) + "D, " + type + ": ";
   test::check_error(name + "the block is carried",

@@ -42,6 +42,7 @@ test_space()
              "Material/Young modulus = 1000\nMaterial/Poisson ratio = 0.499\n"
              "Material/Density = 1\n"
              "Dynamics/Inertia = true\n"
+             "Grid reset/Steps between resets = 1\n"
              "Dynamics/Initial velocity = 0, 0, 1 + 0.2*sin(pi*z/2)\n"
              "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
              "Time/End time = 4\nTime/Step size = 0.25\n",

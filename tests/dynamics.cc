@@ -73,8 +73,12 @@ namespace isochor
 } // namespace isochor
 
 const std::vector<std::pair<std::string, std::string>> formulations = {
-  {"u", "Formulation/Type = u\nDynamics/Inertia = true\n"},
-  {"u-p + PPP", "Formulation/Type = u-p\nDynamics/Inertia = true\n"}};
+  {"u",
+   "Formulation/Type = u\nDynamics/Inertia = true\n"
+   "Grid reset/Steps between resets = 1\n"},
+  {"u-p + PPP",
+   "Formulation/Type = u-p\nDynamics/Inertia = true\n"
+   "Grid reset/Steps between resets = 1\n"}};
 
 /** v = g t, u = g t²/2: exact for Newmark's scheme. Several cells are crossed
  * and the body is cut by cells in all ways. */
