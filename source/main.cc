@@ -39,11 +39,12 @@ namespace
     problem->run();
   }
 
-  /** Without a launcher there is one process, which needs none of Open MPI's
-   * network drivers; starting them takes as long as a small scene. (Its daemon
-   * isn't needed either, but without it, ess_singleton_isolated, processes that
-   * start at the same time share a directory and some fail.) Who sets these
-   * variables is not overruled; other MPIs don't read them. */
+  /** Without a launcher there is one process, which needs neither Open MPI's
+   * network drivers nor its daemon; starting them takes as long as a small
+   * scene. Nor does it need their directory below /tmp, which processes
+   * without a daemon would share: the first to end removes it while others
+   * start. Who sets these variables is not overruled; other MPIs don't read
+   * them. */
   void
   keep_a_single_process_simple()
   {
@@ -57,6 +58,8 @@ namespace
     setenv("OMPI_MCA_pml", "ob1", 0);
     setenv("OMPI_MCA_btl", "self", 0);
     setenv("OMPI_MCA_osc", "^ucx", 0);
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
   }
 } // namespace
 
