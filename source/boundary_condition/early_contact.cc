@@ -115,10 +115,11 @@ namespace isochor
     constexpr double no_gap = 1e-3;
     if (walls.empty())
       return;
-    const MPI_Comm      comm = step.grid.communicator();
-    const WallGaps      gaps = find_wall_gaps(step, &unknowns, walls, true);
-    std::vector<double> sums(4 * walls.size());
-    unsigned int        i = 0;
+    const MPI_Comm comm = step.grid.communicator();
+    const WallGaps gaps = find_wall_gaps(step, &unknowns, walls, true);
+    // of each wall: F, F where there is a gap, F g, F g / h, Σ |F_I|
+    std::vector<std::array<double, 5>> sums(walls.size());
+    unsigned int                       i = 0;
     for (unsigned int w = 0; w < walls.size(); ++w)
       for (const auto &node : walls[w].nodes)
         {
@@ -126,25 +127,32 @@ namespace isochor
                        g = gaps.gap[i] == WallGaps::unknown ?
                              0. :
                              std::max(gaps.gap[i], 0.);
-          sums[4 * w] += F;
-          sums[4 * w + 1] += (g > 0 ? F : 0.);
-          sums[4 * w + 2] += F * g;
-          sums[4 * w + 3] += (g > 0 ? F * g / gaps.cell_size[i] : 0.);
+          sums[w][0] += F;
+          sums[w][1] += (g > 0 ? F : 0.);
+          sums[w][2] += F * g;
+          sums[w][3] += (g > 0 ? F * g / gaps.cell_size[i] : 0.);
+          sums[w][4] += std::abs(node.force);
           ++i;
         }
-    Utilities::MPI::sum(sums, comm, sums);
+    for (auto &sum : sums)
+      {
+        sum_over_ranks(sum, comm);
+        // a plane of symmetry in tension presses at single nodes of its rim
+        if (sum[0] < considerable * sum[4])
+          sum.fill(0);
+      }
     double       work = 0, of_one_sided = 0;
     unsigned int most = 0, n_one_sided = 0;
     for (unsigned int w = 0; w < walls.size(); ++w)
       {
-        work += sums[4 * w + 2];
-        of_one_sided += (walls[w].holds ? 0. : sums[4 * w + 2]);
+        work += sums[w][2];
+        of_one_sided += (walls[w].holds ? 0. : sums[w][2]);
         n_one_sided += (walls[w].holds ? 0 : 1);
-        if (sums[4 * w + 2] > sums[4 * most + 2])
+        if (sums[w][2] > sums[most][2])
           most = w;
       }
     // without a column to fill, what is no reason for a warning isn't measured
-    const bool gaps_count = sums[4 * most + 3] > no_gap * sums[4 * most];
+    const bool gaps_count = sums[most][3] > no_gap * sums[most][0];
     double     share      = 0;
     if (work > 0 && (gaps_count || n_one_sided > 0))
       {
@@ -159,10 +167,7 @@ namespace isochor
     if (share > considerable && gaps_count)
       warn(step,
            walls[most],
-           {sums[4 * most],
-            sums[4 * most + 1],
-            sums[4 * most + 2],
-            sums[4 * most + 3]},
+           {sums[most][0], sums[most][1], sums[most][2], sums[most][3]},
            share);
   }
 
