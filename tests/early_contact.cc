@@ -291,6 +291,38 @@ test_held()
       }
 }
 
+/** Planes of symmetry in tension press at single nodes of the body's rim, with
+ * a millionth of their force: no wall that acts early. */
+void
+test_planes_of_symmetry()
+{
+  const std::string mesh = SOURCE_DIR "/quarter_ring.msh";
+  const auto        problem =
+    test::run_scene<2>("Grid/Upper corner = 2.25, 2.25\n"
+                       "Grid/Subdivisions = 27, 27\n"
+                       "Material points/Body mesh = " +
+                       mesh +
+                       "\nMaterial points/Points per cell = 16\n"
+                       "Quadrature/Type = CPDI\nFormulation/Type = u-p\n"
+                       "Material/Young modulus = 1000\n"
+                       "Material/Poisson ratio = 0.3\nMaterial/Density = 0\n"
+                       "Boundary conditions/Displacement = left: x=0; bottom: "
+                       "y=0\n"
+                       "Boundary conditions/Mesh of body surfaces = " +
+                       mesh +
+                       "\nBoundary conditions/Surfaces of body = i: "
+                       "x^2+y^2<1.001\n"
+                       "Boundary conditions/Pressure on body = i: 1e-3*t\n"
+                       "Postprocess/Reactions = left\n"
+                       "Time/End time = 1\nTime/Step size = 0.5\n");
+  test::check_error("ring under pressure, force at a plane of symmetry",
+                    std::abs(test::get(*problem, "Reaction x on left (N)")) /
+                        1e-3 -
+                      1,
+                    1e-3);
+  test::check("no warning there", warning(*problem).empty(), warning(*problem));
+}
+
 int
 main(int argc, char **argv)
 {
@@ -306,4 +338,5 @@ main(int argc, char **argv)
   test_kept_grid();
   test_other_grids();
   test_held();
+  test_planes_of_symmetry();
 }
