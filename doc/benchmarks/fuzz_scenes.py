@@ -133,7 +133,7 @@ def grid(scene, random, pick, chance):
         )
     set_["Grid/Type"] = kind
     set_["Grid/Subdivisions"] = ", ".join(str(n) for n in cells)
-    set_["Grid reset/Steps between resets"] = pick(1, 1, 1, 3, 0)
+    set_["Grid reset/Steps between resets"] = pick("auto", 1, 1, 3, 0)
     set_["Cut cells/Extension"] = pick("auto", "auto", "auto", "never")
 
 

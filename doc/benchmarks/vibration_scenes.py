@@ -31,6 +31,7 @@ class TubeVibration(Scene):
                 {
                     **QUIET,
                     "Quadrature/Type": quadrature,
+                    "Grid reset/Steps between resets": 1,
                     "Grid/Subdivisions": f"{n}, {n}",
                     "Material points/Body mesh": mesh(ring, path, n=n // 2),
                     "Time/Step size": 4.26407 / steps,

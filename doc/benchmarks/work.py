@@ -187,7 +187,11 @@ def skipped(work):
             "`PPP coefficient = 0`",
         ),
         "masses and inertia": (
-            {**block, "Dynamics/Inertia": "true"},
+            {
+                **block,
+                "Dynamics/Inertia": "true",
+                "Grid reset/Steps between resets": 1,
+            },
             block,
             "statics",
         ),

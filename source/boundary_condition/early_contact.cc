@@ -134,13 +134,12 @@ namespace isochor
           sums[w][4] += std::abs(node.force);
           ++i;
         }
+    const ArrayView<double> all(sums[0].data(), 5 * sums.size());
+    Utilities::MPI::sum(ArrayView<const double>(all), comm, all);
+    // a plane of symmetry in tension presses at single nodes of its rim
     for (auto &sum : sums)
-      {
-        sum_over_ranks(sum, comm);
-        // a plane of symmetry in tension presses at single nodes of its rim
-        if (sum[0] < considerable * sum[4])
-          sum.fill(0);
-      }
+      if (sum[0] < considerable * sum[4])
+        sum.fill(0);
     double       work = 0, of_one_sided = 0;
     unsigned int most = 0, n_one_sided = 0;
     for (unsigned int w = 0; w < walls.size(); ++w)

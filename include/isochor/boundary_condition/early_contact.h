@@ -29,7 +29,10 @@ namespace isochor
    * other loads deform the body, too, makes it an estimate: forces that a round
    * body exerts on plates were too large by s to 2 s (tests/early_contact).
    *
-   * The gaps g_I are those at the end of the step, see WallGaps.
+   * The gaps g_I are those at the end of the step, see WallGaps. A wall of
+   * which F is less than 3 % of the sum of all |F_I| doesn't count: one that
+   * holds a body in tension presses at single nodes of the body's rim, whose
+   * gaps are large against its displacements.
    *
    * Sets the column "Share of gaps in contact" of @p statistics to the part of
    * one-sided walls in s, if there are any, and warns from s = 3 % on. @p walls
