@@ -291,6 +291,29 @@ test_held()
       }
 }
 
+/** On a grid that is kept a node without points in its cells, which those of
+ * other cells act on with Q1, doesn't know where it is. */
+void
+test_unknown_places()
+{
+  const auto problem = test::run_scene<2>(
+    "Grid/Upper corner = 2.4, 2.2\nGrid/Subdivisions = 4, 5\n"
+    "Grid/Diagonals = alternating\nGrid/Offset = 0.547, 0.684\n"
+    "Grid/Shape functions = Q1\nMaterial points/Region = y < 0.3\n"
+    "Material points/Points per cell = 1\nMaterial points/Domains = always\n"
+    "Material points/Least points per cell = 4\n"
+    "Material points/Split at share of cell = 0.5\n"
+    "Quadrature/Type = cell-filled\nFormulation/Type = u\n"
+    "Boundary conditions/Displacement = left: x=0; bottom: y>=0\n"
+    "Boundary conditions/Gravity = 0, -1e-3*t\n"
+    "Time/End time = 0.2\nTime/Step size = 0.1\n"
+    "Grid reset/Steps between resets = 3\n");
+  const double share = test::get(*problem, "Share of gaps in contact");
+  test::check("kept grid, a node without a place: a share that is one",
+              share >= 0 && share < 1,
+              std::to_string(share));
+}
+
 /** Planes of symmetry in tension press at single nodes of the body's rim, with
  * some millionths of their force: no wall that acts early. */
 void
@@ -339,4 +362,5 @@ main(int argc, char **argv)
   test_other_grids();
   test_held();
   test_planes_of_symmetry();
+  test_unknown_places();
 }

@@ -80,9 +80,7 @@ namespace isochor
               least = found.gap;
           }
         for (unsigned int i = 0; i < nodes.size(); ++i)
-          if (place[i][0] == -WallGaps::unknown)
-            found.gap[i] = WallGaps::unknown;
-          else if (std::abs(found.gap[i]) < rounding * found.cell_size[i])
+          if (std::abs(found.gap[i]) < rounding * found.cell_size[i])
             found.gap[i] = 0;
         return found;
       }
@@ -129,7 +127,7 @@ namespace isochor
       }
 
       /** Where the nodes are at the start of the step: on a grid that is kept
-       * those know that have a cell with points there. */
+       * those know that have a cell with points there. Others have no gap. */
       void
       find_places()
       {
@@ -237,7 +235,8 @@ namespace isochor
               continue;
             support.push_back(vertex);
             for (unsigned int i = first_at(vertex); i != none; i = next[i])
-              near.push_back({i, std::max(N, no_support)});
+              if (place[i][0] != -WallGaps::unknown)
+                near.push_back({i, std::max(N, no_support)});
           }
         const double size = cell_size(geometry, step.points.cell[k]);
         while (!near.empty())
