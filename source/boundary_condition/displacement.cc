@@ -35,7 +35,8 @@ namespace isochor
    * left it. So does material that comes to the boundary later.
    */
   template <int dim>
-  class PrescribedDisplacement : public BoundaryCondition<dim>
+  class PrescribedDisplacement : public BoundaryCondition<dim>,
+                                 public HasOneSidedWalls<dim>
   {
   public:
     static void
@@ -94,7 +95,7 @@ namespace isochor
           condition.vertices.assign(vertices.begin(), vertices.end());
           condition.find_inward(reference, grid.geometry(), faces);
         }
-      leave_nodes_to_later_entries();
+      leave_vertices_to_later(conditions);
       for (auto &condition : conditions)
         if (condition.side != 0)
           condition.place_walls(reference);
@@ -227,6 +228,14 @@ namespace isochor
                     const NodalConstraints         &constraints,
                     std::vector<WallContacts<dim>> &walls) const override;
 
+    void
+    append_one_sided_walls(const StepContext<dim>         &step,
+                           std::vector<OneSidedWall<dim>> &walls) const override
+    {
+      for (const auto &condition : conditions)
+        condition.append_wall(parameter(), reference, step, walls);
+    }
+
     std::string
     save_state() const override
     {
@@ -305,25 +314,6 @@ namespace isochor
                             Expression<dim>(item.substr(equals + 1), name),
                             {},
                             {}});
-    }
-
-    void
-    leave_nodes_to_later_entries()
-    {
-      std::array<std::set<unsigned int>, dim> taken;
-      for (auto condition = conditions.rbegin(); condition != conditions.rend();
-           ++condition)
-        {
-          auto &vertices = condition->vertices;
-          auto &by_later = taken[condition->component];
-          vertices.erase(std::remove_if(vertices.begin(),
-                                        vertices.end(),
-                                        [&](const unsigned int v) {
-                                          return by_later.count(v) != 0;
-                                        }),
-                         vertices.end());
-          by_later.insert(vertices.begin(), vertices.end());
-        }
     }
 
     /** The increment that vertex i of the condition is held at, or that its

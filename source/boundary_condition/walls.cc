@@ -36,7 +36,7 @@ namespace isochor
    * belong to the wall named first.
    */
   template <int dim>
-  class Walls : public BoundaryCondition<dim>
+  class Walls : public BoundaryCondition<dim>, public HasOneSidedWalls<dim>
   {
   public:
     static void
@@ -254,12 +254,21 @@ namespace isochor
     }
 
     void
+    append_one_sided_walls(
+      const StepContext<dim>         &step,
+      std::vector<OneSidedWall<dim>> &result) const override
+    {
+      for (const Wall &wall : walls)
+        wall.append_wall(parameter(), reference, step, result);
+    }
+
+    void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override
     {
       for (Wall &wall : walls)
         {
           if (step.old_time > 0 && !step.grid_is_kept && !step.grid.is_moving())
-            warn_if_body_is_lost(wall, step);
+            wall.warn_if_body_is_lost(parameter(), reference, step);
           follow_nodes(wall, step, unknowns);
           for (Node &node : wall.nodes)
             node.contact.accept();
@@ -469,24 +478,6 @@ namespace isochor
       update_gaps(gaps, comm, contact);
       for (unsigned int i = 0; i < n; ++i)
         wall.nodes[i].contact = contact[i];
-    }
-
-    /** Tell if the wall has pushed the body out of the row of cells there,
-     * which has been put back since. */
-    void
-    warn_if_body_is_lost(const Wall &wall, const StepContext<dim> &step) const
-    {
-      double push = 0; // as far as it came before this step
-      for (const Node &node : wall.nodes)
-        push =
-          std::max(push,
-                   wall.displacement(reference[node.vertex], step.old_time));
-      if (push > 0)
-        warn_of_body_left_behind(step,
-                                 wall.boundary,
-                                 parameter() + " = " + wall.boundary +
-                                   ": n = ...",
-                                 push);
     }
 
     std::vector<Wall>       walls;

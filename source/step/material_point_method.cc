@@ -6,6 +6,7 @@
 // the terminal, is in material_point_method_interface.cc.
 #include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/early_contact.h>
+#include <isochor/boundary_condition/wall_passage.h>
 #include <isochor/equations/cells_crossed.h>
 #include <isochor/step/material_point_method.h>
 #include <isochor/step/scene_checks.h>
@@ -198,6 +199,15 @@ namespace isochor
     NewtonReport report = equilibrium.solve();
     if (report.converged && scene.time.follows_error())
       check_error(report);
+    if (report.converged)
+      {
+        const StepContext<dim> step = setup.context();
+        report.failure              = passage_through_walls(
+          step,
+          equilibrium.nodal_unknowns(),
+          find_one_sided_walls(step, scene.boundary_conditions));
+        report.converged = report.failure.empty();
+      }
     if (report.converged && !scene.has_inertia() && !is_unstable)
       check_stability();
     return report;

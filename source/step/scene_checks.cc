@@ -6,6 +6,7 @@
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
+#include <isochor/boundary_condition/wall_passage.h>
 #include <isochor/step/free_motions.h>
 #include <isochor/step/scene.h>
 #include <isochor/step/scene_checks.h>
@@ -151,6 +152,8 @@ namespace isochor
                                step.warnings);
     for (const auto &condition : scene.boundary_conditions)
       condition->check_scene(step);
+    warn_of_walls_inside(step,
+                         find_one_sided_walls(step, scene.boundary_conditions));
     for (const auto &postprocessor : scene.postprocessors)
       postprocessor->check_scene(step);
     if (!scene.has_inertia())

@@ -8,10 +8,12 @@
 #include <isochor/base/expression.h>
 #include <isochor/boundary_condition/contact_search.h>
 #include <isochor/boundary_condition/wall_gaps.h>
+#include <isochor/boundary_condition/wall_passage.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -168,6 +170,32 @@ namespace isochor
         body.add(step, is_level(reference), contacts, nodes, side);
     }
 
+    /** Append the wall, if it is one, flat and faces into the grid. */
+    void
+    append_wall(const std::string              &parameter,
+                const std::vector<Point<dim>>  &reference,
+                const StepContext<dim>         &step,
+                std::vector<OneSidedWall<dim>> &walls) const
+    {
+      // (inward is 0 where the boundary isn't across the component)
+      if (side == 0 || inward != side || boundary == "everywhere")
+        return;
+      constexpr double  far = std::numeric_limits<double>::max();
+      OneSidedWall<dim> result{
+        parameter, boundary, normal(), vertices, far, far};
+      for (const unsigned int v : vertices)
+        {
+          const Point<dim> &X = reference[v];
+          result.at_start =
+            std::min(result.at_start,
+                     side * (X[component] + displacement(X, step.old_time)));
+          result.at_end =
+            std::min(result.at_end,
+                     side * (X[component] + displacement(X, step.time)));
+        }
+      walls.push_back(result);
+    }
+
     /** After a change of the grid: each node knows of its wall what the nearest
      * of @p old did; its gap is as much larger as its wall was further away at
      * t = 0. */
@@ -201,6 +229,28 @@ namespace isochor
         }
     }
   };
+
+  /** A vertex that several of the @p conditions hold the same component of is
+   * that of the last one. */
+  template <int dim>
+  void
+  leave_vertices_to_later(std::vector<PrescribedComponent<dim>> &conditions)
+  {
+    std::array<std::set<unsigned int>, dim> taken;
+    for (auto condition = conditions.rbegin(); condition != conditions.rend();
+         ++condition)
+      {
+        auto &vertices = condition->vertices;
+        auto &by_later = taken[condition->component];
+        vertices.erase(std::remove_if(vertices.begin(),
+                                      vertices.end(),
+                                      [&](const unsigned int v) {
+                                        return by_later.count(v) != 0;
+                                      }),
+                       vertices.end());
+        by_later.insert(vertices.begin(), vertices.end());
+      }
+  }
 } // namespace isochor
 
 #endif

@@ -6,13 +6,16 @@
 #define isochor_smooth_wall_h
 
 #include <isochor/base/expression.h>
+#include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/contact_search.h>
 #include <isochor/boundary_condition/wall_gaps.h>
+#include <isochor/boundary_condition/wall_passage.h>
 #include <isochor/boundary_condition/wall_surface.h>
 #include <isochor/equations/equation_term.h>
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -143,6 +146,55 @@ namespace isochor
                  contacts,
                  known,
                  1);
+    }
+
+    /** Append the wall, if it only pushes and is a plane. A grid that moves
+     * takes the wall along, to where isn't looked. */
+    void
+    append_wall(const std::string              &parameter,
+                const std::vector<Point<dim>>  &reference,
+                const StepContext<dim>         &step,
+                std::vector<OneSidedWall<dim>> &walls) const
+    {
+      constexpr double rounding = 1e-8;
+      if (!one_sided || nodes.empty() || !surface.is_flat() ||
+          step.grid.is_moving())
+        return;
+      constexpr double     far   = std::numeric_limits<double>::max();
+      const Tensor<1, dim> n     = nodes[0].normal;
+      const Point<dim>    &first = reference[nodes[0].vertex];
+      OneSidedWall<dim>    result{parameter, boundary, n, {}, far, far};
+      for (const Node &node : nodes)
+        {
+          const Point<dim> &X = reference[node.vertex];
+          if (node.normal * n < 1 - rounding ||
+              std::abs(n * (X - first)) > rounding * X.distance(first))
+            return;
+          result.vertices.push_back(node.vertex);
+          result.at_start =
+            std::min(result.at_start, n * X + displacement(X, step.old_time));
+          result.at_end =
+            std::min(result.at_end, n * X + displacement(X, step.time));
+        }
+      walls.push_back(result);
+    }
+
+    /** Tell if the wall of @p parameter has pushed the body out of the row of
+     * cells there, which has been put back since. */
+    void
+    warn_if_body_is_lost(const std::string             &parameter,
+                         const std::vector<Point<dim>> &reference,
+                         const StepContext<dim>        &step) const
+    {
+      double push = 0; // as far as it came before this step
+      for (const Node &node : nodes)
+        push =
+          std::max(push, displacement(reference[node.vertex], step.old_time));
+      if (push > 0)
+        warn_of_body_left_behind(step,
+                                 boundary,
+                                 parameter + " = " + boundary + ": n = ...",
+                                 push);
     }
 
     /** After a change of the grid, whose vertices were at @p old_reference at

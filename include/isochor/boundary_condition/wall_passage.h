@@ -1,0 +1,84 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_wall_passage_h
+#define isochor_wall_passage_h
+
+#include <isochor/equations/equation_term.h>
+
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /** A flat wall that only pushes; the same on all ranks. */
+  template <int dim>
+  struct OneSidedWall
+  {
+    std::string               parameter, boundary;
+    Tensor<1, dim>            normal; ///< from the wall towards the body
+    std::vector<unsigned int> vertices;
+    /** n·x of the wall at the start of the step and at its end (m): the least
+     * of its vertices, behind which the body is behind the wall for certain. */
+    double at_start, at_end;
+  };
+
+  /** A boundary condition that may have walls which only push. */
+  template <int dim>
+  class HasOneSidedWalls
+  {
+  public:
+    virtual ~HasOneSidedWalls() = default;
+
+    /** Append those that are flat, and face into the grid. */
+    virtual void
+    append_one_sided_walls(const StepContext<dim>         &step,
+                           std::vector<OneSidedWall<dim>> &walls) const = 0;
+  };
+
+  /** Those of all @p conditions, a list of pointers to them. */
+  template <int dim, typename Conditions>
+  std::vector<OneSidedWall<dim>>
+  find_one_sided_walls(const StepContext<dim> &step,
+                       const Conditions       &conditions)
+  {
+    std::vector<OneSidedWall<dim>> walls;
+    for (const auto &condition : conditions)
+      if (const auto *const has_walls =
+            dynamic_cast<const HasOneSidedWalls<dim> *>(condition.get()))
+        has_walls->append_one_sided_walls(step, walls);
+    return walls;
+  }
+
+  /**
+   * A wall acts through the nodes of its boundary, on material that is in the
+   * cells there when a step begins. What comes from further away in a single
+   * step goes through it, and if nobody looks, the wall has no force. So does
+   * what hardly has a part in these nodes, for the most part.
+   *
+   * This is why the step has to be made smaller, a phrase; empty if no material
+   * went through a wall of @p walls in the step with the displacement
+   * increments @p unknowns. Looked at are the material points, and the corners
+   * of their domains where shape functions are known on these. One on which the
+   * nodes of the wall act at the start, but not enough, is taken back by the
+   * next step as long as it is less than half of a cell behind the wall. Only
+   * what is between the faces of the wall's boundary and their continuation
+   * along the normal counts: a body may pass beside a wall. Collective.
+   */
+  template <int dim>
+  std::string
+  passage_through_walls(const StepContext<dim>               &step,
+                        const NodalField                     &unknowns,
+                        const std::vector<OneSidedWall<dim>> &walls);
+
+  /** The first step: warn of @p walls that stand more than half a cell inside
+   * of the grid, at boundaries which the body doesn't touch. What comes later
+   * is past the wall before it is in a cell of the boundary. Collective. */
+  template <int dim>
+  void
+  warn_of_walls_inside(const StepContext<dim>               &step,
+                       const std::vector<OneSidedWall<dim>> &walls);
+} // namespace isochor
+
+#endif

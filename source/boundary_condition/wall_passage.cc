@@ -1,0 +1,315 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/plain_message.h>
+#include <isochor/boundary_condition/boundary_checks.h>
+#include <isochor/boundary_condition/contact_search.h>
+#include <isochor/boundary_condition/wall_passage.h>
+#include <isochor/equations/nodal_unknowns.h>
+#include <isochor/grid/nearest_cells.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Cells that a wall may stand inside of the grid: the body is in the cells
+     * of the boundary before it is at the wall. */
+    constexpr double most_inside = 0.5;
+
+    /** How far a wall at @p place stands from the furthest of its vertices
+     * inside of the grid (m). */
+    template <int dim>
+    double
+    distance_inside(const StepContext<dim>  &step,
+                    const OneSidedWall<dim> &wall,
+                    const double             place)
+    {
+      double furthest = std::numeric_limits<double>::lowest();
+      for (const unsigned int v : wall.vertices)
+        furthest =
+          std::max(furthest, wall.normal * step.grid.geometry().vertices()[v]);
+      return place - furthest;
+    }
+
+
+
+    /** What went through a wall. */
+    struct Passage
+    {
+      double cells = 0, ///< by which it is behind the wall
+        depth      = 0, ///< m
+        unfelt     = 0; ///< 1: the wall did not act on it
+    };
+
+
+
+    template <int dim>
+    class PassageSearch
+    {
+    public:
+      PassageSearch(const StepContext<dim>  &step,
+                    const NodalField        &unknowns,
+                    const OneSidedWall<dim> &wall,
+                    const double             largest_way)
+        : step(step)
+        , geometry(step.grid.geometry())
+        , nodal(step, unknowns)
+        , wall(wall)
+        , largest_way(largest_way)
+        , vertices(wall.vertices)
+      {
+        std::sort(vertices.begin(), vertices.end());
+      }
+
+      /** Of this rank's material, what is furthest behind. */
+      Passage
+      find()
+      {
+        for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+          for (unsigned int q = step.points.cell_start[k];
+               q < step.points.cell_start[k + 1];
+               ++q)
+            look_at_point(k, q);
+        return furthest;
+      }
+
+    private:
+      using Stencil = typename PointArrays<dim>::Stencil;
+
+      void
+      look_at_point(const unsigned int k, const unsigned int q)
+      {
+        const PointArrays<dim> &points = step.points;
+        const Point<dim>        x      = points.location(geometry, k, q);
+        const bool              has_corners =
+          !points.domain.empty() && !points.displacement.empty();
+        double lowest = 0;
+        if (has_corners)
+          for (const Tensor<1, dim> &r : points.domain[q])
+            lowest = std::min(lowest, wall.normal * (points.F[q] * r));
+        // hardly any point is near a wall
+        if (wall.normal * x + lowest - largest_way > wall.at_end)
+          return;
+        const Stencil stencil = points.stencil(geometry, k, q);
+        const double  size    = cell_size(geometry, points.cell[k]);
+        look_at_place(stencil, x, Tensor<1, dim>(), size);
+        if (has_corners)
+          for (const Tensor<1, dim> &r : points.domain[q])
+            look_at_place(stencil, x, points.F[q] * r, size);
+      }
+
+      /** The place @p x + @p r, with x the point of the @p stencil. */
+      void
+      look_at_place(const Stencil        &stencil,
+                    const Point<dim>     &x,
+                    const Tensor<1, dim> &r,
+                    const double          size)
+      {
+        // cells: what rounding errors and springs may leave of a passage, and
+        // what the next step takes back
+        constexpr double nothing = 1e-3, little = 0.5;
+        // of a node's displacement, what doesn't hold anything up
+        constexpr double hardly = 0.01;
+        double           part   = 0;
+        Point<dim>       end    = x + r;
+        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+          end += (stencil.shape[I] + stencil.gradient[I] * r) *
+                 nodal.increment(stencil.vertex[I]);
+        const double depth = wall.at_end - wall.normal * end;
+        if (depth <= nothing * size || depth <= furthest.cells * size)
+          return;
+        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+          if (std::binary_search(vertices.begin(),
+                                 vertices.end(),
+                                 stencil.vertex[I]))
+            part += stencil.shape[I] + stencil.gradient[I] * r;
+        const bool unfelt = part < hardly;
+        if ((unfelt || depth > little * size) && is_through(x + r, end, size))
+          furthest = {depth / size, depth, unfelt ? 1. : 0.};
+      }
+
+      /** Whether the way from @p start to @p end begins in front of a face of
+       * the wall's boundary and meets it. */
+      bool
+      is_through(const Point<dim> &start,
+                 const Point<dim> &end,
+                 const double      size)
+      {
+        constexpr double rounding = 1e-3; // of a cell
+        const double     before   = wall.normal * start - wall.at_end,
+                     behind       = wall.normal * end - wall.at_end;
+        // a wall inside of the grid, or one that moves, may have been past it
+        const Point<dim> crossing = start + std::max(before, 0.) /
+                                              (std::max(before, 0.) - behind) *
+                                              (end - start);
+        for (const BoundaryFace &face : faces())
+          {
+            std::array<Point<dim>, dim> x;
+            unsigned int                n = 0;
+            for (unsigned int v = 0; v <= dim; ++v)
+              if (v != face.opposite_vertex)
+                x[n++] =
+                  geometry.vertices()[geometry.vertex_indices(face.cell)[v]];
+            if (wall.normal * (start - x[0]) >= -rounding * size &&
+                is_above(x, crossing))
+              return true;
+          }
+        return false;
+      }
+
+      /** Whether @p place is on the face with the corners @p x, seen along its
+       * normal. */
+      static bool
+      is_above(const std::array<Point<dim>, dim> &x, const Point<dim> &place)
+      {
+        Tensor<2, dim - 1> products;
+        Tensor<1, dim - 1> right;
+        for (unsigned int i = 0; i + 1 < dim; ++i)
+          {
+            right[i] = (x[i + 1] - x[0]) * (place - x[0]);
+            for (unsigned int j = 0; j + 1 < dim; ++j)
+              products[i][j] = (x[i + 1] - x[0]) * (x[j + 1] - x[0]);
+          }
+        const Tensor<1, dim - 1> weight = invert(products) * right;
+        double                   first  = 1;
+        bool                     inside = true;
+        for (unsigned int i = 0; i + 1 < dim; ++i)
+          {
+            first -= weight[i];
+            inside = inside && weight[i] >= 0;
+          }
+        return inside && first >= 0;
+      }
+
+      /** Those of the wall's boundary, which are rarely asked for. */
+      const std::vector<BoundaryFace> &
+      faces()
+      {
+        if (of_boundary.empty())
+          {
+            const types::boundary_id id =
+              step.grid.boundary_id(wall.boundary, wall.parameter);
+            for (const BoundaryFace &face : step.grid.boundary_faces())
+              if (face.id == id)
+                of_boundary.push_back(face);
+          }
+        return of_boundary;
+      }
+
+      const StepContext<dim>     &step;
+      const SimplexGeometry<dim> &geometry;
+      const NodalUnknowns<dim>    nodal;
+      const OneSidedWall<dim>    &wall;
+      const double                largest_way;
+      std::vector<unsigned int>   vertices;
+      std::vector<BoundaryFace>   of_boundary;
+      Passage                     furthest;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  std::string
+  passage_through_walls(const StepContext<dim>               &step,
+                        const NodalField                     &unknowns,
+                        const std::vector<OneSidedWall<dim>> &walls)
+  {
+    if (walls.empty())
+      return {};
+    // corners of domains may move by more than the nodes, but not by twice as
+    // much
+    const double way =
+      2 * std::sqrt(double(dim)) * largest_increment(step, unknowns);
+    std::vector<double> found;
+    for (const OneSidedWall<dim> &wall : walls)
+      {
+        const Passage passage =
+          PassageSearch<dim>(step, unknowns, wall, way).find();
+        found.insert(found.end(),
+                     {passage.cells, passage.depth, passage.unfelt});
+      }
+    Utilities::MPI::max(found, step.grid.communicator(), found);
+    unsigned int most = 0;
+    for (unsigned int w = 0; w < walls.size(); ++w)
+      if (found[3 * w] > found[3 * most])
+        most = w;
+    if (found[3 * most] == 0)
+      return {};
+    const OneSidedWall<dim> &wall   = walls[most];
+    const double             inside = distance_inside(step, wall, wall.at_end),
+                 size =
+                   side_of(step.grid, wall.boundary, wall.parameter).cell_size;
+    return "the body goes through the one-sided wall <" + wall.boundary +
+           "> (<" + wall.parameter + ">) within the step, by " +
+           rounded(found[3 * most + 1]) + " m, " + rounded(found[3 * most]) +
+           " cells, as its nodes " +
+           (found[3 * most + 2] > 0 ? "did not act" : "hardly acted") +
+           " on what was not in the cells of the boundary when the step began" +
+           (inside > most_inside * size ?
+              "; the wall stands " + rounded(inside) + " m, " +
+                rounded(inside / size) +
+                " cells, inside of the grid, so that smaller steps don't "
+                "help: let the boundary of the grid be where the wall is" :
+              "");
+  }
+
+
+
+  template <int dim>
+  void
+  warn_of_walls_inside(const StepContext<dim>               &step,
+                       const std::vector<OneSidedWall<dim>> &walls)
+  {
+    for (const OneSidedWall<dim> &wall : walls)
+      {
+        const double size =
+          side_of(step.grid, wall.boundary, wall.parameter).cell_size;
+        const double inside = distance_inside(step, wall, wall.at_start);
+        const bool   is_touched =
+          std::any_of(wall.vertices.begin(),
+                      wall.vertices.end(),
+                      [&](const unsigned int v) {
+                        return step.nodes.node(v) !=
+                               numbers::invalid_unsigned_int;
+                      });
+        const bool any = Utilities::MPI::max(is_touched ? 1 : 0,
+                                             step.grid.communicator()) == 1;
+        if (!any && inside > most_inside * size)
+          step.warnings.add(
+            "a wall inside of the grid",
+            "The one-sided wall at <" + wall.boundary + "> of <" +
+              wall.parameter + "> stands " + rounded(inside) + " m, " +
+              rounded(inside / size) +
+              " cells, inside of the grid. It acts through the nodes of the "
+              "boundary, on material in the cells there: a body that comes to "
+              "it later is past the wall before it feels it, and the run ends "
+              "with an error then. Let the boundary of the grid be where the "
+              "wall is (<Grid>).");
+      }
+  }
+
+
+
+  template std::string
+  passage_through_walls(const StepContext<2> &,
+                        const NodalField &,
+                        const std::vector<OneSidedWall<2>> &);
+  template std::string
+  passage_through_walls(const StepContext<3> &,
+                        const NodalField &,
+                        const std::vector<OneSidedWall<3>> &);
+  template void
+  warn_of_walls_inside(const StepContext<2> &,
+                       const std::vector<OneSidedWall<2>> &);
+  template void
+  warn_of_walls_inside(const StepContext<3> &,
+                       const std::vector<OneSidedWall<3>> &);
+} // namespace isochor
