@@ -63,6 +63,7 @@ namespace isochor
         , nodal(step, unknowns)
         , wall(wall)
         , largest_way(largest_way)
+        , inside(std::max(distance_inside(step, wall, wall.at_end), 0.))
         , vertices(wall.vertices)
       {
         std::sort(vertices.begin(), vertices.end());
@@ -82,6 +83,8 @@ namespace isochor
 
     private:
       using Stencil = typename PointArrays<dim>::Stencil;
+      /** Cells: what rounding errors and springs may leave of a passage. */
+      static constexpr double nothing = 1e-3;
 
       void
       look_at_point(const unsigned int k, const unsigned int q)
@@ -99,22 +102,28 @@ namespace isochor
           return;
         const Stencil stencil = points.stencil(geometry, k, q);
         const double  size    = cell_size(geometry, points.cell[k]);
-        look_at_place(stencil, x, Tensor<1, dim>(), size);
+        // cells: what the next step takes back, if the grid can locate the
+        // point
+        constexpr double most_of_corners = 0.5;
+        const double     most_of_points =
+          step.grid_is_kept ? most_of_corners : nothing;
+        look_at_place(
+          stencil, x, Tensor<1, dim>(), size, most_of_points * size + inside);
         if (has_corners)
           for (const Tensor<1, dim> &r : points.domain[q])
-            look_at_place(stencil, x, points.F[q] * r, size);
+            look_at_place(
+              stencil, x, points.F[q] * r, size, most_of_corners * size);
       }
 
-      /** The place @p x + @p r, with x the point of the @p stencil. */
+      /** The place @p x + @p r, with x the point of the @p stencil. If the wall
+       * acts on it, it may be behind by @p most (m). */
       void
       look_at_place(const Stencil        &stencil,
                     const Point<dim>     &x,
                     const Tensor<1, dim> &r,
-                    const double          size)
+                    const double          size,
+                    const double          most)
       {
-        // cells: what rounding errors and springs may leave of a passage, and
-        // what the next step takes back
-        constexpr double nothing = 1e-3, little = 0.5;
         // of a node's displacement, what doesn't hold anything up
         constexpr double hardly = 0.01;
         double           part   = 0;
@@ -131,7 +140,7 @@ namespace isochor
                                  stencil.vertex[I]))
             part += stencil.shape[I] + stencil.gradient[I] * r;
         const bool unfelt = part < hardly;
-        if ((unfelt || depth > little * size) && is_through(x + r, end, size))
+        if ((unfelt || depth > most) && is_through(x + r, end, size))
           furthest = {depth / size, depth, unfelt ? 1. : 0.};
       }
 
@@ -207,7 +216,7 @@ namespace isochor
       const SimplexGeometry<dim> &geometry;
       const NodalUnknowns<dim>    nodal;
       const OneSidedWall<dim>    &wall;
-      const double                largest_way;
+      const double                largest_way, inside;
       std::vector<unsigned int>   vertices;
       std::vector<BoundaryFace>   of_boundary;
       Passage                     furthest;

@@ -62,7 +62,8 @@ namespace isochor
    * increments @p unknowns. Looked at are the material points, and the corners
    * of their domains where shape functions are known on these. One on which the
    * nodes of the wall act at the start, but not enough, is taken back by the
-   * next step as long as it is less than half of a cell behind the wall. Only
+   * next step as long as it is less than half of a cell behind the wall, and
+   * points of a grid that is put back are not outside of it. Only
    * what is between the faces of the wall's boundary and their continuation
    * along the normal counts: a body may pass beside a wall. Collective.
    */

@@ -1,0 +1,210 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// A body that would go through a one-sided wall within a step doesn't: the step
+// is cut, until the wall acts. Before, the force was zero, and nothing said so.
+
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  constexpr double E = 1000;
+
+  /** The axial stress on the cross-section at t = 0, if the sides are held and
+   * Poisson's ratio is 0: dW/dλ with K = E/3, G = E/2. */
+  double
+  nominal_stress(const double stretch)
+  {
+    return E / 3 *
+           (stretch - 1 + std::cbrt(stretch) - std::pow(stretch, -5. / 3));
+  }
+
+  const std::string reaction = "Reaction y on bottom (N)";
+
+  /** A column of 0.4 x 0.8 m (x 0.2 m) between smooth sides, 0.3 m above the
+   * ground, in cells of 0.1 m. */
+  template <int dim>
+  std::string
+  column(const std::string &lower, const std::string &settings)
+  {
+    const bool        solid = (dim == 3);
+    const std::string held =
+      "Boundary conditions/Displacement = left: x=0; "
+      "right: x=0; " +
+      std::string(solid ? "front: z=0; back: z=0; " : "");
+    return std::string("Grid/Lower corner = 0, ") + lower +
+           (solid ? ", 0\nGrid/Upper corner = 0.4, 1.1, 0.2\n"
+                    "Grid/Subdivisions = 4, " :
+                    "\nGrid/Upper corner = 0.4, 1.1\nGrid/Subdivisions = 4, ") +
+           std::to_string(
+             static_cast<int>(std::lround((1.1 - std::stod(lower)) / 0.1))) +
+           (solid ? ", 2\n" : "\n") +
+           "Material points/Region = y > 0.3\n"
+           "Material points/Points per cell = " +
+           (solid ? "8" : "4") +
+           "\nMaterial/Young modulus = " + std::to_string(E) +
+           "\nMaterial/Poisson ratio = 0\nMaterial/Density = 1\n"
+           "Formulation/Type = u\nPostprocess/Reactions = bottom\n" +
+           held + settings;
+  }
+
+  const std::string cpdi = "Quadrature/Type = CPDI\n";
+
+  /** Loads on the lower face would lengthen the column by half if nothing was
+   * there; at the ground it is longer by 0.3 m. */
+  template <int dim>
+  void
+  test_lengthened(const std::string &what,
+                  const double       width,
+                  const std::string &ground,
+                  const std::string &settings,
+                  const double       tolerance)
+  {
+    const double       load = nominal_stress(1.5);
+    std::ostringstream traction;
+    traction << "Boundary conditions/Surfaces of body = end: y < 0.35\n"
+             << "Boundary conditions/Traction on body = end: 0, -" << load
+             << "*t" << (dim == 3 ? ", 0" : "") << "\n";
+    const auto problem = test::run_scene<dim>(
+      column<dim>("0",
+                  "top: y=0; " + ground + "\n" + traction.str() + settings));
+    test::check_error(what,
+                      test::relative(test::get(*problem, reaction),
+                                     (load - nominal_stress(1.375)) * width),
+                      tolerance);
+  }
+
+  /** The column is let down by 0.4 m, and pressed together by 0.1 m. */
+  void
+  test_let_down(const std::string &what,
+                const std::string &settings,
+                const double       tolerance)
+  {
+    const auto problem = test::run_scene<2>(column<2>(
+      "0",
+      "top: y=-0.4*t; bottom: y>=0\nGrid/Stretch = y: 0 -> 0, 1.1 -> -0.4*t\n" +
+        settings));
+    test::check_error(what,
+                      test::relative(test::get(*problem, reaction),
+                                     -nominal_stress(0.875) * 0.4),
+                      tolerance);
+  }
+
+  /** What the run ends with. */
+  template <int dim>
+  std::string
+  error_of(const std::string &settings)
+  {
+    try
+      {
+        test::run_scene<dim>(settings);
+      }
+    catch (const ExceptionBase &exc)
+      {
+        return exc.what();
+      }
+    return "";
+  }
+
+  /** A wall that stands in the grid is told of, and doesn't let a body through
+   * in silence; at the grid's boundary it acts. */
+  void
+  test_inside()
+  {
+    const std::string load = "Boundary conditions/Gravity = 0, -400*t\n" +
+                             cpdi + "Time/Step size = 0.25\n",
+                      inside =
+                        column<2>("-0.2", "top: y=0; bottom: y>=0.2\n" + load);
+    const std::string error = error_of<2>(inside);
+    test::check("a wall inside of the grid ends with an error",
+                error.find("stands 0.2 m, 2 cells, inside of the grid") !=
+                  std::string::npos,
+                error);
+    const auto before = test::run_scene<2>(inside + "Time/End time = 0.25\n");
+    bool       told   = false;
+    for (const auto &warning : before->all_warnings().all())
+      told = told || (warning.subject == "a wall inside of the grid" &&
+                      warning.text.find("0.2 m, 2 cells") != std::string::npos);
+    test::check("it is told of at the start",
+                told,
+                before->all_warnings().summary());
+    const auto problem =
+      test::run_scene<2>(column<2>("0", "top: y=0; bottom: y>=0\n" + load));
+    told = false;
+    for (const auto &warning : problem->all_warnings().all())
+      told = told || warning.subject == "a wall inside of the grid";
+    test::check("not one at the boundary of the grid",
+                !told && test::get(*problem, reaction) > 0,
+                problem->all_warnings().summary());
+  }
+
+  /** A column that falls has the ground in its way, however large the step. */
+  void
+  test_fall()
+  {
+    const std::string scene =
+      column<2>("0",
+                "bottom: y>=0\nDynamics/Inertia = true\n"
+                "Boundary conditions/Gravity = 0, -1000*t\n"
+                "Time/End time = 0.2\nTime/Step size = 0.2\n" +
+                  cpdi);
+    const auto problem = test::run_scene<2>(scene);
+    test::check("a column that falls meets the ground",
+                test::recorded().times.size() > 1 &&
+                  test::get(*problem, reaction) > 0,
+                std::to_string(test::recorded().times.size()) + " steps, " +
+                  std::to_string(test::get(*problem, reaction)) + " N");
+  }
+
+  /** A floor of which the body is beside: it goes down where there is none. */
+  void
+  test_beside()
+  {
+    const auto problem = test::run_scene<2>(
+      "Grid/Lower corner = 0, 0\nGrid/Upper corner = 1, 1\n"
+      "Grid/Subdivisions = 10, 10\nMaterial points/Region = y > 0.6 && x < 0.4\n"
+      "Material points/Points per cell = 4\nMaterial/Young modulus = 1000\n"
+      "Formulation/Type = u\nPostprocess/Reactions = right\n"
+      "Boundary conditions/Displacement = left: x=0; top: y=0; right: x<=0\n"
+      "Boundary conditions/Gravity = 0, -10*t\nMaterial/Density = 1\n" +
+      cpdi);
+    test::check("nothing is cut where no wall is met",
+                test::recorded().times.size() == 1 &&
+                  test::get(*problem, "Reaction x on right (N)") == 0,
+                std::to_string(test::recorded().times.size()) + " steps");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  for (const std::string steps : {"1", "0.5", "0.2"})
+    {
+      const std::string size = "Time/Step size = " + steps + "\n";
+      test_lengthened<2>("lengthened, steps of " + steps,
+                         0.4,
+                         "bottom: y>=0",
+                         cpdi + size,
+                         0.03);
+      test_let_down("let down, steps of " + steps, cpdi + size, 0.03);
+    }
+  test_lengthened<2>("lengthened, a wall along its normal",
+                     0.4,
+                     "\nBoundary conditions/Walls = bottom: n >= 0",
+                     cpdi,
+                     0.03);
+  test_lengthened<2>(
+    "lengthened, points", 0.4, "bottom: y>=0", "Time/Step size = 1\n", 0.5);
+  test_lengthened<3>("lengthened, 3D", 0.08, "bottom: y>=0", cpdi, 0.03);
+  test_let_down("let down, grid kept",
+                "Grid reset/Steps between resets = 0\n" + cpdi,
+                0.03);
+  test_inside();
+  test_fall();
+  test_beside();
+}
