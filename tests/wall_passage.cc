@@ -6,6 +6,8 @@
 // A body that would go through a one-sided wall within a step doesn't: the step
 // is cut, until the wall acts. Before, the force was zero, and nothing said so.
 
+#include <isochor/base/plain_message.h>
+
 #include "scene.h"
 
 using namespace isochor;
@@ -52,7 +54,8 @@ namespace
            held + settings;
   }
 
-  const std::string cpdi = "Quadrature/Type = CPDI\n";
+  const std::string cpdi = "Quadrature/Type = CPDI\n",
+                    kept = "Grid reset/Steps between resets = 0\n";
 
   /** Loads on the lower face would lengthen the column by half if nothing was
    * there; at the ground it is longer by 0.3 m. */
@@ -66,7 +69,7 @@ namespace
   {
     const double       load = nominal_stress(1.5);
     std::ostringstream traction;
-    traction << "Boundary conditions/Surfaces of body = end: y < 0.35\n"
+    traction << "Boundary conditions/Surfaces of body = end: y < 0.301\n"
              << "Boundary conditions/Traction on body = end: 0, -" << load
              << "*t" << (dim == 3 ? ", 0" : "") << "\n";
     const auto problem = test::run_scene<dim>(
@@ -105,9 +108,25 @@ namespace
       }
     catch (const ExceptionBase &exc)
       {
-        return exc.what();
+        return plain_message(exc);
       }
     return "";
+  }
+
+  /** Where nobody looks for contact the run ends with an error, not without a
+   * force. */
+  void
+  test_kept()
+  {
+    const std::string error =
+      error_of<2>(column<2>("0",
+                            "top: y=-0.4*t; bottom: y>=0\n"
+                            "Grid/Stretch = y: 0 -> 0, 1.1 -> -0.4*t\n" +
+                              kept + cpdi));
+    test::check("a grid that is stretched and kept ends with an error",
+                error.find("goes through the one-sided wall <bottom>") !=
+                  std::string::npos,
+                error);
   }
 
   /** A wall that stands in the grid is told of, and doesn't let a body through
@@ -201,9 +220,9 @@ main(int argc, char **argv)
   test_lengthened<2>(
     "lengthened, points", 0.4, "bottom: y>=0", "Time/Step size = 1\n", 0.5);
   test_lengthened<3>("lengthened, 3D", 0.08, "bottom: y>=0", cpdi, 0.03);
-  test_let_down("let down, grid kept",
-                "Grid reset/Steps between resets = 0\n" + cpdi,
-                0.03);
+  test_lengthened<2>(
+    "lengthened, grid kept", 0.4, "bottom: y>=0", kept + cpdi, 0.03);
+  test_kept();
   test_inside();
   test_fall();
   test_beside();

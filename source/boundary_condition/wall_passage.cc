@@ -267,6 +267,10 @@ namespace isochor
                 rounded(inside / size) +
                 " cells, inside of the grid, so that smaller steps don't "
                 "help: let the boundary of the grid be where the wall is" :
+            step.grid_is_kept && step.grid.is_moving() ?
+              "; on a grid that is both stretched and kept a body meets only "
+              "what it was at when the grid was put back: <Grid reset/Steps "
+              "between resets = 1>" :
               "");
   }
 
