@@ -272,7 +272,11 @@ namespace isochor
                          const StepContext<dim> &step) const
     {
       const std::array<double, 2> push = condition.push(reference, step);
-      if (push[0] < 0 || push[1] > 0)
+      if (push[0] >= 0 && push[1] <= 0)
+        return;
+      std::vector<OneSidedWall<dim>> walls;
+      condition.append_wall(parameter(), reference, step, walls);
+      if (!is_far_from_walls(step, walls))
         warn_of_lost_body(
           step, parameter(), condition.boundary, condition.component, push);
     }

@@ -277,6 +277,30 @@ namespace isochor
 
 
   template <int dim>
+  bool
+  is_far_from_walls(const StepContext<dim>               &step,
+                    const std::vector<OneSidedWall<dim>> &walls)
+  {
+    bool far = !walls.empty();
+    for (const OneSidedWall<dim> &wall : walls)
+      {
+        const double place =
+          wall.most_at_start +
+          side_of(step.grid, wall.boundary, wall.parameter).cell_size;
+        for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+          for (unsigned int q = step.points.cell_start[k];
+               far && q < step.points.cell_start[k + 1];
+               ++q)
+            far =
+              wall.normal * step.points.location(step.grid.geometry(), k, q) >
+              place;
+      }
+    return Utilities::MPI::min(far ? 1 : 0, step.grid.communicator()) == 1;
+  }
+
+
+
+  template <int dim>
   void
   warn_of_walls_inside(const StepContext<dim>               &step,
                        const std::vector<OneSidedWall<dim>> &walls)
@@ -319,6 +343,12 @@ namespace isochor
   passage_through_walls(const StepContext<3> &,
                         const NodalField &,
                         const std::vector<OneSidedWall<3>> &);
+  template bool
+  is_far_from_walls(const StepContext<2> &,
+                    const std::vector<OneSidedWall<2>> &);
+  template bool
+  is_far_from_walls(const StepContext<3> &,
+                    const std::vector<OneSidedWall<3>> &);
   template void
   warn_of_walls_inside(const StepContext<2> &,
                        const std::vector<OneSidedWall<2>> &);

@@ -182,13 +182,14 @@ namespace isochor
         return;
       constexpr double  far = std::numeric_limits<double>::max();
       OneSidedWall<dim> result{
-        parameter, boundary, normal(), vertices, far, far};
+        parameter, boundary, normal(), vertices, far, far, -far};
       for (const unsigned int v : vertices)
         {
           const Point<dim> &X = reference[v];
-          result.at_start =
-            std::min(result.at_start,
-                     side * (X[component] + displacement(X, step.old_time)));
+          const double      before =
+            side * (X[component] + displacement(X, step.old_time));
+          result.at_start      = std::min(result.at_start, before);
+          result.most_at_start = std::max(result.most_at_start, before);
           result.at_end =
             std::min(result.at_end,
                      side * (X[component] + displacement(X, step.time)));

@@ -163,7 +163,7 @@ namespace isochor
       constexpr double     far   = std::numeric_limits<double>::max();
       const Tensor<1, dim> n     = nodes[0].normal;
       const Point<dim>    &first = reference[nodes[0].vertex];
-      OneSidedWall<dim>    result{parameter, boundary, n, {}, far, far};
+      OneSidedWall<dim>    result{parameter, boundary, n, {}, far, far, -far};
       for (const Node &node : nodes)
         {
           const Point<dim> &X = reference[node.vertex];
@@ -171,8 +171,9 @@ namespace isochor
               std::abs(n * (X - first)) > rounding * X.distance(first))
             return;
           result.vertices.push_back(node.vertex);
-          result.at_start =
-            std::min(result.at_start, n * X + displacement(X, step.old_time));
+          const double before  = n * X + displacement(X, step.old_time);
+          result.at_start      = std::min(result.at_start, before);
+          result.most_at_start = std::max(result.most_at_start, before);
           result.at_end =
             std::min(result.at_end, n * X + displacement(X, step.time));
         }
@@ -190,7 +191,11 @@ namespace isochor
       for (const Node &node : nodes)
         push =
           std::max(push, displacement(reference[node.vertex], step.old_time));
-      if (push > 0)
+      if (push <= 0)
+        return;
+      std::vector<OneSidedWall<dim>> walls;
+      append_wall(parameter, reference, step, walls);
+      if (!is_far_from_walls(step, walls))
         warn_of_body_left_behind(step,
                                  boundary,
                                  parameter + " = " + boundary + ": n = ...",

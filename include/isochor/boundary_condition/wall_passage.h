@@ -22,6 +22,9 @@ namespace isochor
     /** n·x of the wall at the start of the step and at its end (m): the least
      * of its vertices, behind which the body is behind the wall for certain. */
     double at_start, at_end;
+    /** The most of its vertices at the start, in front of which it is nowhere.
+     */
+    double most_at_start;
   };
 
   /** A boundary condition that may have walls which only push. */
@@ -72,6 +75,14 @@ namespace isochor
   passage_through_walls(const StepContext<dim>               &step,
                         const NodalField                     &unknowns,
                         const std::vector<OneSidedWall<dim>> &walls);
+
+  /** Whether all of the body is more than a cell in front of the walls in
+   * @p walls at the start of the step, of which there are some: it has not come
+   * to them yet, or has left them. Collective. */
+  template <int dim>
+  bool
+  is_far_from_walls(const StepContext<dim>               &step,
+                    const std::vector<OneSidedWall<dim>> &walls);
 
   /** The first step: warn of @p walls that stand more than half a cell inside
    * of the grid, at boundaries which the body doesn't touch. What comes later
