@@ -184,9 +184,9 @@ namespace
                   std::to_string(test::get(*problem, reaction)) + " N");
   }
 
-  /** A floor of which the body is beside: it goes down where there is none. */
+  /** A wall that the body goes along, away from it, cuts nothing. */
   void
-  test_beside()
+  test_along()
   {
     const auto problem = test::run_scene<2>(
       "Grid/Lower corner = 0, 0\nGrid/Upper corner = 1, 1\n"
@@ -230,5 +230,5 @@ main(int argc, char **argv)
   test_kept();
   test_inside();
   test_fall();
-  test_beside();
+  test_along();
 }
