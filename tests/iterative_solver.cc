@@ -9,6 +9,7 @@
 
 #include <isochor/linear_solver/multigrid.h>
 
+#include <limits>
 #include <map>
 
 #include "scene.h"
@@ -31,6 +32,8 @@ namespace
     std::vector<double> values; ///< displacements, then the reaction
     double              linear_iterations = 0;
     bool                fell_back         = false;
+    /** The column of the statistics in the last step; not a number: none. */
+    double in_statistics = std::numeric_limits<double>::quiet_NaN();
   };
 
   template <int dim>
@@ -46,6 +49,12 @@ namespace
     result.values.push_back(statistics.get("Reaction y on bottom (N)"));
     for (const NewtonReport &newton : test::recorded().newton)
       result.linear_iterations += newton.n_linear_iterations();
+    try
+      {
+        result.in_statistics = statistics.get("Linear iterations");
+      }
+    catch (const ExceptionBase &)
+      {}
     for (const auto &warning : problem->all_warnings().all())
       result.fell_back =
         result.fell_back ||
@@ -218,6 +227,9 @@ namespace
                       difference(helped, direct),
                       1e-8);
     test::check("and a warning says so", helped.fell_back, "no warning");
+    test::check("the statistics count no iterations of its own",
+                helped.in_statistics >= 0 && std::isnan(direct.in_statistics),
+                std::to_string(helped.in_statistics));
   }
 } // namespace
 

@@ -118,6 +118,8 @@ namespace isochor
     // where the body hardly moves in a direction, a gap counts that is
     // something against its motion in others
     constexpr double considerable = 0.03, sideways = 0.2;
+    // a penalty that is stiff against everything but the grid itself
+    constexpr double enough  = 100;
     const double     largest = *std::max_element(moved.begin(), moved.end());
     bool             soft    = false;
     for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
@@ -140,9 +142,13 @@ namespace isochor
               "another condition holds the surface, too, which is to be left "
               "out of one of them, or forces that differ from place to place "
               "stretch the springs of <" +
-              penalty_parameter + ">, which are too soft then: set it to " +
-              rounded(10 * conditions.penalty(false)) +
-              ", or use smaller cells.");
+              penalty_parameter + ">" +
+              (conditions.penalty(false) < enough ?
+                 ", which are too soft then: set it to " +
+                   rounded(10 * conditions.penalty(false)) +
+                   ", or use smaller cells." :
+                 ". They are stiff enough: use smaller cells, whose nodes can "
+                 "follow what is prescribed."));
         }
     if (!soft)
       check_work(step,

@@ -139,7 +139,9 @@ namespace isochor
                         "1e4",
                         Patterns::Double(),
                         "Initial yield stress sigma_Y > 0 in uniaxial tension "
-                        "(Kirchhoff stress), in Pa.");
+                        "(Kirchhoff stress), in Pa. From a tenth of the shear "
+                        "modulus on the law differs from those in logarithmic "
+                        "strains by 2 % and more (doc/materials.md).");
       prm.declare_entry("Hardening modulus",
                         "0",
                         Patterns::Double(),

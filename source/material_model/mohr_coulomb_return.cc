@@ -150,7 +150,9 @@ namespace isochor
     const double two_G = 2 * shear_modulus;
     if (!returned.plastic)
       return two_G;
-    if (returned.at_apex || (returned.edge == A && B == A + 1))
+    if (returned.at_apex)
+      return returned.excess > 0 ? stiffness_at_apex * two_G : 0;
+    if (returned.edge == A && B == A + 1)
       return 0;
     const double trial_difference = trial.s[A] - trial.s[B];
     if (!(trial_difference > 0))
@@ -214,6 +216,8 @@ namespace isochor
    * θ^e = p/K: a root of this falling function lies below the apex or it
    * doesn't, and then the stress is the apex's. S keeps the excess small, also
    * for 1/K = 0: at most G/100 of the volumetric strain beyond the apex.
+   * The derivative of dev τ by the strain is given as stiffness_at_apex times
+   * the elastic one.
    */
   MohrCoulombReturn::Response
   MohrCoulombReturn::evaluate_at(Trial trial, const double pressure) const
@@ -232,8 +236,11 @@ namespace isochor
     result.plastic      = true;
     result.s.fill(-result.excess);
     result.ds_dmean.fill(-1);
-    result.ds_dstrain = Matrix{};
-    result.at_apex    = true;
+    for (unsigned int A = 0; A < 3; ++A)
+      for (unsigned int B = 0; B < 3; ++B)
+        result.ds_dstrain[A][B] =
+          stiffness_at_apex * 2 * shear_modulus * ((A == B ? 1. : 0.) - 1. / 3);
+    result.at_apex = true;
     return result;
   }
 } // namespace isochor

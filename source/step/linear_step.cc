@@ -137,7 +137,7 @@ namespace isochor
   LinearStep<dim>::set_statistics(const unsigned int n_linear_iterations,
                                   Statistics        &statistics) const
   {
-    if (linear_solver.is_iterative())
+    if (linear_solver.prefers_iterations())
       statistics.set("Linear iterations", n_linear_iterations);
     if (factorisation.knows_pivots)
       statistics.set("Negative pivots", factorisation.n_negative_pivots);

@@ -40,6 +40,13 @@ namespace isochor
     bool
     is_iterative() const override;
 
+    /** Whether an iterative one is in use, or would be, had it not failed. */
+    bool
+    prefers_iterations() const
+    {
+      return is_iterative() || failed_pattern != 0;
+    }
+
     void
     set_accuracy(const SolutionAccuracy &accuracy) override;
 
