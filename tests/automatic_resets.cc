@@ -92,7 +92,7 @@ test_choice()
               "");
   test::check("a grid that is stretched: put back",
               is_put_back<2>(vibrates +
-                             "Grid/Stretch = x: 0 -> 0, 1.5 -> 1.5 + 0.01*t\n"),
+                             "Grid/Stretch = x: 0 -> 0, 1.5 -> 0.01*t\n"),
               "");
   test::check("points that are split: put back",
               is_put_back<2>(vibrates +

@@ -255,6 +255,15 @@ main(int argc, char **argv)
              points,
              "Region = x > ",
              {"Material points/Region", "x >"});
+  for (const std::string separator : {",", ";"})
+    test_entry("conditions separated by '" + separator + "'",
+               points,
+               "Region = x < 1" + separator + " y < 0.5",
+               {"Material points/Region", "'" + separator + "'", "'&&'"});
+  test_entry("a grid that is elsewhere at the start",
+             "Grid",
+             "Stretch = y: 0 -> 0, 1 -> 1 - 0.1*t",
+             {"Grid/Stretch", "is 1 m at t = 0"});
 
   test_entry("unknown boundary",
              loads,

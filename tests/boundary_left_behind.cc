@@ -105,6 +105,14 @@ main(int argc, char **argv)
   test::check("in motion the body may go along",
               dynamic.warning.empty(),
               dynamic.warning);
+  const Result flat = push<2>("Grid/Subdivisions = 4, 100\n"
+                              "Boundary conditions/Displacement = left: x = 0; "
+                              "bottom: y = 0; top: y = -0.02*t\n");
+  test::check("the height of flat cells counts",
+              flat.warning.find("a cell has 0.01 m") != std::string::npos &&
+                flat.warning.find("loses the body: forces") !=
+                  std::string::npos,
+              flat.warning);
   const Result apart = push<2>("Material points/Region = x < 1 && y < 0.5\n");
   test::check("a body that the boundary doesn't touch",
               apart.warning.empty(),

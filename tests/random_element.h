@@ -64,6 +64,12 @@ struct RandomElement
     for (unsigned int I = 1; I <= dim; ++I)
       for (unsigned int a = 0; a < dim; ++a)
         corners[I][a] = edges[a][I - 1];
+    const bool depends_on_pressure =
+      std::any_of(kernel.materials.begin(),
+                  kernel.materials.end(),
+                  [](const auto &material) {
+                    return material->depends_on_pressure();
+                  });
     element.gradient[0] = 0;
     for (unsigned int I = 1; I <= dim; ++I)
       {
@@ -75,6 +81,10 @@ struct RandomElement
         for (unsigned int a = 0; a < dim; ++a)
           element.increment[I][a] = amplitude * random();
         element.pressure[I] = 0.3 * G * random();
+        // Tension may lie beyond the apex of a cone, where the matrix is not
+        // the derivative on purpose: MohrCoulombReturn::stiffness_at_apex.
+        if (depends_on_pressure)
+          element.pressure[I] = -std::abs(element.pressure[I]);
       }
     volume = 1. / (dim == 2 ? 2 : 6) / determinant(inverse);
     for (const auto &material : kernel.materials)

@@ -184,6 +184,143 @@ namespace
                   std::to_string(test::get(*problem, reaction)) + " N");
   }
 
+  /** The subjects of the warnings that a run has given. */
+  template <int dim>
+  std::string
+  subjects(const MaterialPointMethod<dim> &problem)
+  {
+    std::string all;
+    for (const auto &warning : problem.all_warnings().all())
+      all += warning.subject + "; ";
+    return all;
+  }
+
+  /** A block falls by 0.9 m in steps that are as long as it takes it to hit the
+   * ground and leave again. Each step of another size would let it bounce with
+   * more energy, and the last one does. */
+  void
+  test_impact()
+  {
+    const auto problem = test::run_scene<2>(
+      "Grid/Lower corner = 0, 0\nGrid/Upper corner = 1, 2\n"
+      "Grid/Subdivisions = 10, 20\nMaterial points/Region = x > 0.2 && x < 0.8 "
+      "&& y > 0.9 && y < 1.5\nMaterial points/Points per cell = 4\n"
+      "Material/Young modulus = 1e6\nMaterial/Density = 1000\n"
+      "Formulation/Type = u\nDynamics/Inertia = true\n"
+      "Boundary conditions/Displacement = bottom: y>=0\n"
+      "Boundary conditions/Gravity = 0, -10\n"
+      "Time/Step size = 0.15\nTime/End time = 0.7\n" +
+      cpdi);
+    const std::vector<double> &times = test::recorded().times;
+    bool                       grows = times.size() < 8;
+    for (unsigned int n = 4; n < times.size(); ++n)
+      grows =
+        grows || times[n] - times[n - 1] > 1.01 * (times[n - 1] - times[n - 2]);
+    test::check("steps don't grow behind an impact",
+                !grows,
+                std::to_string(times.size()) + " steps");
+    test::check("energy that an impact creates is told of",
+                subjects(*problem).find("energy created at the start") !=
+                  std::string::npos,
+                subjects(*problem));
+  }
+
+  /** Blocks that fly past a periodic side before they come to the ground have
+   * it in their way; so have those on a single cell, wherever that is. */
+  void
+  test_endless()
+  {
+    const std::string block =
+      "Grid/Lower corner = 0, 0\nGrid/Upper corner = 1, 2\n"
+      "Grid/Subdivisions = 10, 20\nMaterial points/Region = x > 0.3 && x < 0.7 "
+      "&& y > 0.5 && y < 1.1\nMaterial points/Points per cell = 4\n"
+      "Material/Young modulus = 1e6\nMaterial/Density = 1000\n"
+      "Formulation/Type = u\nDynamics/Inertia = true\n"
+      "Dynamics/Initial velocity = 8, -4\n"
+      "Boundary conditions/Displacement = bottom: y>=0\n"
+      "Boundary conditions/Periodic sides = left: right\n"
+      "Time/Step size = 0.2\nTime/End time = 0.2\n";
+    std::string message;
+    try
+      {
+        test::run_scene<2>(block + cpdi);
+      }
+    catch (const ExceptionBase &exc)
+      {
+        message = plain_message(exc);
+      }
+    // points don't change sides: it may end there
+    test::check("nothing passes beside a wall on a periodic grid",
+                test::recorded().times.size() > 1 || !message.empty(),
+                message);
+
+    double first = 0;
+    for (const std::string x : {"0", "0.1", "0.3333333333333333"})
+      {
+        const auto problem = test::run_scene<2>(
+          "Grid/Lower corner = " + x +
+          ", 0\nGrid/Upper corner = " + std::to_string(std::stod(x) + 0.4) +
+          ", 2\nGrid/Subdivisions = 1, 5\n"
+          "Material points/Region = y > 0.8 && y < 1.6\n"
+          "Material points/Points per cell = 4\nMaterial/Young modulus = 1e6\n"
+          "Material/Density = 1000\nFormulation/Type = u\n"
+          "Dynamics/Inertia = true\nDynamics/Initial velocity = 0, -4.7\n"
+          "Boundary conditions/Displacement = left: x=0; right: x=0; "
+          "bottom: y>=0\nPostprocess/Write energies = always\n"
+          "Time/Step size = 0.2\nTime/End time = 0.2\n" +
+          cpdi);
+        const double momentum = test::get(*problem, "Momentum y (kg m/s)");
+        if (x == "0")
+          first = momentum;
+        else
+          test::check_error("an impact on one cell, moved by " + x + " m",
+                            test::relative(momentum, first),
+                            1e-4);
+      }
+  }
+
+  /** On a grid that is kept, corners that come to the wall later are held in
+   * part only. */
+  void
+  test_behind()
+  {
+    std::ostringstream traction;
+    traction << "Boundary conditions/Surfaces of body = end: y < 0.301\n"
+             << "Boundary conditions/Traction on body = end: 0, -"
+             << nominal_stress(1.46) << "*t\nTime/Step size = 0.1\n";
+    const std::string scene =
+      column<2>("0", "top: y=0; bottom: y>=0\n" + traction.str() + cpdi);
+    const double exact = 0.4 * (nominal_stress(1.46) - nominal_stress(1.375));
+    const auto   kept_grid = test::run_scene<2>(scene + kept);
+    test::check("a body behind a wall of a kept grid is told of",
+                subjects(*kept_grid).find("a body behind a wall") !=
+                  std::string::npos,
+                subjects(*kept_grid));
+    const auto put_back = test::run_scene<2>(scene);
+    test::check_error("not behind it where the grid is put back",
+                      test::relative(test::get(*put_back, reaction), exact),
+                      0.01);
+    test::check("and no word of it",
+                subjects(*put_back).find("behind a wall") == std::string::npos,
+                subjects(*put_back));
+  }
+
+  /** Where a wall that doesn't move is at the start has pushed nothing. */
+  void
+  test_constant_offset()
+  {
+    const auto problem =
+      test::run_scene<2>(column<2>("0",
+                                   "top: y=0; bottom: y>=0.02\n"
+                                   "Boundary conditions/Gravity = 0, -1600*t\n"
+                                   "Time/Step size = 0.1\n" +
+                                     cpdi));
+    test::check("a wall that rests has not pushed the body",
+                subjects(*problem).find("leaves the body behind") ==
+                  std::string::npos,
+                subjects(*problem));
+  }
+
   /** A wall that the body goes along, away from it, cuts nothing. */
   void
   test_along()
@@ -222,6 +359,7 @@ main(int argc, char **argv)
                      "\nBoundary conditions/Walls = bottom: n >= 0",
                      cpdi,
                      0.03);
+  // the wall acts once a point is in its cells, half a spacing early
   test_lengthened<2>(
     "lengthened, points", 0.4, "bottom: y>=0", "Time/Step size = 1\n", 0.5);
   test_lengthened<3>("lengthened, 3D", 0.08, "bottom: y>=0", cpdi, 0.03);
@@ -231,4 +369,8 @@ main(int argc, char **argv)
   test_inside();
   test_fall();
   test_along();
+  test_impact();
+  test_endless();
+  test_behind();
+  test_constant_offset();
 }

@@ -99,7 +99,8 @@ namespace isochor
 
 
     /** Throw for what muParser takes without a word, but not as it is meant:
-     * `=` assigns, and `a < b < c` compares the truth of `a < b` with c. */
+     * `=` assigns, `a < b < c` compares the truth of `a < b` with c, and of
+     * `a, b` only b is left. */
     void
     check_comparisons(const std::string &formula, const std::string &parameter)
     {
@@ -119,6 +120,11 @@ namespace isochor
             compared.push_back(false);
           else if (c == ')' && compared.size() > 1)
             compared.pop_back();
+          else if (c == ';' || (c == ',' && compared.size() == 1))
+            check(false,
+                  std::string("one formula is asked for, but '") + c +
+                    "' separates several; write '&&' between conditions that "
+                    "shall hold together, '||' between alternatives.");
           else if (is_one_of(c, "&|,?:"))
             compared.back() = false;
           else if (is_one_of(c, "=!<>") && next == '=')

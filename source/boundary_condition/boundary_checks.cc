@@ -5,7 +5,6 @@
 #include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/grid/extent.h>
-#include <isochor/grid/nearest_cells.h>
 
 #include <algorithm>
 #include <vector>
@@ -90,14 +89,14 @@ namespace isochor
     for (const BoundaryFace &face : grid.boundary_faces())
       if (face.id == id)
         {
-          // |e| ∇N of the opposite vertex is the face's area over dim
-          const Tensor<1, dim> normal =
-            geometry.measure(face.cell) *
-            geometry.gradients(face.cell)[face.opposite_vertex];
+          // ∇N of the opposite vertex is the inverse of its height, and times
+          // |e| the face's area over dim
+          const Tensor<1, dim> gradient = geometry.gradients(
+                                 face.cell)[face.opposite_vertex],
+                               normal = geometry.measure(face.cell) * gradient;
           side.inwards += normal;
           area += normal.norm();
-          side.cell_size =
-            std::max(side.cell_size, cell_size(geometry, face.cell));
+          side.cell_size = std::max(side.cell_size, 1 / gradient.norm());
         }
     side.inwards /= area;
     return side;
@@ -213,9 +212,14 @@ namespace isochor
         (strains ? ", the body " + rounded(length) + " m" : "") +
         "), but the grid is put back after each step, and the boundary with "
         "it: the row of cells there is partly empty and strained more than the "
-        "body, whose forces are too small by up to twice the share that the way "
-        "has of the body's length; beyond half of a cell the boundary loses the "
-        "body. Let the grid follow (<Grid/Stretch>), keep it "
+        "body, " +
+        (along > 0.5 * size ?
+           "and beyond half of a cell, where it is, the boundary loses the "
+           "body: forces are far too small" :
+           "whose forces are too small by up to twice the share that the way "
+           "has of the body's length; beyond half of a cell the boundary loses "
+           "the body") +
+        ". Let the grid follow (<Grid/Stretch>), keep it "
         "(<Grid reset/Steps between resets>), or move the body's own surface "
         "(<Boundary conditions/Displacement of body>).");
   }

@@ -96,6 +96,12 @@ namespace isochor
       vertices.initialize(grid, names, parameter());
     }
 
+    bool
+    is_periodic() const override
+    {
+      return !pairs.empty();
+    }
+
     void
     grid_changed(const BackgroundGrid<dim> &grid,
                  const bool /*at_start*/) override

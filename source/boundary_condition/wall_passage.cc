@@ -9,7 +9,6 @@
 #include <isochor/boundary_condition/contact_search.h>
 #include <isochor/boundary_condition/wall_passage.h>
 #include <isochor/equations/nodal_unknowns.h>
-#include <isochor/grid/nearest_cells.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +68,15 @@ namespace isochor
         std::sort(vertices.begin(), vertices.end());
       }
 
-      /** Of this rank's material, what is furthest behind. */
+      /** Cells by which this rank's material stays behind a wall that acts on
+       * it, as nothing takes it back on a grid that is kept. */
+      double
+      stays_behind() const
+      {
+        return behind;
+      }
+
+      /** Of this rank's material, what has gone furthest through. */
       Passage
       find()
       {
@@ -101,10 +108,10 @@ namespace isochor
         if (wall.normal * x + lowest - largest_way > wall.at_end)
           return;
         const Stencil stencil = points.stencil(geometry, k, q);
-        const double  size    = cell_size(geometry, points.cell[k]);
+        const double  size    = height_of_cell(points.cell[k]);
         // cells: what the next step takes back, if the grid can locate the
         // point
-        constexpr double most_of_corners = 0.5;
+        constexpr double most_of_corners = 0.02;
         const double     most_of_points =
           step.grid_is_kept ? most_of_corners : nothing;
         look_at_place(
@@ -113,6 +120,20 @@ namespace isochor
           for (const Tensor<1, dim> &r : points.domain[q])
             look_at_place(
               stencil, x, points.F[q] * r, size, most_of_corners * size);
+      }
+
+      /** Of a cell, along the wall's normal (m). */
+      double
+      height_of_cell(const unsigned int cell) const
+      {
+        double low = std::numeric_limits<double>::max(), high = -low;
+        for (const unsigned int v : geometry.vertex_indices(cell))
+          {
+            const double place = wall.normal * geometry.vertices()[v];
+            low                = std::min(low, place);
+            high               = std::max(high, place);
+          }
+        return high - low;
       }
 
       /** The place @p x + @p r, with x the point of the @p stencil. If the wall
@@ -132,7 +153,8 @@ namespace isochor
           end += (stencil.shape[I] + stencil.gradient[I] * r) *
                  nodal.increment(stencil.vertex[I]);
         const double depth = wall.at_end - wall.normal * end;
-        if (depth <= nothing * size || depth <= furthest.cells * size)
+        if (depth <= nothing * size ||
+            depth <= std::min(furthest.cells, behind) * size)
           return;
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
           if (std::binary_search(vertices.begin(),
@@ -140,12 +162,17 @@ namespace isochor
                                  stencil.vertex[I]))
             part += stencil.shape[I] + stencil.gradient[I] * r;
         const bool unfelt = part < hardly;
-        if ((unfelt || depth > most) && is_through(x + r, end, size))
+        if (step.grid_is_kept && !unfelt && depth > behind * size &&
+            is_through(x + r, end, std::numeric_limits<double>::max()))
+          behind = depth / size;
+        if (depth > furthest.cells * size && (unfelt || depth > most) &&
+            is_through(x + r, end, size))
           furthest = {depth / size, depth, unfelt ? 1. : 0.};
       }
 
       /** Whether the way from @p start to @p end begins in front of a face of
-       * the wall's boundary and meets it. */
+       * the wall's boundary, or behind it by hardly any of @p size, and meets
+       * it. */
       bool
       is_through(const Point<dim> &start,
                  const Point<dim> &end,
@@ -167,7 +194,7 @@ namespace isochor
                 x[n++] =
                   geometry.vertices()[geometry.vertex_indices(face.cell)[v]];
             if (wall.normal * (start - x[0]) >= -rounding * size &&
-                is_above(x, crossing))
+                (wall.is_endless || is_above(x, crossing)))
               return true;
           }
         return false;
@@ -178,6 +205,8 @@ namespace isochor
       static bool
       is_above(const std::array<Point<dim>, dim> &x, const Point<dim> &place)
       {
+        // a place above the edge of two faces is above one of them
+        constexpr double   rounding = 1e-6;
         Tensor<2, dim - 1> products;
         Tensor<1, dim - 1> right;
         for (unsigned int i = 0; i + 1 < dim; ++i)
@@ -192,9 +221,9 @@ namespace isochor
         for (unsigned int i = 0; i + 1 < dim; ++i)
           {
             first -= weight[i];
-            inside = inside && weight[i] >= 0;
+            inside = inside && weight[i] >= -rounding;
           }
-        return inside && first >= 0;
+        return inside && first >= -rounding;
       }
 
       /** Those of the wall's boundary, which are rarely asked for. */
@@ -220,7 +249,32 @@ namespace isochor
       std::vector<unsigned int>   vertices;
       std::vector<BoundaryFace>   of_boundary;
       Passage                     furthest;
+      double                      behind = 0;
     };
+
+
+
+    /** @p cells: by which this rank's material stays behind the @p walls. */
+    template <int dim>
+    void
+    warn_of_body_behind_walls(const StepContext<dim>               &step,
+                              const std::vector<OneSidedWall<dim>> &walls,
+                              std::vector<double>                   cells)
+    {
+      constexpr double much = 0.02;
+      Utilities::MPI::max(cells, step.grid.communicator(), cells);
+      for (unsigned int w = 0; w < walls.size(); ++w)
+        if (cells[w] > much)
+          step.warnings.add(
+            "a body behind a wall",
+            "At t = " + rounded(step.time) + " the body is " +
+              rounded(cells[w]) + " cells behind the one-sided wall at <" +
+              walls[w].boundary + "> of <" + walls[w].parameter +
+              ">: on a grid that is kept, the wall holds only what was at the "
+              "boundary when the grid was put back, and what came later only "
+              "in part. Its force is too small. Put the grid back after each "
+              "step (<Grid reset/Steps between resets = 1>).");
+    }
   } // namespace
 
 
@@ -237,15 +291,18 @@ namespace isochor
     // much
     const double way =
       2 * std::sqrt(double(dim)) * largest_increment(step, unknowns);
-    std::vector<double> found;
+    std::vector<double> found, behind;
     for (const OneSidedWall<dim> &wall : walls)
       {
-        const Passage passage =
-          PassageSearch<dim>(step, unknowns, wall, way).find();
+        PassageSearch<dim> search(step, unknowns, wall, way);
+        const Passage      passage = search.find();
         found.insert(found.end(),
                      {passage.cells, passage.depth, passage.unfelt});
+        behind.push_back(search.stays_behind());
       }
     Utilities::MPI::max(found, step.grid.communicator(), found);
+    if (step.grid_is_kept)
+      warn_of_body_behind_walls(step, walls, behind);
     unsigned int most = 0;
     for (unsigned int w = 0; w < walls.size(); ++w)
       if (found[3 * w] > found[3 * most])

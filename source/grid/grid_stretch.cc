@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/plain_message.h>
 #include <isochor/grid/grid_stretch.h>
 
 #include <algorithm>
@@ -54,6 +55,14 @@ namespace isochor
             displacement.emplace_back(plane.substr(arrow + 2),
                                       "Grid/Stretch",
                                       FormulaVariables::time);
+            const double at_start = displacement.back()(Point<1>(), 0.);
+            AssertThrow(at_start == 0,
+                        ExcMessage("The entry <" + plane +
+                                   "> of the parameter <Grid/Stretch> is " +
+                                   rounded(at_start) +
+                                   " m at t = 0, where the grid is in its "
+                                   "place: displacements count from there, "
+                                   "and have to be 0 at t = 0."));
             AssertThrow(planes.size() < 2 ||
                           planes.back() > planes[planes.size() - 2],
                         ExcMessage("The coordinates of <Grid/Stretch> must "

@@ -37,6 +37,7 @@ namespace isochor
     largest           = std::max(largest, total);
     const double loss = lost - lost_at_starts,
                  size = std::max(largest, kinetic_change / 4);
+    warn_of_starts(time, balance, warnings);
     if (std::abs(loss) <=
         std::max(threshold * size, rounding * balance.stiffness))
       return;
@@ -73,6 +74,31 @@ namespace isochor
     warnings.add(loss > 0 ? "energy lost by the scheme" :
                             "energy created by the scheme",
                  text.str());
+  }
+
+
+
+  /** What steps lose at a start is what a sudden motion or an impact radiates
+   * into waves that they don't resolve. Nothing creates energy there but steps
+   * that are too large. */
+  void
+  EnergyLoss::warn_of_starts(const double   time,
+                             const Balance &balance,
+                             Warnings      &warnings) const
+  {
+    constexpr double much = 0.1, rounding = 1e-14;
+    if (-lost_at_starts <=
+        std::max(much * largest, rounding * balance.stiffness))
+      return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "By t = " << time << " the steps at the start have created "
+         << -lost_at_starts << " J, " << -100 * lost_at_starts / largest
+         << " % of the largest energy of the body: they don't resolve what "
+            "happens in them, an impact for example. Use smaller steps "
+            "(<Time/Step size>) that don't grow (<Time/Growth factor = 1>), or "
+            "let their error choose them (<Time/Tolerated error>).";
+    warnings.add("energy created at the start", text.str());
   }
 
 

@@ -167,8 +167,9 @@ namespace isochor
               "at: are all bodies held, the loads in the units of the "
               "stiffness (<Material/Young modulus>, <Material/Density>), and "
               "<Time/Step size> small enough for what happens in it? A "
-              "displacement that is prescribed by a constant acts in this step "
-              "as a whole, however small the step: let it grow with t.";
+              "load or a displacement that is prescribed by a constant acts in "
+              "this step as a whole, however small the step: let it grow with "
+              "t.";
     else if (failure.dynamic)
       text += "In dynamics there is a solution if the step is small enough: "
               "lower <Time/Minimum step size>, or look at the files for what "

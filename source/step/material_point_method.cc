@@ -207,6 +207,8 @@ namespace isochor
           equilibrium.nodal_unknowns(),
           find_one_sided_walls(step, scene.boundary_conditions));
         report.converged = report.failure.empty();
+        if (!report.converged && scene.has_inertia())
+          scene.time.hold_size();
       }
     if (report.converged && !scene.has_inertia() && !is_unstable)
       check_stability();

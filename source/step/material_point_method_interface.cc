@@ -26,6 +26,12 @@ namespace isochor
 
 
 
+  // not for each program that uses the class: it is long to compile
+  template <int dim>
+  MaterialPointMethod<dim>::~MaterialPointMethod() = default;
+
+
+
   template <int dim>
   void
   MaterialPointMethod<dim>::declare_parameters(ParameterHandler    &prm,

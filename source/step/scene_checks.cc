@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
+#include <unordered_map>
 
 namespace isochor
 {
@@ -139,6 +140,87 @@ namespace isochor
 
 
 
+  namespace
+  {
+    /** What the materials around a node have in common: the ranges of G and of
+     * 1/K. */
+    struct Stiffnesses
+    {
+      double least_G = 1e300, largest_G = 0, least_inverse_K = 1e300,
+             largest_inverse_K = 0;
+
+      void
+      add(const double G, const double inverse_K)
+      {
+        least_G           = std::min(least_G, G);
+        largest_G         = std::max(largest_G, G);
+        least_inverse_K   = std::min(least_inverse_K, inverse_K);
+        largest_inverse_K = std::max(largest_inverse_K, inverse_K);
+      }
+
+      bool
+      differ() const
+      {
+        constexpr double much = 1.5;
+        return largest_G > much * least_G ||
+               largest_inverse_K > much * least_inverse_K;
+      }
+    };
+  } // namespace
+
+
+
+  /** In the mixed form warn of materials that meet at nodes, where the mean
+   * stress jumps, but not p. Where all are nearly incompressible, it hardly
+   * matters. At the start. Collective. */
+  template <int dim>
+  static void
+  check_interfaces(const StepContext<dim> &step)
+  {
+    const auto &materials = step.kernel.materials;
+    // Poisson's ratio of 0.48
+    constexpr double nearly_incompressible = 25; // K/G
+    bool             is_compressible       = false;
+    for (const auto &material : materials)
+      is_compressible =
+        is_compressible ||
+        material->shear_modulus() * material->inverse_bulk_modulus() >
+          1 / nearly_incompressible;
+    if (!step.mixed() || materials.size() < 2 || !is_compressible)
+      return;
+    const PointArrays<dim>                       &points = step.points;
+    std::unordered_map<unsigned int, Stiffnesses> at_vertex;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        for (const unsigned int v :
+             step.grid.geometry().vertex_indices(points.cell[k]))
+          at_vertex[v].add(
+            materials[points.material[q]]->shear_modulus(),
+            materials[points.material[q]]->inverse_bulk_modulus());
+    std::array<double, 2> n{}; // between materials, and all
+    for (const auto &vertex : at_vertex)
+      {
+        n[0] += vertex.second.differ() ? 1 : 0;
+        ++n[1];
+      }
+    sum_over_ranks(n, step.grid.communicator());
+    if (n[0] > 0)
+      step.warnings.add(
+        "materials that share pressures",
+        "Materials of other stiffness, not all of them nearly incompressible, "
+        "meet at " +
+          rounded(100. * n[0] / n[1]) +
+          " % of the nodes of the body. The mean stress may jump there, but "
+          "the pressure of <Formulation/Type = u-p> can't: it is wrong in the "
+          "cells along the interface, and with it displacements and forces, by "
+          "about as much as these cells are of the layers (up to 20 % with "
+          "four cells across each). If no Poisson's ratio is above 0.48, use <Formulation/"
+          "Type = u>, where nothing of this happens; else take smaller cells.");
+  }
+
+
+
   template <int dim>
   void
   check_first_step(const Scene<dim>       &scene,
@@ -147,6 +229,7 @@ namespace isochor
                    const bool              may_let_go)
   {
     check_body(step);
+    check_interfaces(step);
     check_materials(scene, step.warnings);
     scene.points.check_seeding(scene.quadrature->needs_domains(),
                                step.warnings);

@@ -13,7 +13,8 @@
 namespace isochor
 {
   /** A side of the grid: the mean direction into the grid, of length one where
-   * it is flat, and the largest cell (m). */
+   * it is flat, and the highest cell, from its face on the side to the vertex
+   * opposite (m). */
   template <int dim>
   struct GridSide
   {

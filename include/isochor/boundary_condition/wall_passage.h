@@ -25,6 +25,8 @@ namespace isochor
     /** The most of its vertices at the start, in front of which it is nowhere.
      */
     double most_at_start;
+    /** On a periodic grid nothing passes beside a wall. */
+    bool is_endless = false;
   };
 
   /** A boundary condition that may have walls which only push. */
@@ -51,6 +53,10 @@ namespace isochor
       if (const auto *const has_walls =
             dynamic_cast<const HasOneSidedWalls<dim> *>(condition.get()))
         has_walls->append_one_sided_walls(step, walls);
+    for (const auto &condition : conditions)
+      if (condition->is_periodic())
+        for (OneSidedWall<dim> &wall : walls)
+          wall.is_endless = true;
     return walls;
   }
 

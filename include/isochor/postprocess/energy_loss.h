@@ -32,8 +32,9 @@ namespace isochor
      * What goes in the first steps doesn't count, nor in those after a
      * prescribed motion that jumps (@p motion_jumps) once in a while: energies
      * are small beside what is to come, and what sudden motions do faster than
-     * the steps is damped on purpose. Energies at strains of 1e-7 are those of
-     * rounding and of what Newton's method leaves.
+     * the steps is damped on purpose; but energy that is made there, more than
+     * 10 % of the largest, is told of, too. Energies at strains of 1e-7 are
+     * those of rounding and of what Newton's method leaves.
      */
     void
     look(const double   time,
@@ -65,6 +66,11 @@ namespace isochor
     load(std::istream &state);
 
   private:
+    void
+    warn_of_starts(const double   time,
+                   const Balance &balance,
+                   Warnings      &warnings) const;
+
     double largest = 0, kinetic = 0, kinetic_change = 0;
     /** All that was lost, and what of it doesn't count. */
     double lost = 0, lost_at_starts = 0;

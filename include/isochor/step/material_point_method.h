@@ -30,6 +30,7 @@ namespace isochor
   {
   public:
     MaterialPointMethod(const MPI_Comm comm);
+    ~MaterialPointMethod();
 
     /** Declare all parameters, with @p n_materials materials in the
      * subsections "Material", "Material 2", ... */
