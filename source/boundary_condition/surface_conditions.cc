@@ -61,7 +61,8 @@ namespace isochor
                       Patterns::Anything(),
                       "Follower loads (Pa): a pressure against surfaces of the "
                       "body as they are deformed, positive if it pushes: "
-                      "'surface: formula; ...'.");
+                      "'surface: formula; ...', formulas in the reference "
+                      "position x, y(, z) and t.");
     prm.declare_entry("Displacement of body",
                       "",
                       Patterns::Anything(),

@@ -59,13 +59,15 @@ namespace isochor
                       "this spacing (m) instead of per cell: one per box, or "
                       "one per simplex of each box (2 in 2D, 6 in 3D) if "
                       "'Quadrature/Type' gives the points simplex domains.");
-    prm.declare_entry("Materials in zones",
-                      "",
-                      Patterns::Anything(),
-                      "Bodies of several materials: 'number: condition; ...'. "
-                      "Material 1 is the subsection 'Material', k > 1 the "
-                      "subsection 'Material k'. The last condition that holds "
-                      "counts; 1 elsewhere.");
+    prm.declare_entry(
+      "Materials in zones",
+      "",
+      Patterns::Anything(),
+      "Bodies of several materials: 'number: condition; ...'. "
+      "Material 1 is the subsection 'Material', k > 1 the "
+      "subsection 'Material k', whose defaults are those of the "
+      "program, not the entries of 'Material'. The last "
+      "condition that holds counts; 1 elsewhere.");
     prm.leave_subsection();
   }
 
