@@ -6,6 +6,7 @@
 #include <isochor/grid/grid_stretch.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace isochor
 {
@@ -55,19 +56,36 @@ namespace isochor
             displacement.emplace_back(plane.substr(arrow + 2),
                                       "Grid/Stretch",
                                       FormulaVariables::time);
-            const double at_start = displacement.back()(Point<1>(), 0.);
-            AssertThrow(at_start == 0,
-                        ExcMessage("The entry <" + plane +
-                                   "> of the parameter <Grid/Stretch> is " +
-                                   rounded(at_start) +
-                                   " m at t = 0, where the grid is in its "
-                                   "place: displacements count from there, "
-                                   "and have to be 0 at t = 0."));
             AssertThrow(planes.size() < 2 ||
                           planes.back() > planes[planes.size() - 2],
                         ExcMessage("The coordinates of <Grid/Stretch> must "
                                    "ascend."));
           }
+      }
+    check_start();
+  }
+
+
+
+  template <int dim>
+  void
+  GridStretch<dim>::check_start() const
+  {
+    constexpr double rounding = 1e-6; // of the coordinates
+    double           size     = 0;
+    for (const double plane : planes)
+      size = std::max(size, std::abs(plane));
+    for (unsigned int i = 0; i < planes.size(); ++i)
+      {
+        const double at_start = displacement[i](Point<1>(planes[i]), 0.);
+        AssertThrow(std::abs(at_start) <= rounding * size,
+                    ExcMessage("The displacement at the coordinate " +
+                               rounded(planes[i]) +
+                               " of the parameter <Grid/Stretch> is " +
+                               rounded(at_start) +
+                               " m at t = 0, where the grid is in its place: "
+                               "displacements count from there, and have to be "
+                               "0 at t = 0."));
       }
   }
 

@@ -149,6 +149,7 @@ namespace isochor
                 result.time.motion_jumps,
                 result.step.points.has_stencils(),
                 result.step.grid_is_kept,
+                result.step.time >= result.time.end_time(),
                 result.step.warnings);
       for (unsigned int a = 0; a < dim; ++a)
         statistics.set(std::string("Momentum ") + "xyz"[a] + " (kg m/s)",

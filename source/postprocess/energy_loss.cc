@@ -18,6 +18,7 @@ namespace isochor
                    const bool     motion_jumps,
                    const bool     is_cpdi,
                    const bool     grid_is_kept,
+                   const bool     is_last,
                    Warnings      &warnings)
   {
     constexpr double       threshold = 0.01, rounding = 1e-14;
@@ -37,7 +38,10 @@ namespace isochor
     largest           = std::max(largest, total);
     const double loss = lost - lost_at_starts,
                  size = std::max(largest, kinetic_change / 4);
-    warn_of_starts(time, balance, warnings);
+    // before, a motion that begins smoothly has hardly any energy
+    if (n_since_start == n_first_steps ||
+        (is_last && n_since_start < n_first_steps))
+      warn_of_starts(time, balance, warnings);
     if (std::abs(loss) <=
         std::max(threshold * size, rounding * balance.stiffness))
       return;

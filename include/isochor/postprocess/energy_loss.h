@@ -33,7 +33,8 @@ namespace isochor
      * prescribed motion that jumps (@p motion_jumps) once in a while: energies
      * are small beside what is to come, and what sudden motions do faster than
      * the steps is damped on purpose; but energy that is made there, more than
-     * 10 % of the largest, is told of, too. Energies at strains of 1e-7 are
+     * 10 % of the largest, is told of at their end or that of the run, the step
+     * that @p is_last. Energies at strains of 1e-7 are
      * those of rounding and of what Newton's method leaves.
      */
     void
@@ -42,6 +43,7 @@ namespace isochor
          const bool     motion_jumps,
          const bool     is_cpdi,
          const bool     grid_is_kept,
+         const bool     is_last,
          Warnings      &warnings);
 
     /**
