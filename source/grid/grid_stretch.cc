@@ -10,6 +10,36 @@
 
 namespace isochor
 {
+  namespace
+  {
+    /** Throw if the grid isn't in its place at t = 0. */
+    void
+    check_start(const std::vector<double>        &planes,
+                const std::vector<Expression<1>> &displacement)
+    {
+      constexpr double rounding = 1e-6; // of the coordinates
+      double           size     = 0;
+      for (const double plane : planes)
+        size = std::max(size, std::abs(plane));
+      for (unsigned int i = 0; i < planes.size(); ++i)
+        {
+          const double at_start = displacement[i](Point<1>(planes[i]), 0.);
+          AssertThrow(std::abs(at_start) <= rounding * size,
+                      ExcMessage(
+                        "The displacement at the coordinate " +
+                        rounded(planes[i]) +
+                        " of the parameter <Grid/"
+                        "Stretch> is " +
+                        rounded(at_start) +
+                        " m at t = 0, where the grid is in its place: "
+                        "displacements count from there, and have to be 0 at "
+                        "t = 0."));
+        }
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   GridStretch<dim>::declare_parameters(ParameterHandler &prm)
@@ -62,31 +92,7 @@ namespace isochor
                                    "ascend."));
           }
       }
-    check_start();
-  }
-
-
-
-  template <int dim>
-  void
-  GridStretch<dim>::check_start() const
-  {
-    constexpr double rounding = 1e-6; // of the coordinates
-    double           size     = 0;
-    for (const double plane : planes)
-      size = std::max(size, std::abs(plane));
-    for (unsigned int i = 0; i < planes.size(); ++i)
-      {
-        const double at_start = displacement[i](Point<1>(planes[i]), 0.);
-        AssertThrow(std::abs(at_start) <= rounding * size,
-                    ExcMessage("The displacement at the coordinate " +
-                               rounded(planes[i]) +
-                               " of the parameter <Grid/Stretch> is " +
-                               rounded(at_start) +
-                               " m at t = 0, where the grid is in its place: "
-                               "displacements count from there, and have to be "
-                               "0 at t = 0."));
-      }
+    check_start(planes, displacement);
   }
 
 

@@ -41,10 +41,6 @@ namespace isochor
     place(const Point<dim> &reference, const double time) const;
 
   private:
-    /** Throw if the grid isn't in its place at t = 0. */
-    void
-    check_start() const;
-
     int                        axis = -1;
     std::vector<double>        planes; ///< ascending (m)
     std::vector<Expression<1>> displacement;
