@@ -96,6 +96,7 @@ test_smooth_start(const std::string &motion)
     "Grid/Subdivisions = 8, 8\nMaterial/Young modulus = 1e6\n"
     "Material/Density = 1000\nFormulation/Type = u\n"
     "Dynamics/Inertia = true\nGrid reset/Steps between resets = 0\n"
+    "Postprocess/Reactions = bottom\n"
     "Boundary conditions/Displacement = left: x=0; bottom: y=0, x=0; top: y=" +
     motion + "\nTime/Step size = 0.002\nTime/End time = 0.03\n");
   const std::string told = problem->all_warnings().summary();
