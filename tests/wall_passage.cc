@@ -305,6 +305,23 @@ namespace
                 subjects(*put_back));
   }
 
+  /** A wall that stands outside of the grid by less than a cell, on a grid that
+   * is kept: the body doesn't fall through it in silence. */
+  void
+  test_outside()
+  {
+    const std::string error =
+      error_of<2>(column<2>("0",
+                            "bottom: y>=-0.04\nDynamics/Inertia = true\n"
+                            "Dynamics/Initial velocity = 0, -4\n"
+                            "Time/Step size = 0.02\nTime/End time = 0.2\n" +
+                              kept + cpdi));
+    test::check("nothing falls through a wall outside of a kept grid",
+                error.find("<Grid reset/Steps between resets = 1>") !=
+                  std::string::npos,
+                error);
+  }
+
   /** Where a wall that doesn't move is at the start has pushed nothing. */
   void
   test_constant_offset()
@@ -372,5 +389,6 @@ main(int argc, char **argv)
   test_impact();
   test_endless();
   test_behind();
+  test_outside();
   test_constant_offset();
 }

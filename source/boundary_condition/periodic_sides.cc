@@ -6,6 +6,7 @@
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/periodic_vertices.h>
+#include <isochor/boundary_condition/wall_passage.h>
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ namespace isochor
    * several pairs follow the one that is left (PeriodicVertices).
    */
   template <int dim>
-  class PeriodicSides : public BoundaryCondition<dim>
+  class PeriodicSides : public BoundaryCondition<dim>, public HasPeriods<dim>
   {
   public:
     static void
@@ -96,10 +97,19 @@ namespace isochor
       vertices.initialize(grid, names, parameter());
     }
 
-    bool
-    is_periodic() const override
+    void
+    append_periods(const BackgroundGrid<dim> &grid,
+                   std::vector<Period<dim>>  &periods) const override
     {
-      return !pairs.empty();
+      const auto &x = grid.geometry().vertices();
+      for (unsigned int p = 0; p < pairs.size(); ++p)
+        for (const auto &image : vertices.images())
+          if (image.pairs == std::vector<unsigned int>{p})
+            {
+              const Tensor<1, dim> shift = x[image.vertex] - x[image.root];
+              periods.push_back({shift, shift * Tensor<1, dim>(x[image.root])});
+              break;
+            }
     }
 
     void

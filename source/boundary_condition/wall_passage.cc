@@ -170,9 +170,9 @@ namespace isochor
           furthest = {depth / size, depth, unfelt ? 1. : 0.};
       }
 
-      /** Whether the way from @p start to @p end begins in front of a face of
-       * the wall's boundary, or behind it by hardly any of @p size, and meets
-       * it. */
+      /** Whether the way from @p start to @p end begins in front of the wall or
+       * of a face of its boundary, or behind by hardly any of @p size, and
+       * meets it where that face is. */
       bool
       is_through(const Point<dim> &start,
                  const Point<dim> &end,
@@ -182,9 +182,14 @@ namespace isochor
         const double     before   = wall.normal * start - wall.at_end,
                      behind       = wall.normal * end - wall.at_end;
         // a wall inside of the grid, or one that moves, may have been past it
-        const Point<dim> crossing = start + std::max(before, 0.) /
-                                              (std::max(before, 0.) - behind) *
-                                              (end - start);
+        Point<dim> crossing = start + std::max(before, 0.) /
+                                        (std::max(before, 0.) - behind) *
+                                        (end - start);
+        for (const Period<dim> &period : wall.periods)
+          crossing -= std::floor((period.shift * Tensor<1, dim>(crossing) -
+                                  period.start) /
+                                 period.shift.norm_square()) *
+                      period.shift;
         for (const BoundaryFace &face : faces())
           {
             std::array<Point<dim>, dim> x;
@@ -193,8 +198,9 @@ namespace isochor
               if (v != face.opposite_vertex)
                 x[n++] =
                   geometry.vertices()[geometry.vertex_indices(face.cell)[v]];
-            if (wall.normal * (start - x[0]) >= -rounding * size &&
-                (wall.is_endless || is_above(x, crossing)))
+            if (std::max(before, wall.normal * (start - x[0])) >=
+                  -rounding * size &&
+                is_above(x, crossing))
               return true;
           }
         return false;
@@ -324,10 +330,9 @@ namespace isochor
                 rounded(inside / size) +
                 " cells, inside of the grid, so that smaller steps don't "
                 "help: let the boundary of the grid be where the wall is" :
-            step.grid_is_kept && step.grid.is_moving() ?
-              "; on a grid that is both stretched and kept a body meets only "
-              "what it was at when the grid was put back: <Grid reset/Steps "
-              "between resets = 1>" :
+            step.grid_is_kept ?
+              "; on a grid that is kept a body meets only what it was at when "
+              "the grid was put back: <Grid reset/Steps between resets = 1>" :
               "");
   }
 

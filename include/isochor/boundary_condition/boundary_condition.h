@@ -141,13 +141,6 @@ namespace isochor
                   std::vector<unsigned int> & /*vertices*/)
     {}
 
-    /** Whether it makes sides of the grid the same place. */
-    virtual bool
-    is_periodic() const
-    {
-      return false;
-    }
-
     /** Vertices whose displacements constrain() may determine, ahead of what is
      * periodic. */
     virtual std::vector<unsigned int>

@@ -12,6 +12,28 @@
 
 namespace isochor
 {
+  /** A periodic grid goes on behind its sides: places that differ by a multiple
+   * of @p shift (m) are the same. The grid is from @p start on, in the product
+   * with the shift, to @p start + |shift|². */
+  template <int dim>
+  struct Period
+  {
+    Tensor<1, dim> shift;
+    double         start;
+  };
+
+  /** A boundary condition that may make sides of the grid the same place. */
+  template <int dim>
+  class HasPeriods
+  {
+  public:
+    virtual ~HasPeriods() = default;
+
+    virtual void
+    append_periods(const BackgroundGrid<dim> &grid,
+                   std::vector<Period<dim>>  &periods) const = 0;
+  };
+
   /** A flat wall that only pushes; the same on all ranks. */
   template <int dim>
   struct OneSidedWall
@@ -25,8 +47,8 @@ namespace isochor
     /** The most of its vertices at the start, in front of which it is nowhere.
      */
     double most_at_start;
-    /** On a periodic grid nothing passes beside a wall. */
-    bool is_endless = false;
+    /** Of the grid: what leaves it at the side comes back to the wall. */
+    std::vector<Period<dim>> periods;
   };
 
   /** A boundary condition that may have walls which only push. */
@@ -53,10 +75,13 @@ namespace isochor
       if (const auto *const has_walls =
             dynamic_cast<const HasOneSidedWalls<dim> *>(condition.get()))
         has_walls->append_one_sided_walls(step, walls);
+    std::vector<Period<dim>> periods;
     for (const auto &condition : conditions)
-      if (condition->is_periodic())
-        for (OneSidedWall<dim> &wall : walls)
-          wall.is_endless = true;
+      if (const auto *const has_periods =
+            dynamic_cast<const HasPeriods<dim> *>(condition.get()))
+        has_periods->append_periods(step.grid, periods);
+    for (OneSidedWall<dim> &wall : walls)
+      wall.periods = periods;
     return walls;
   }
 
