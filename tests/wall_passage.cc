@@ -322,22 +322,6 @@ namespace
                 error);
   }
 
-  /** Where a wall that doesn't move is at the start has pushed nothing. */
-  void
-  test_constant_offset()
-  {
-    const auto problem =
-      test::run_scene<2>(column<2>("0",
-                                   "top: y=0; bottom: y>=0.02\n"
-                                   "Boundary conditions/Gravity = 0, -1600*t\n"
-                                   "Time/Step size = 0.1\n" +
-                                     cpdi));
-    test::check("a wall that rests has not pushed the body",
-                subjects(*problem).find("leaves the body behind") ==
-                  std::string::npos,
-                subjects(*problem));
-  }
-
   /** A wall that the body goes along, away from it, cuts nothing. */
   void
   test_along()
@@ -390,5 +374,4 @@ main(int argc, char **argv)
   test_endless();
   test_behind();
   test_outside();
-  test_constant_offset();
 }

@@ -56,12 +56,14 @@ namespace isochor
       PassageSearch(const StepContext<dim>  &step,
                     const NodalField        &unknowns,
                     const OneSidedWall<dim> &wall,
-                    const double             largest_way)
+                    const double             largest_way,
+                    const double             most_of_corners)
         : step(step)
         , geometry(step.grid.geometry())
         , nodal(step, unknowns)
         , wall(wall)
         , largest_way(largest_way)
+        , most_of_corners(most_of_corners)
         , inside(std::max(distance_inside(step, wall, wall.at_end), 0.))
         , vertices(wall.vertices)
       {
@@ -109,10 +111,8 @@ namespace isochor
           return;
         const Stencil stencil = points.stencil(geometry, k, q);
         const double  size    = height_of_cell(points.cell[k]);
-        // cells: what the next step takes back, if the grid can locate the
-        // point
-        constexpr double most_of_corners = 0.02;
-        const double     most_of_points =
+        // a point outside of the grid can't be located
+        const double most_of_points =
           step.grid_is_kept ? most_of_corners : nothing;
         look_at_place(
           stencil, x, Tensor<1, dim>(), size, most_of_points * size + inside);
@@ -251,11 +251,14 @@ namespace isochor
       const SimplexGeometry<dim> &geometry;
       const NodalUnknowns<dim>    nodal;
       const OneSidedWall<dim>    &wall;
-      const double                largest_way, inside;
-      std::vector<unsigned int>   vertices;
-      std::vector<BoundaryFace>   of_boundary;
-      Passage                     furthest;
-      double                      behind = 0;
+      const double                largest_way;
+      /** Cells: what the next step takes back. */
+      const double              most_of_corners;
+      const double              inside;
+      std::vector<unsigned int> vertices;
+      std::vector<BoundaryFace> of_boundary;
+      Passage                   furthest;
+      double                    behind = 0;
     };
 
 
@@ -289,8 +292,12 @@ namespace isochor
   std::string
   passage_through_walls(const StepContext<dim>               &step,
                         const NodalField                     &unknowns,
-                        const std::vector<OneSidedWall<dim>> &walls)
+                        const std::vector<OneSidedWall<dim>> &walls,
+                        const bool                            may_be_cut)
   {
+    // the next step takes back what is half a cell behind a wall, but in the
+    // last one its force would be missing
+    const double most_of_corners = may_be_cut ? 0.02 : 0.5;
     if (walls.empty())
       return {};
     // corners of domains may move by more than the nodes, but not by twice as
@@ -300,7 +307,7 @@ namespace isochor
     std::vector<double> found, behind;
     for (const OneSidedWall<dim> &wall : walls)
       {
-        PassageSearch<dim> search(step, unknowns, wall, way);
+        PassageSearch<dim> search(step, unknowns, wall, way, most_of_corners);
         const Passage      passage = search.find();
         found.insert(found.end(),
                      {passage.cells, passage.depth, passage.unfelt});
@@ -400,11 +407,13 @@ namespace isochor
   template std::string
   passage_through_walls(const StepContext<2> &,
                         const NodalField &,
-                        const std::vector<OneSidedWall<2>> &);
+                        const std::vector<OneSidedWall<2>> &,
+                        const bool);
   template std::string
   passage_through_walls(const StepContext<3> &,
                         const NodalField &,
-                        const std::vector<OneSidedWall<3>> &);
+                        const std::vector<OneSidedWall<3>> &,
+                        const bool);
   template bool
   is_far_from_walls(const StepContext<2> &,
                     const std::vector<OneSidedWall<2>> &);

@@ -17,10 +17,9 @@ namespace isochor
     check_start(const std::vector<double>        &planes,
                 const std::vector<Expression<1>> &displacement)
     {
-      constexpr double rounding = 1e-6; // of the coordinates
-      double           size     = 0;
-      for (const double plane : planes)
-        size = std::max(size, std::abs(plane));
+      constexpr double rounding = 1e-6; // of the distances of planes
+      const double size = planes.size() > 1 ? planes.back() - planes.front() :
+                                              std::abs(planes.front());
       for (unsigned int i = 0; i < planes.size(); ++i)
         {
           const double at_start = displacement[i](Point<1>(planes[i]), 0.);
@@ -92,7 +91,8 @@ namespace isochor
                                    "ascend."));
           }
       }
-    check_start(planes, displacement);
+    if (!planes.empty())
+      check_start(planes, displacement);
   }
 
 

@@ -202,10 +202,12 @@ namespace isochor
     if (report.converged)
       {
         const StepContext<dim> step = setup.context();
-        report.failure              = passage_through_walls(
-          step,
-          equilibrium.nodal_unknowns(),
-          find_one_sided_walls(step, scene.boundary_conditions));
+        report.failure =
+          passage_through_walls(step,
+                                equilibrium.nodal_unknowns(),
+                                find_one_sided_walls(step,
+                                                     scene.boundary_conditions),
+                                scene.time.can_be_cut());
         report.converged = report.failure.empty();
         if (!report.converged && scene.has_inertia())
           scene.time.hold_size();

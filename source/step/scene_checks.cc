@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
-#include <unordered_map>
+#include <vector>
 
 namespace isochor
 {
@@ -140,77 +140,53 @@ namespace isochor
 
 
 
-  namespace
-  {
-    /** What the materials around a node have in common: the ranges of G and of
-     * 1/K. */
-    struct Stiffnesses
-    {
-      double least_G = 1e300, largest_G = 0, least_inverse_K = 1e300,
-             largest_inverse_K = 0;
-
-      void
-      add(const double G, const double inverse_K)
-      {
-        least_G           = std::min(least_G, G);
-        largest_G         = std::max(largest_G, G);
-        least_inverse_K   = std::min(least_inverse_K, inverse_K);
-        largest_inverse_K = std::max(largest_inverse_K, inverse_K);
-      }
-
-      bool
-      differ() const
-      {
-        constexpr double much = 1.5;
-        return largest_G > much * least_G ||
-               largest_inverse_K > much * least_inverse_K;
-      }
-    };
-  } // namespace
-
-
-
   /** In the mixed form warn of materials that meet at nodes, where the mean
-   * stress jumps, but not p. Where all are nearly incompressible, it hardly
-   * matters. At the start. Collective. */
+   * stress jumps, but not p. Where all of them are nearly incompressible, it
+   * hardly matters. At the start. Collective. */
   template <int dim>
   static void
   check_interfaces(const StepContext<dim> &step)
   {
-    const auto &materials = step.kernel.materials;
-    // Poisson's ratio of 0.48
-    constexpr double nearly_incompressible = 25; // K/G
-    bool             is_compressible       = false;
-    for (const auto &material : materials)
-      is_compressible =
-        is_compressible ||
-        material->shear_modulus() * material->inverse_bulk_modulus() >
-          1 / nearly_incompressible;
-    if (!step.mixed() || materials.size() < 2 || !is_compressible)
+    constexpr double much = 1.5, nearly_incompressible = 25; // K/G, nu = 0.48
+    const auto      &materials = step.kernel.materials;
+    if (!step.mixed() || materials.size() < 2)
       return;
-    const PointArrays<dim>                       &points = step.points;
-    std::unordered_map<unsigned int, Stiffnesses> at_vertex;
+    // of each vertex the largest G, 1/G, 1/K, K and G/K of what is around it
+    constexpr unsigned int      n_values = 5;
+    const PointArrays<dim>     &points   = step.points;
+    const SimplexGeometry<dim> &geometry = step.grid.geometry();
+    std::vector<double> largest(n_values * geometry.vertices().size(), 0.);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
-        for (const unsigned int v :
-             step.grid.geometry().vertex_indices(points.cell[k]))
-          at_vertex[v].add(
-            materials[points.material[q]]->shear_modulus(),
-            materials[points.material[q]]->inverse_bulk_modulus());
-    std::array<double, 2> n{}; // between materials, and all
-    for (const auto &vertex : at_vertex)
+        {
+          const auto  &material = *materials[points.material[q]];
+          const double G        = material.shear_modulus(),
+                       iK       = material.inverse_bulk_modulus();
+          const std::array<double, n_values> values = {
+            {G, 1 / G, iK, iK > 0 ? 1 / iK : 1e300, G * iK}};
+          for (const unsigned int v : geometry.vertex_indices(points.cell[k]))
+            for (unsigned int i = 0; i < n_values; ++i)
+              largest[n_values * v + i] =
+                std::max(largest[n_values * v + i], values[i]);
+        }
+    Utilities::MPI::max(largest, step.grid.communicator(), largest);
+    unsigned int n_between = 0, n_all = 0;
+    for (std::size_t v = 0; v < geometry.vertices().size(); ++v)
       {
-        n[0] += vertex.second.differ() ? 1 : 0;
-        ++n[1];
+        const double *const l = largest.data() + n_values * v;
+        n_all += l[0] > 0 ? 1 : 0;
+        n_between += (l[0] * l[1] > much || l[2] * l[3] > much) &&
+                         l[4] * nearly_incompressible > 1 ?
+                       1 :
+                       0;
       }
-    sum_over_ranks(n, step.grid.communicator());
-    if (n[0] > 0)
+    if (n_between > 0)
       step.warnings.add(
         "materials that share pressures",
         "Materials of other stiffness, not all of them nearly incompressible, "
         "meet at " +
-          rounded(100. * n[0] / n[1]) +
+          rounded(100. * n_between / n_all) +
           " % of the nodes of the body. The mean stress may jump there, but "
           "the pressure of <Formulation/Type = u-p> can't: it is wrong in the "
           "cells along the interface, and with it displacements and forces, by "

@@ -119,8 +119,7 @@ namespace isochor
     }
 
     /** The least and the most that has moved the vertices before @p step, along
-     * the component beyond what moves the grid (m), and 0. A wall on one side
-     * only has pushed nothing by where it is at t = 0. */
+     * the component beyond what moves the grid (m), and 0. */
     std::array<double, 2>
     push(const std::vector<Point<dim>> &reference,
          const StepContext<dim>        &step) const
@@ -129,7 +128,6 @@ namespace isochor
       for (const unsigned int v : vertices)
         {
           const double way = displacement(reference[v], step.old_time) -
-                             (side != 0 ? displacement(reference[v], 0.) : 0.) -
                              (step.grid.geometry().vertices()[v][component] -
                               reference[v][component]);
           range[0] = std::min(range[0], way);

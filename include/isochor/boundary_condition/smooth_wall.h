@@ -189,12 +189,8 @@ namespace isochor
     {
       double push = 0; // as far as it came before this step
       for (const Node &node : nodes)
-        {
-          const Point<dim> &x = reference[node.vertex];
-          push                = std::max(push,
-                          displacement(x, step.old_time) -
-                            (one_sided ? displacement(x, 0.) : 0.));
-        }
+        push =
+          std::max(push, displacement(reference[node.vertex], step.old_time));
       if (push <= 0)
         return;
       std::vector<OneSidedWall<dim>> walls;

@@ -48,7 +48,7 @@ namespace isochor
      */
     double most_at_start;
     /** Of the grid: what leaves it at the side comes back to the wall. */
-    std::vector<Period<dim>> periods;
+    std::vector<Period<dim>> periods = {};
   };
 
   /** A boundary condition that may have walls which only push. */
@@ -97,15 +97,18 @@ namespace isochor
    * of their domains where shape functions are known on these. One on which the
    * nodes of the wall act at the start, but not enough, is taken back by the
    * next step as long as it is less than half of a cell behind the wall, and
-   * points of a grid that is put back are not outside of it. Only
-   * what is between the faces of the wall's boundary and their continuation
-   * along the normal counts: a body may pass beside a wall. Collective.
+   * points of a grid that is put back are not outside of it; if the step
+   * @p may_be_cut, a fiftieth of a cell is enough, as the force of the last
+   * step would lack it. Only what is between the faces of the wall's boundary
+   * and their continuation along the normal counts: a body may pass beside a
+   * wall. Collective.
    */
   template <int dim>
   std::string
   passage_through_walls(const StepContext<dim>               &step,
                         const NodalField                     &unknowns,
-                        const std::vector<OneSidedWall<dim>> &walls);
+                        const std::vector<OneSidedWall<dim>> &walls,
+                        const bool                            may_be_cut);
 
   /** Whether all of the body is more than a cell in front of the walls in
    * @p walls at the start of the step, of which there are some: it has not come
