@@ -162,14 +162,18 @@ test_free()
                     0.03);
 }
 
-/** In steps that are too large the disc rolls through the wall. */
+/** In steps that are too large the disc rolls through the wall, which is told
+ * of where they can't be cut. */
 void
 test_passage()
 {
   for (const std::string size : {"0.5", "0.1"})
     {
       const auto problem = test::run_scene<2>(
-        cpdi + test::seal(20, 0.3, "Time/Step size = " + size + "\n"));
+        cpdi + test::seal(20,
+                          0.3,
+                          "Time/Step size = " + size +
+                            "\nTime/Minimum step size = " + size + "\n"));
       bool told = false;
       for (const auto &warning : problem->all_warnings().all())
         told = told || warning.subject == "a body that went through a wall";
