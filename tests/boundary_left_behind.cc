@@ -113,6 +113,12 @@ main(int argc, char **argv)
                 flat.warning.find("loses the body: forces") !=
                   std::string::npos,
               flat.warning);
+  const Result inside =
+    push<2>("Boundary conditions/Displacement = left: x = 0; bottom: y = 0; "
+            "top: y <= -0.03\n");
+  test::check("a one-sided wall that stands in the body",
+              inside.warning.find("by 0.03 m") != std::string::npos,
+              inside.warning);
   const Result apart = push<2>("Material points/Region = x < 1 && y < 0.5\n");
   test::check("a body that the boundary doesn't touch",
               apart.warning.empty(),

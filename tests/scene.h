@@ -82,8 +82,11 @@ namespace isochor
     run_scene(const std::string &settings)
     {
       ParameterHandler prm;
-      MaterialPointMethod<dim>::declare_parameters(
-        prm, settings.find("Material 2/") == std::string::npos ? 1 : 2);
+      unsigned int     n_materials = 1;
+      while (settings.find("Material " + std::to_string(n_materials + 1) +
+                           "/") != std::string::npos)
+        ++n_materials;
+      MaterialPointMethod<dim>::declare_parameters(prm, n_materials);
       set_parameters(prm,
                      "Quadrature/Type = points\n"
                      "Output/Directory = .\nOutput/Terminal = quiet\n"

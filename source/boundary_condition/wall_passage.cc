@@ -75,7 +75,7 @@ namespace isochor
       double
       stays_behind() const
       {
-        return behind;
+        return most_behind;
       }
 
       /** Of this rank's material, what has gone furthest through. */
@@ -154,7 +154,7 @@ namespace isochor
                  nodal.increment(stencil.vertex[I]);
         const double depth = wall.at_end - wall.normal * end;
         if (depth <= nothing * size ||
-            depth <= std::min(furthest.cells, behind) * size)
+            depth <= std::min(furthest.cells, most_behind) * size)
           return;
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
           if (std::binary_search(vertices.begin(),
@@ -162,25 +162,24 @@ namespace isochor
                                  stencil.vertex[I]))
             part += stencil.shape[I] + stencil.gradient[I] * r;
         const bool unfelt = part < hardly;
-        if (step.grid_is_kept && !unfelt && depth > behind * size &&
-            is_through(x + r, end, std::numeric_limits<double>::max()))
-          behind = depth / size;
+        if (step.grid_is_kept && !unfelt && depth > most_behind * size &&
+            is_through(x + r, end, std::numeric_limits<double>::infinity()))
+          most_behind = depth / size;
         if (depth > furthest.cells * size && (unfelt || depth > most) &&
-            is_through(x + r, end, size))
+            is_through(x + r, end, nothing * size))
           furthest = {depth / size, depth, unfelt ? 1. : 0.};
       }
 
       /** Whether the way from @p start to @p end begins in front of the wall or
-       * of a face of its boundary, or behind by hardly any of @p size, and
+       * of a face of its boundary, or behind both by @p slack (m) at most, and
        * meets it where that face is. */
       bool
       is_through(const Point<dim> &start,
                  const Point<dim> &end,
-                 const double      size)
+                 const double      slack)
       {
-        constexpr double rounding = 1e-3; // of a cell
-        const double     before   = wall.normal * start - wall.at_end,
-                     behind       = wall.normal * end - wall.at_end;
+        const double before = wall.normal * start - wall.at_end,
+                     behind = wall.normal * end - wall.at_end;
         // a wall inside of the grid, or one that moves, may have been past it
         Point<dim> crossing = start + std::max(before, 0.) /
                                         (std::max(before, 0.) - behind) *
@@ -198,8 +197,7 @@ namespace isochor
               if (v != face.opposite_vertex)
                 x[n++] =
                   geometry.vertices()[geometry.vertex_indices(face.cell)[v]];
-            if (std::max(before, wall.normal * (start - x[0])) >=
-                  -rounding * size &&
+            if (std::max(before, wall.normal * (start - x[0])) >= -slack &&
                 is_above(x, crossing))
               return true;
           }
@@ -258,7 +256,7 @@ namespace isochor
       std::vector<unsigned int> vertices;
       std::vector<BoundaryFace> of_boundary;
       Passage                   furthest;
-      double                    behind = 0;
+      double                    most_behind = 0;
     };
 
 
@@ -337,7 +335,7 @@ namespace isochor
                 rounded(inside / size) +
                 " cells, inside of the grid, so that smaller steps don't "
                 "help: let the boundary of the grid be where the wall is" :
-            step.grid_is_kept ?
+            step.grid_is_kept && !may_be_cut ?
               "; on a grid that is kept a body meets only what it was at when "
               "the grid was put back: <Grid reset/Steps between resets = 1>" :
               "");

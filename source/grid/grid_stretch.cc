@@ -23,16 +23,14 @@ namespace isochor
       for (unsigned int i = 0; i < planes.size(); ++i)
         {
           const double at_start = displacement[i](Point<1>(planes[i]), 0.);
-          AssertThrow(std::abs(at_start) <= rounding * size,
-                      ExcMessage(
-                        "The displacement at the coordinate " +
-                        rounded(planes[i]) +
-                        " of the parameter <Grid/"
-                        "Stretch> is " +
-                        rounded(at_start) +
-                        " m at t = 0, where the grid is in its place: "
-                        "displacements count from there, and have to be 0 at "
-                        "t = 0."));
+          AssertThrow(
+            std::abs(at_start) <= rounding * size,
+            ExcMessage(
+              "The displacement at the coordinate " + rounded(planes[i]) +
+              " of the parameter <Grid/Stretch> is " + rounded(at_start) +
+              " m at t = 0, where the grid is in its place: "
+              "displacements count from there, and have to be 0 at "
+              "t = 0."));
         }
     }
   } // namespace

@@ -12,6 +12,14 @@
 
 namespace isochor
 {
+  namespace
+  {
+    /** Of the stiffness: energies that are those of rounding errors. */
+    constexpr double rounding = 1e-14;
+  } // namespace
+
+
+
   void
   EnergyLoss::look(const double   time,
                    const Balance &balance,
@@ -21,7 +29,7 @@ namespace isochor
                    const bool     is_last,
                    Warnings      &warnings)
   {
-    constexpr double       threshold = 0.01, rounding = 1e-14;
+    constexpr double       threshold     = 0.01;
     constexpr unsigned int n_first_steps = 10, n_between = 50;
 
     const double total  = balance.kinetic + balance.internal;
@@ -83,14 +91,13 @@ namespace isochor
 
 
   /** What steps lose at a start is what a sudden motion or an impact radiates
-   * into waves that they don't resolve. Nothing creates energy there but steps
-   * that are too large. */
+   * into waves that they don't resolve. What they create isn't meant. */
   void
   EnergyLoss::warn_of_starts(const double   time,
                              const Balance &balance,
                              Warnings      &warnings) const
   {
-    constexpr double much = 0.1, rounding = 1e-14;
+    constexpr double much = 0.1;
     if (-lost_at_starts <=
         std::max(much * largest, rounding * balance.stiffness))
       return;
@@ -113,7 +120,7 @@ namespace isochor
                               const bool     is_cpdi,
                               Warnings      &warnings)
   {
-    constexpr double threshold = 0.05, rounding = 1e-14;
+    constexpr double threshold = 0.05;
 
     lost = balance.supplied - balance.internal;
     if (n_since_start++ == 0)

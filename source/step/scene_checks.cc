@@ -18,6 +18,12 @@
 
 namespace isochor
 {
+  /** K/G from which on a material hardly changes its volume: that of Poisson's
+   * ratio of 0.48. */
+  static constexpr double nearly_incompressible = 25;
+
+
+
   template <int dim>
   void
   check_body(const StepContext<dim> &step)
@@ -76,9 +82,7 @@ namespace isochor
   check_materials(const Scene<dim> &scene, Warnings &warnings)
   {
     const auto &materials = scene.kernel.materials;
-    // Poisson's ratio of 0.48
-    constexpr double nearly_incompressible = 25; // K/G
-    bool             locks                 = false;
+    bool        locks     = false;
     for (unsigned int m = 0; m < materials.size(); ++m)
       {
         const std::string name =
@@ -147,9 +151,15 @@ namespace isochor
   static void
   check_interfaces(const StepContext<dim> &step)
   {
-    constexpr double much = 1.5, nearly_incompressible = 25; // K/G, nu = 0.48
+    constexpr double much      = 1.5;
     const auto      &materials = step.kernel.materials;
-    if (!step.mixed() || materials.size() < 2)
+    const bool       any_compressible =
+      std::any_of(materials.begin(), materials.end(), [](const auto &m) {
+        return m->shear_modulus() * m->inverse_bulk_modulus() *
+                 nearly_incompressible >
+               1;
+      });
+    if (!step.mixed() || materials.size() < 2 || !any_compressible)
       return;
     // of each vertex the largest G, 1/G, 1/K, K and G/K of what is around it
     constexpr unsigned int      n_values = 5;
@@ -191,8 +201,10 @@ namespace isochor
           "the pressure of <Formulation/Type = u-p> can't: it is wrong in the "
           "cells along the interface, and with it displacements and forces, by "
           "about as much as these cells are of the layers (up to 20 % with "
-          "four cells across each). If no Poisson's ratio is above 0.48, use <Formulation/"
-          "Type = u>, where nothing of this happens; else take smaller cells.");
+          "four cells across each). If no Poisson's ratio is above 0.48, use "
+          "<Formulation/Type = u>, where nothing of this happens; else take "
+          "smaller cells and, with <Quadrature/Type = CPDI>, keep the grid "
+          "(<Grid reset/Steps between resets = 0>).");
   }
 
 

@@ -34,8 +34,8 @@ namespace isochor
      * are small beside what is to come, and what sudden motions do faster than
      * the steps is damped on purpose; but energy that is made there, more than
      * 10 % of the largest, is told of at their end or that of the run, the step
-     * that @p is_last. Energies at strains of 1e-7 are
-     * those of rounding and of what Newton's method leaves.
+     * that @p is_last. Energies at strains of 1e-7 are those of rounding and of
+     * what Newton's method leaves.
      */
     void
     look(const double   time,
@@ -68,6 +68,7 @@ namespace isochor
     load(std::istream &state);
 
   private:
+    /** See look(). */
     void
     warn_of_starts(const double   time,
                    const Balance &balance,
