@@ -205,11 +205,14 @@ test_moved_surface(const std::string                         &u,
 
 /** A bar is drawn through the grid. With four points per cell domains are half
  * as long as their cells at first; from a stretch of 2.4 on nodes between their
- * corners feel nothing. */
+ * corners feel nothing. With one they have fewer corners than there are nodes,
+ * once the bar has moved. */
 void
 test_long_domains()
 {
-  const auto warns = [](const std::string &stretch, const std::string &points) {
+  const auto warns = [](const std::string &stretch,
+                        const std::string &points,
+                        const std::string &settings = "") {
     const auto problem = test::run_scene<2>(
       "Quadrature/Type = CPDI\nFormulation/Type = u\n"
       "Grid/Upper corner = 3.2, 0.4\nGrid/Subdivisions = 16, 2\n"
@@ -219,7 +222,7 @@ test_long_domains()
       "\nBoundary conditions/Displacement = left: x=0; bottom: y=0; top: y=0\n"
       "Boundary conditions/Surfaces of body = end: x > 0.9999\n"
       "Boundary conditions/Displacement of body = end: x = (" +
-      stretch + " - 1)*t\nTime/Step size = 0.1\n");
+      stretch + " - 1)*t\nTime/Step size = 0.1\n" + settings);
     for (const auto &warning : problem->all_warnings().all())
       if (warning.subject == "domains longer than the cells")
         return true;
@@ -230,6 +233,10 @@ test_long_domains()
               "");
   test::check("longer ones are", warns("3", "4"), "");
   test::check("nor those of more points", !warns("3", "9"), "");
+  test::check("one point per cell is", warns("1.05", "1"), "");
+  test::check("not on a grid that is kept",
+              !warns("1.05", "1", "Grid reset/Steps between resets = 0\n"),
+              "");
 }
 
 int

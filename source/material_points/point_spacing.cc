@@ -29,6 +29,11 @@ namespace isochor
     /** Domains of CPDI may be so much longer than their cells: a bar with
      * domains of half of a cell at first was right up to a stretch of 2.4. */
     constexpr double tolerated_length = 1.2;
+    /** From this share of their cells on, domains have hardly more corners than
+     * the grid has nodes around them: those in rows of cells move all corners
+     * alike when every other row of nodes goes too far and the next not far
+     * enough. On the lines of the grid, as at the start, it is no harm. */
+    constexpr double as_large_as_cells = 0.9;
     /** The relative difference of volumes that is worth a warning, if it is
      * there at so many resets one after the other. */
     constexpr double       tolerated_difference = 0.03;
@@ -79,7 +84,7 @@ namespace isochor
     const double   share = Utilities::MPI::max(largest_share(points), comm);
     if (at_start)
       warn_of_large_domains(points, share, warnings);
-    warn_of_long_domains(points, time, warnings);
+    warn_of_long_domains(points, time, at_start, warnings);
     if (share <= harmless_share)
       return;
     const std::set<unsigned int> bare = find_bare_cells(points);
@@ -199,6 +204,7 @@ namespace isochor
   void
   PointSpacing<dim>::warn_of_long_domains(const PointArrays<dim> &points,
                                           const double            time,
+                                          const bool              at_start,
                                           Warnings &warnings) const
   {
     const MPI_Comm comm = grid.communicator();
@@ -230,7 +236,9 @@ namespace isochor
               }
           const double V = determinant(points.F[q]) * points.volume[q];
           volumes[1] += V;
-          if (length > tolerated_length)
+          if (length > tolerated_length ||
+              (!at_start &&
+               V > as_large_as_cells * geometry.measure(points.cell[k])))
             volumes[0] += V;
           longest = std::max(longest, length);
         }
@@ -241,8 +249,8 @@ namespace isochor
     std::ostringstream text;
     text.precision(3);
     text << "At t = " << time << ", " << 100 * volumes[0] / volumes[1]
-         << " % of the body consist of points whose domains are longer than "
-            "their cells, up to "
+         << " % of the body consist of points whose domains are as large as "
+            "their cells or longer, up to "
          << longest
          << " times. Nodes between the corners of a domain feel nothing of it: "
             "displacements of the grid and of probes become arbitrary there, "

@@ -200,11 +200,10 @@ namespace isochor
           " % of the nodes of the body. The mean stress may jump there, but "
           "the pressure of <Formulation/Type = u-p> can't: it is wrong in the "
           "cells along the interface, and with it displacements and forces, by "
-          "about as much as these cells are of the layers (up to 20 % with "
-          "four cells across each). If no Poisson's ratio is above 0.48, use "
+          "about as much as these cells are of the layers (7 % with four cells "
+          "across each). If no Poisson's ratio is above 0.48, use "
           "<Formulation/Type = u>, where nothing of this happens; else take "
-          "smaller cells and, with <Quadrature/Type = CPDI>, keep the grid "
-          "(<Grid reset/Steps between resets = 0>).");
+          "smaller cells at the interface.");
   }
 
 

@@ -104,7 +104,7 @@ namespace isochor
                    CellCompliance         &compliance) const
     {
       const MaterialModel<dim> &material = *materials[points.material[q]];
-      compliance.add(V / material.shear_modulus(), material.density());
+      compliance.add(V, material.shear_modulus(), material.density());
     }
 
     /** That of the points [begin, end) of a cell. */
@@ -267,7 +267,7 @@ namespace isochor
                      const unsigned int    I,
                      const unsigned int    J) const
     {
-      return ppp_coefficient * compliance.volume *
+      return ppp_coefficient * compliance.over_G() *
              ((I == J ? 2. : 1.) / ((dim + 1) * (dim + 2)) -
               1. / ((dim + 1) * (dim + 1)));
     }
@@ -276,7 +276,7 @@ namespace isochor
     static Tensor<1, dim>
     weight_density(const CellCompliance &compliance, const Tensor<1, dim> &g)
     {
-      return compliance.mass / compliance.volume * g;
+      return compliance.density() * g;
     }
 
     /** d_I of a cell but for a constant, which doesn't matter. */
