@@ -25,6 +25,7 @@ namespace isochor
     , timer(timer)
     , spacing(scene.grid)
     , occupancy(scene.grid)
+    , contact_watch(scene.grid)
     , extension(scene.grid, occupancy)
     , nodes(scene.grid)
   {}
@@ -302,6 +303,8 @@ namespace isochor
       term->touch_vertices(touched_vertices);
     keep_each_once(touched_vertices);
     touched_vertices.shrink_to_fit(); // each cell has named all of its own
+    contact_watch.look(
+      arrays, touched_vertices, time, scene.time.step == 0, scene.warnings);
     if (extends)
       {
         std::vector<unsigned int> never;
@@ -456,7 +459,7 @@ namespace isochor
     std::ostringstream              stream(std::ios::binary);
     boost::archive::binary_oarchive archive(stream);
     archive << scene.adaptation.save_state(scene.grid) << partition.save_state()
-            << grid_reset << cavity_watch << free_nodes;
+            << grid_reset << cavity_watch << contact_watch << free_nodes;
     if (!grid_reset.due())
       archive << touched_vertices << arrays << extension;
     return stream.str();
@@ -476,7 +479,7 @@ namespace isochor
       grid_changed();
     if (partition.load_state(division, scene.grid, scene.points, *locator))
       owners_changed();
-    archive >> grid_reset >> cavity_watch >> free_nodes;
+    archive >> grid_reset >> cavity_watch >> contact_watch >> free_nodes;
     is_current = false;
     is_resumed = true;
     if (!grid_reset.due())

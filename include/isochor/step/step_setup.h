@@ -15,6 +15,7 @@
 #include <isochor/material_points/point_refinement.h>
 #include <isochor/material_points/point_spacing.h>
 #include <isochor/step/scene.h>
+#include <isochor/transfer/contact_watch.h>
 #include <isochor/transfer/grid_reset.h>
 
 #include <cstdint>
@@ -221,6 +222,7 @@ namespace isochor
     PointRefinement<dim>               refinement;
     PointSpacing<dim>                  spacing;
     CellOccupancy<dim>                 occupancy;
+    ContactWatch<dim>                  contact_watch;
     CavityWatch<dim>                   cavity_watch;
     bool                               needs_occupancy = false;
     DiscreteExtension<dim>             extension;
