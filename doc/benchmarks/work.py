@@ -310,34 +310,43 @@ def finite_elements(work):
 
 
 def start(work):
-    """What a run costs before it does anything: the CPU time of `isochor --help`, which
-    is the loading of the libraries that Debian's deal.II is linked with, and that of the
-    smallest scene, one step on 2 x 2 cells."""
+    """What a run costs before it does anything: `isochor --help`, which is the loading
+    of the libraries that Debian's deal.II is linked with, and the smallest scene, one
+    step on 2 x 2 cells; run in turn."""
     smallest = {"Grid/Subdivisions": "2, 2", "Time/End time": 0.01}
-    loading, whole = [], []
-    for _ in range(work.repeat):
-        before = os.times()
-        subprocess.run(
-            [work.arguments.executable, "--help"], check=True, capture_output=True
-        )
-        after = os.times()
-        loading.append(
-            after.children_user
-            + after.children_system
-            - before.children_user
-            - before.children_system
-        )
-        whole.append(work.once(BLOCK, smallest)[0])
-    share = stat.median(a / b for a, b in zip(loading, whole))
-    work.note("start", loading=loading, whole=whole)
-    return report.table(
-        ("`isochor --help`, CPU s", "smallest scene, CPU s", "share"),
-        [
-            (
-                f"{stat.median(loading):.2f}",
-                f"{stat.median(whole):.2f}",
-                f"{100 * share:.0f} %",
+    smallest.update(harness.QUIET)
+    setting = [f"--set={key}={value}" for key, value in smallest.items()]
+    setting.append(f"--set=Output/Directory={work.directory / 'run'}")
+    programs_run = {
+        "`isochor --help`": [work.arguments.executable, "--help"],
+        "smallest scene": [work.arguments.executable, *setting, BLOCK],
+    }
+    if work.arguments.baseline:
+        programs_run["smallest scene, baseline"] = [
+            work.arguments.baseline,
+            *setting,
+            BLOCK,
+        ]
+    times = {name: [] for name in programs_run}
+    for _ in range(3 * work.repeat):
+        for name, command in programs_run.items():
+            before = os.times()
+            subprocess.run(command, check=True, capture_output=True)
+            after = os.times()
+            cpu = (
+                after.children_user
+                + after.children_system
+                - before.children_user
+                - before.children_system
             )
+            times[name].append((cpu, after.elapsed - before.elapsed))
+    for name, values in times.items():
+        work.note("start", name=name, times=values)
+    return report.table(
+        ("run", "CPU s", "elapsed s"),
+        [
+            (name, *(f"{stat.median(column):.2f}" for column in zip(*values)))
+            for name, values in times.items()
         ],
     )
 
@@ -486,7 +495,7 @@ TABLES = {
 def main():
     parser = programs.parser(__doc__, "output-work")
     parser.add_argument("--only", action="append", choices=list(TABLES))
-    parser.add_argument("--baseline", help="another isochor, for the table 'pairs'")
+    parser.add_argument("--baseline", help="another isochor, for the tables 'start' and 'pairs'")
     parser.add_argument(
         "--baseline-prm", type=Path, default=PRM, help="the scenes it understands"
     )
