@@ -27,8 +27,10 @@ if(NOT TYPE STREQUAL Release)
   set(type -D CMAKE_BUILD_TYPE=${TYPE})
 endif()
 foreach(example step plugins)
+  # several files at once: most of the work of a compilation is deal.II's headers
   run(COMMAND ${CMAKE_COMMAND} -S ${DOC}/${example} -B ${place}/${example}
-    -D CMAKE_PREFIX_PATH=${place}/usr ${type})
+    -D CMAKE_PREFIX_PATH=${place}/usr -D CMAKE_UNITY_BUILD=ON
+    -D CMAKE_UNITY_BUILD_BATCH_SIZE=5 ${type})
   run(COMMAND ${CMAKE_COMMAND} --build ${place}/${example})
 endforeach()
 
