@@ -305,7 +305,9 @@ namespace isochor
                                       const CellOccupancy<dim>  &occupancy,
                                       const MixedKernel<dim>    &kernel) const
   {
-    // a corner stands for its part of the domain
+    // A corner stands for its part of the domain, but the cell is as stiff as
+    // the points in it: where materials meet, corners of soft domains lie in
+    // cells of the stiff one, by a hair at first.
     const BackgroundGrid<dim>             &grid = occupancy.grid;
     std::map<unsigned int, CellCompliance> compliance;
     for (unsigned int i = 0; i < corner_shares.size(); ++i)
@@ -313,18 +315,25 @@ namespace isochor
         if (corner_shares[i] == 0)
           continue;
         const unsigned int q = points.corner_cells[i].first;
-        for_parts_of_element(grid,
-                             points.corner_cells[i].second,
-                             [&](const unsigned int cell, const double part) {
-                               if (occupancy.is_closed(cell))
-                                 kernel.add_compliance(points,
-                                                       q,
-                                                       part *
-                                                         (corner_shares[i] *
-                                                          points.measure(q) /
-                                                          (dim + 1)),
-                                                       compliance[cell]);
-                             });
+        for_parts_of_element(
+          grid,
+          points.corner_cells[i].second,
+          [&](const unsigned int cell, const double part) {
+            if (!occupancy.is_closed(cell))
+              return;
+            const double V =
+              part * corner_shares[i] * points.measure(q) / (dim + 1);
+            const auto *const content = occupancy.content(cell);
+            if (content != nullptr && content->volume_over_G > 0)
+              kernel.add_compliance(points,
+                                    q,
+                                    V,
+                                    content->volume_over_G /
+                                      content->reference_volume,
+                                    compliance[cell]);
+            else
+              kernel.add_compliance(points, q, V, compliance[cell]);
+          });
       }
     points.set_overlapped_cells(grid.geometry(), compliance);
   }

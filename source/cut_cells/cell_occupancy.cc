@@ -257,8 +257,10 @@ namespace isochor
               points.seeded_volume.empty() ? V0 : points.seeded_volume[q];
             content.volume_times_seeded += J * V0 * J * seeded;
             content.reference_volume += V0;
-            content.volume_times_G +=
-              V0 * kernel.materials[points.material[q]]->shear_modulus();
+            const double G =
+              kernel.materials[points.material[q]]->shear_modulus();
+            content.volume_times_G += V0 * G;
+            content.volume_over_G += V0 / G;
             const auto stencil = points.stencil(grid.geometry(), k, q);
             for (unsigned int I = 0; I < stencil.n_nodes; ++I)
               activate(stencil.vertex[I]);
@@ -341,6 +343,7 @@ namespace isochor
                         content.volume,
                         content.reference_volume,
                         content.volume_times_G,
+                        content.volume_over_G,
                         content.volume_times_seeded});
           }
       }
@@ -368,14 +371,15 @@ namespace isochor
     const std::size_t n_vertices = message[0];
     for (std::size_t i = 1; i <= n_vertices; ++i)
       activate(static_cast<unsigned int>(message[i]));
-    for (std::size_t i = 1 + n_vertices; i < message.size(); i += 5)
+    for (std::size_t i = 1 + n_vertices; i < message.size(); i += 6)
       {
         const double *in = &message[i];
         Content      &to = entry(static_cast<unsigned int>(in[0]));
         to.volume += in[1];
         to.reference_volume += in[2];
         to.volume_times_G += in[3];
-        to.volume_times_seeded += in[4];
+        to.volume_over_G += in[4];
+        to.volume_times_seeded += in[5];
       }
   }
 

@@ -32,8 +32,9 @@ namespace isochor
     /** From this share of their cells on, domains have hardly more corners than
      * the grid has nodes around them: those in rows of cells move all corners
      * alike when every other row of nodes goes too far and the next not far
-     * enough. On the lines of the grid, as at the start, it is no harm. */
-    constexpr double as_large_as_cells = 0.9;
+     * enough. That is no harm as long as corners lie on nodes but for this
+     * weight. */
+    constexpr double as_large_as_cells = 0.9, on_node = 0.02;
     /** The relative difference of volumes that is worth a warning, if it is
      * there at so many resets one after the other. */
     constexpr double       tolerated_difference = 0.03;
@@ -42,6 +43,16 @@ namespace isochor
     /** The part of the points that may change cells with the plain quadrature
      * without a word. */
     constexpr double tolerated_changes = 0.1;
+
+    /** Those that the corners of a domain with this stencil lie between. */
+    template <typename Stencil>
+    unsigned int
+    n_nodes_felt(const Stencil &stencil)
+    {
+      return std::count_if(stencil.shape,
+                           stencil.shape + stencil.n_nodes,
+                           [](const double N) { return N > on_node; });
+    }
 
     /** @p cells, each brought to the rank that owns it. */
     template <int dim>
@@ -84,7 +95,7 @@ namespace isochor
     const double   share = Utilities::MPI::max(largest_share(points), comm);
     if (at_start)
       warn_of_large_domains(points, share, warnings);
-    warn_of_long_domains(points, time, at_start, warnings);
+    warn_of_long_domains(points, time, warnings);
     if (share <= harmless_share)
       return;
     const std::set<unsigned int> bare = find_bare_cells(points);
@@ -204,7 +215,6 @@ namespace isochor
   void
   PointSpacing<dim>::warn_of_long_domains(const PointArrays<dim> &points,
                                           const double            time,
-                                          const bool              at_start,
                                           Warnings &warnings) const
   {
     const MPI_Comm comm = grid.communicator();
@@ -237,8 +247,8 @@ namespace isochor
           const double V = determinant(points.F[q]) * points.volume[q];
           volumes[1] += V;
           if (length > tolerated_length ||
-              (!at_start &&
-               V > as_large_as_cells * geometry.measure(points.cell[k])))
+              (V > as_large_as_cells * geometry.measure(points.cell[k]) &&
+               n_nodes_felt(points.stencil(geometry, k, q)) > dim + 1))
             volumes[0] += V;
           longest = std::max(longest, length);
         }

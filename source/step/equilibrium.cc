@@ -298,9 +298,8 @@ namespace isochor
   Equilibrium<dim>::check_contact(const double force_scale,
                                   const bool   converged)
   {
-    // where nothing acts, forces are rounding
     const typename BoundaryCondition<dim>::ContactTolerance tolerance{
-      std::max(newton_solver.tolerance * force_scale, force_floor),
+      newton_solver.tolerance * force_scale,
       newton_solver.tolerance,
       converged};
     ContactChange change;

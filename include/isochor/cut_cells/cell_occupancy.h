@@ -59,6 +59,7 @@ namespace isochor
       double       volume           = 0; ///< Σ J V_0 at t_n
       double       reference_volume = 0; ///< Σ V_0
       double       volume_times_G   = 0; ///< Σ V_0 G
+      double       volume_over_G    = 0; ///< Σ V_0 / G, not of holes
       /** Σ J V_0 J V_s, with the volumes V_s of the points as they were seeded
        * (PointArrays::seeded_volume). */
       double volume_times_seeded = 0;

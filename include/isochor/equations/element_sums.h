@@ -41,7 +41,7 @@ namespace isochor
       const Materials          &materials;
       const MaterialModel<dim> *material            = nullptr;
       double                    inverse_K           = 0;
-      double                    G                   = 0;
+      double                    inverse_G           = 0;
       double                    density             = 0;
       VolumetricMeasure         measure             = {};
       bool                      depends_on_pressure = false;
@@ -57,7 +57,7 @@ namespace isochor
           return;
         material            = materials[index].get();
         inverse_K           = material->inverse_bulk_modulus();
-        G                   = material->shear_modulus();
+        inverse_G           = 1 / material->shear_modulus();
         density             = material->density();
         measure             = material->volumetric_measure();
         depends_on_pressure = material->depends_on_pressure();

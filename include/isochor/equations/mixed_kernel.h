@@ -104,7 +104,19 @@ namespace isochor
                    CellCompliance         &compliance) const
     {
       const MaterialModel<dim> &material = *materials[points.material[q]];
-      compliance.add(V, material.shear_modulus(), material.density());
+      compliance.add(V / material.shear_modulus(), material.density());
+    }
+
+    /** The same where the cell is as compliant as @p mean_over_G, the mean of
+     * 1/G of the points in it (1/Pa). */
+    void
+    add_compliance(const PointArrays<dim> &points,
+                   const unsigned int      q,
+                   const double            V,
+                   const double            mean_over_G,
+                   CellCompliance         &compliance) const
+    {
+      compliance.add(V * mean_over_G, materials[points.material[q]]->density());
     }
 
     /** That of the points [begin, end) of a cell. */
@@ -267,7 +279,7 @@ namespace isochor
                      const unsigned int    I,
                      const unsigned int    J) const
     {
-      return ppp_coefficient * compliance.over_G() *
+      return ppp_coefficient * compliance.volume *
              ((I == J ? 2. : 1.) / ((dim + 1) * (dim + 2)) -
               1. / ((dim + 1) * (dim + 1)));
     }
@@ -276,7 +288,7 @@ namespace isochor
     static Tensor<1, dim>
     weight_density(const CellCompliance &compliance, const Tensor<1, dim> &g)
     {
-      return compliance.density() * g;
+      return compliance.mass / compliance.volume * g;
     }
 
     /** d_I of a cell but for a constant, which doesn't matter. */

@@ -153,7 +153,7 @@ namespace isochor
 
         const double V         = points.weight[q];
         const double inverse_K = law.inverse_K;
-        element.compliance.add(V, law.G, law.density);
+        element.compliance.add(V * law.inverse_G, law.density);
         const internal::PressureFactor factor(law.measure, kinematics.J);
         if (!mixed)
           p = response.volumetric_strain / inverse_K;
@@ -246,7 +246,7 @@ namespace isochor
     const std::array<Point<dim>, dim + 1>  &corners,
     const Tensor<1, dim>                   &weight) const
   {
-    const double density = compliance.density();
+    const double density = compliance.mass / compliance.volume;
     const auto   deviation =
       pressure_deviation(element, weight_density(compliance, weight), corners);
     ProjectionEnergy energy;

@@ -22,56 +22,25 @@ namespace isochor
 {
   using namespace dealii;
 
-  /**
-   * Σ V, Σ V G and Σ ρ V of the points in a cell, V the reference volume that
-   * each integrates: what the stabilisation needs (MixedKernel).
-   *
-   * Where materials meet in a cell it is as stiff as these are in the mean. The
-   * mean of 1/G would be that of the softest, and as the stabilisation lets go
-   * of volume at nodes that the stiff one has, too, strain this one by the
-   * ratio of the two too much.
-   */
+  /** Σ V/G and Σ ρ V/G of the points in a cell, V the reference volume that
+   * each integrates: what the stabilisation needs (MixedKernel). */
   struct CellCompliance
   {
-    double volume = 0, stiffness = 0, mass = 0;
+    double volume = 0, mass = 0;
 
-    /** @p V of points with the shear modulus @p G and @p density. */
+    /** @p V_over_G: of points with @p density. */
     void
-    add(const double V, const double G, const double density)
+    add(const double V_over_G, const double density)
     {
-      volume += V;
-      stiffness += V * G;
-      mass += V * density;
-    }
-
-    /** Add the @p part of another one. */
-    void
-    add(const CellCompliance &other, const double part)
-    {
-      volume += part * other.volume;
-      stiffness += part * other.stiffness;
-      mass += part * other.mass;
-    }
-
-    /** V/G (m³/Pa). */
-    double
-    over_G() const
-    {
-      return volume * volume / stiffness;
-    }
-
-    /** kg/m³ */
-    double
-    density() const
-    {
-      return mass / volume;
+      volume += V_over_G;
+      mass += density * V_over_G;
     }
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &volume &stiffness &mass;
+      archive &volume &mass;
     }
   };
 

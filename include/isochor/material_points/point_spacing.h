@@ -61,11 +61,10 @@ namespace isochor
 
   private:
     /** CPDI: warn of domains that are longer than their cells, or as large as
-     * these after the start. Collective. */
+     * these and beside their nodes. Collective. */
     void
     warn_of_long_domains(const PointArrays<dim> &points,
                          const double            time,
-                         const bool              at_start,
                          Warnings               &warnings) const;
     /** The largest J V_0 / |e| of this rank's points. */
     double
