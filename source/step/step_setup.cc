@@ -23,9 +23,8 @@ namespace isochor
   StepSetup<dim>::StepSetup(Scene<dim> &scene, TimerOutput &timer)
     : scene(scene)
     , timer(timer)
-    , spacing(scene.grid)
+    , watch(scene.grid)
     , occupancy(scene.grid)
-    , contact_watch(scene.grid)
     , extension(scene.grid, occupancy)
     , nodes(scene.grid)
   {}
@@ -257,7 +256,7 @@ namespace isochor
       return scene.points.relocate(*locator);
     }();
     if (!scene.bears_changes_of_cells() && scene.time.step > 0)
-      spacing.watch_changes_of_cells(
+      watch.spacing.watch_changes_of_cells(
         n_changed,
         scene.points.handler().n_global_particles(),
         time,
@@ -291,19 +290,22 @@ namespace isochor
     }
     scene.points.gather(arrays);
     occupancy.allow_large_holes(scene.time.step > 0 &&
-                                !cavity_watch.body_has_small_ones());
+                                !watch.cavities.body_has_small_ones());
     scene.quadrature->set_up(
       arrays, *locator, scene.kernel, needs_occupancy, occupancy);
-    spacing.check(arrays, time, scene.time.step == 0, scene.warnings);
-    spacing.compare_volumes(arrays, time, scene.warnings);
+    watch.spacing.check(arrays, time, scene.time.step == 0, scene.warnings);
+    watch.spacing.compare_volumes(arrays, time, scene.warnings);
     if (needs_occupancy)
-      cavity_watch.look(occupancy, time, scene.time.step == 0, scene.warnings);
+      watch.cavities.look(occupancy,
+                          time,
+                          scene.time.step == 0,
+                          scene.warnings);
     touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched_vertices);
     keep_each_once(touched_vertices);
     touched_vertices.shrink_to_fit(); // each cell has named all of its own
-    contact_watch.look(
+    watch.contact.look(
       arrays, touched_vertices, time, scene.time.step == 0, scene.warnings);
     if (extends)
       {
@@ -459,7 +461,7 @@ namespace isochor
     std::ostringstream              stream(std::ios::binary);
     boost::archive::binary_oarchive archive(stream);
     archive << scene.adaptation.save_state(scene.grid) << partition.save_state()
-            << grid_reset << cavity_watch << contact_watch << free_nodes;
+            << grid_reset << watch << free_nodes;
     if (!grid_reset.due())
       archive << touched_vertices << arrays << extension;
     return stream.str();
@@ -479,7 +481,7 @@ namespace isochor
       grid_changed();
     if (partition.load_state(division, scene.grid, scene.points, *locator))
       owners_changed();
-    archive >> grid_reset >> cavity_watch >> contact_watch >> free_nodes;
+    archive >> grid_reset >> watch >> free_nodes;
     is_current = false;
     is_resumed = true;
     if (!grid_reset.due())

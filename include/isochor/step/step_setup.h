@@ -8,14 +8,12 @@
 #include <deal.II/base/timer.h>
 
 #include <isochor/adaptation/grid_partition.h>
-#include <isochor/cut_cells/cavity_watch.h>
 #include <isochor/cut_cells/cell_occupancy.h>
 #include <isochor/cut_cells/discrete_extension.h>
 #include <isochor/material_points/point_locator.h>
 #include <isochor/material_points/point_refinement.h>
-#include <isochor/material_points/point_spacing.h>
+#include <isochor/step/body_watch.h>
 #include <isochor/step/scene.h>
-#include <isochor/transfer/contact_watch.h>
 #include <isochor/transfer/grid_reset.h>
 
 #include <cstdint>
@@ -220,10 +218,8 @@ namespace isochor
     GridReset<dim>                     grid_reset;
     GridPartition<dim>                 partition;
     PointRefinement<dim>               refinement;
-    PointSpacing<dim>                  spacing;
+    BodyWatch<dim>                     watch;
     CellOccupancy<dim>                 occupancy;
-    ContactWatch<dim>                  contact_watch;
-    CavityWatch<dim>                   cavity_watch;
     bool                               needs_occupancy = false;
     DiscreteExtension<dim>             extension;
     bool                               extends = false;
