@@ -234,7 +234,7 @@ test_long_domains()
   test::check("longer ones are", warns("3", "4"), "");
   test::check("nor those of more points", !warns("3", "9"), "");
   test::check("one point per cell is",
-              warns("1.05", "1", "Time/End time = 0.3\n"),
+              warns("1.05", "1", "Time/End time = 0.5\n"),
               "");
   test::check("not on a grid that is kept",
               !warns("1.05", "1", "Grid reset/Steps between resets = 0\n"),
