@@ -339,7 +339,8 @@ def start(work):
                 - before.children_user
                 - before.children_system
             )
-            times[name].append((cpu, after.elapsed - before.elapsed))
+            elapsed = after.elapsed - before.elapsed
+            times[name].append((round(cpu, 2), round(elapsed, 2)))
     for name, values in times.items():
         work.note("start", name=name, times=values)
     return report.table(
