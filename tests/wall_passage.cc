@@ -320,9 +320,10 @@ namespace
   }
 
   /** A body on a single column of cells meets the ground wherever the grid is.
-   * Places beside an edge of the wall by rounding were beside the wall, and
-   * what presses in free fall was rounding: one block bounced, the other did
-   * not. */
+   * Places beside an edge of the wall by rounding were beside the wall: one
+   * block bounced, the other did not. (With one point per cell rounding says
+   * what nodes do beside corners, see test_long_domains() of
+   * default_quadrature.) */
   void
   test_moved()
   {

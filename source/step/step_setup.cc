@@ -305,8 +305,6 @@ namespace isochor
       term->touch_vertices(touched_vertices);
     keep_each_once(touched_vertices);
     touched_vertices.shrink_to_fit(); // each cell has named all of its own
-    watch.contact.look(
-      arrays, touched_vertices, time, scene.time.step == 0, scene.warnings);
     if (extends)
       {
         std::vector<unsigned int> never;
@@ -398,6 +396,7 @@ namespace isochor
         first_element.push_back(elements.size());
         term->collect_elements(step, elements);
       }
+    watch.contact.look(step, elements, scene.time.step == 0);
   }
 
 

@@ -17,7 +17,6 @@ namespace isochor
   {
     explicit BodyWatch(const BackgroundGrid<dim> &grid)
       : spacing(grid)
-      , contact(grid)
     {}
 
     PointSpacing<dim> spacing;  ///< points too far apart

@@ -5,11 +5,8 @@
 #ifndef isochor_contact_watch_h
 #define isochor_contact_watch_h
 
-#include <isochor/base/warnings.h>
-#include <isochor/grid/background_grid.h>
-#include <isochor/material_points/point_arrays.h>
-
-#include <vector>
+#include <isochor/equations/element_nodes.h>
+#include <isochor/equations/equation_term.h>
 
 namespace isochor
 {
@@ -26,16 +23,11 @@ namespace isochor
   class ContactWatch
   {
   public:
-    explicit ContactWatch(const BackgroundGrid<dim> &grid);
-
-    /** The grid was put back at @p time; @p vertices are all that this rank's
-     * @p points act on, ascending. Collective. */
+    /** The grid was put back, and the equations have these @p elements. */
     void
-    look(const PointArrays<dim>          &points,
-         const std::vector<unsigned int> &vertices,
-         const double                     time,
-         const bool                       at_start,
-         Warnings                        &warnings);
+    look(const StepContext<dim> &step,
+         const ElementNodes     &elements,
+         const bool              at_start);
 
     template <class Archive>
     void
@@ -45,14 +37,8 @@ namespace isochor
     }
 
   private:
-    /** Into how many bodies all points fall. Collective. */
-    unsigned int
-    count(const PointArrays<dim>          &points,
-          const std::vector<unsigned int> &vertices) const;
-
-    const BackgroundGrid<dim> &grid;
-    bool                       has_several = false; ///< at t = 0
-    unsigned int               n_bodies    = 0;     ///< at the last reset
+    bool         has_several = false; ///< at t = 0
+    unsigned int n_bodies    = 0;     ///< at the last reset
   };
 } // namespace isochor
 
