@@ -72,6 +72,44 @@ namespace
                 result.told);
     return result.settlement / (-load / 2 / modulus(0.3)) - 1;
   }
+
+  /** What is told of a stiff layer on a soft one that settles by 6 % of a cell,
+   * so that cells at the interface hold both. */
+  std::string
+  told_of_moving(const std::string &settings)
+  {
+    const auto problem = test::run_scene<2>(
+      "Grid/Upper corner = 0.25, 1\nGrid/Subdivisions = 2, 8\n"
+      "Material points/Materials in zones = 2: y > 0.5\n"
+      "Material/Young modulus = 1e5\nMaterial 2/Young modulus = 1e7\n"
+      "Formulation/Type = u\nQuadrature/Type = CPDI\n"
+      "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0\n"
+      "Boundary conditions/Traction = top: 0, -2000*t\n"
+      "Time/Step size = 0.25\n" +
+      settings);
+    for (const auto &warning : problem->all_warnings().all())
+      if (warning.subject == "materials that meet within cells")
+        return warning.text;
+    return "";
+  }
+
+  void
+  test_moving_interface()
+  {
+    const std::string told = told_of_moving("");
+    test::check("told of an interface that moves into cells",
+                told.find("differ by up to 100 to 1") != std::string::npos &&
+                  told.find("At t = 0.25 s") == 0,
+                told);
+    const auto test_silence = [](const std::string &settings) {
+      const std::string not_told = told_of_moving(settings);
+      test::check("not told, " + settings, not_told.empty(), not_told);
+    };
+    test_silence("Grid reset/Steps between resets = 0");
+    test_silence("Quadrature/Type = cell-filled + boundary");
+    test_silence("Boundary conditions/Traction = top: 0, -2*t");
+    test_silence("Material 2/Young modulus = 1.2e5");
+  }
 } // namespace
 
 int
@@ -97,6 +135,8 @@ main(int argc, char **argv)
                 std::abs(across) < 0.17,
               std::to_string(across_by_domains) + ", " +
                 std::to_string(across));
+
+  test_moving_interface();
 
   const Result incompressible = settle("u-p", 8, 0.49, 0.499);
   test::check("not told where both are nearly incompressible",

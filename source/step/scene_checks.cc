@@ -200,11 +200,12 @@ namespace isochor
           " % of the nodes of the body. The mean stress may jump there, but "
           "the pressure of <Formulation/Type = u-p> can't: it is wrong in the "
           "cells along the interface, and with it displacements and forces, by "
-          "about as much as these cells are of the layers (7 to 16 % with four "
+          "about as much as these cells are of the layers (7 to 32 % with four "
           "cells across each, if moduli differ by 100 to 1). If no Poisson's "
           "ratio is above 0.48, use <Formulation/Type = u>, where nothing of "
-          "this happens if the interface lies on faces of cells; else take "
-          "smaller cells at the interface.");
+          "this happens as long as the interface lies on faces of cells: keep "
+          "the grid if it moves (<Grid reset/Steps between resets = 0>). Else "
+          "take smaller cells at the interface.");
   }
 
 

@@ -35,10 +35,11 @@ namespace isochor
           "at each other until they share no node any more. If one is pushed "
           "against the other by a given way, the force is too large, by as "
           "much as a cell counts against that way (two discs with 32 cells "
-          "over the radius: 1.5 times); bodies that should bounce off each "
-          "other may stay together. Use smaller "
-          "cells where they meet, or let one of them be a wall (<Boundary "
-          "conditions/Walls>) or a condition on the other one's surface.");
+          "over the radius: 1.5 times; blocks by a fraction of a cell: 4.5 "
+          "times); bodies that should bounce off each other may stay together. "
+          "Use smaller cells where they meet, or let one of them be a wall "
+          "(<Boundary conditions/Walls>) or a condition on the other one's "
+          "surface.");
   }
 
 
