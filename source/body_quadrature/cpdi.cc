@@ -4,6 +4,8 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/plugin_registry.h>
 #include <isochor/body_quadrature/body_quadrature.h>
+#include <isochor/body_quadrature/interface_corners.h>
+#include <isochor/equations/body_term.h>
 #include <isochor/grid/nearest_cells.h>
 
 #include <algorithm>
@@ -62,8 +64,10 @@ namespace isochor
                const bool /*with_occupancy*/,
                CellOccupancy<dim> &occupancy) const override
     {
-      const std::vector<double> corner_shares =
-        build_stencils(points, locator, occupancy.grid.shape_functions());
+      const InterfaceCorners<dim> interface(points, locator, occupancy, kernel);
+      const std::vector<double>   corner_shares = build_stencils(
+        points, locator, interface, occupancy.grid.shape_functions());
+      points.worst_crossing = interface.worst_crossing();
       occupancy.update(points, kernel, false);
       collect_overlapped_cells(points, corner_shares, occupancy, kernel);
     }
@@ -71,9 +75,10 @@ namespace isochor
   private:
     /** Returns the part of its corner for each entry of corner_cells. */
     std::vector<double>
-    build_stencils(PointArrays<dim>          &points,
-                   const PointLocator<dim>   &locator,
-                   const ShapeFunctions<dim> &functions) const;
+    build_stencils(PointArrays<dim>            &points,
+                   const PointLocator<dim>     &locator,
+                   const InterfaceCorners<dim> &interface,
+                   const ShapeFunctions<dim>   &functions) const;
     void
     collect_overlapped_cells(PointArrays<dim>          &points,
                              const std::vector<double> &corner_shares,
@@ -129,61 +134,126 @@ namespace isochor
           std::numeric_limits<double>::max());
     }
 
-    /** The shape functions of the nodes that a corner at @p place acts on, but
-     * for a factor, and their sum. */
+    /** The nodes that a corner acts on, with their shape functions. */
     template <int dim>
-    double
-    evaluate_corner(const ShapeFunctions<dim>            &functions,
-                    const LocateResult<dim>              &place,
-                    typename ShapeFunctions<dim>::Values &at)
+    class CornerNodes
     {
-      functions.evaluate(place.cell, place.barycentric, at);
-      double sum = 0;
-      for (unsigned int I = 0; I < at.n_nodes; ++I)
-        {
-          if (std::abs(at.shape[I]) < no_support)
-            at.shape[I] = 0;
-          sum += at.shape[I];
-        }
-      return sum;
-    }
+    public:
+      std::vector<std::pair<unsigned int, double>> nodes;
 
-    /** Whether a corner with the shape functions @p at acts on nodes that none
-     * of the elements of @p cells has, however little. */
-    template <int dim>
-    bool
-    touches_other_nodes(const ShapeFunctions<dim>                  &functions,
-                        const typename ShapeFunctions<dim>::Values &at,
-                        const std::vector<unsigned int>            &cells)
-    {
-      for (unsigned int I = 0; I < at.n_nodes; ++I)
-        if (at.shape[I] != 0 &&
-            std::none_of(
-              cells.begin(), cells.end(), [&](const unsigned int cell) {
-                const auto nodes = functions.nodes(cell);
-                return std::find(nodes.begin(), nodes.end(), at.vertex[I]) !=
-                       nodes.end();
-              }))
-          return true;
-      return false;
-    }
+      /** At @p place. */
+      void
+      evaluate(const ShapeFunctions<dim> &functions,
+               const LocateResult<dim>   &place)
+      {
+        nodes.clear();
+        functions.evaluate(place.cell, place.barycentric, at);
+        double sum = 0;
+        for (unsigned int I = 0; I < at.n_nodes; ++I)
+          if (std::abs(at.shape[I]) >= no_support)
+            {
+              nodes.emplace_back(at.vertex[I], at.shape[I]);
+              sum += at.shape[I];
+            }
+        for (auto &node : nodes)
+          node.second /= sum;
+      }
+
+      /** The functions of @p cell, continued to @p x. */
+      void
+      evaluate(const ShapeFunctions<dim>  &functions,
+               const SimplexGeometry<dim> &geometry,
+               const unsigned int          cell,
+               const Point<dim>           &x)
+      {
+        evaluate(functions, {cell, geometry.barycentric(cell, x), true});
+      }
+
+      /** Whether it acts on nodes that none of the elements of @p cells has,
+       * however little. */
+      bool
+      touches_others(const ShapeFunctions<dim>       &functions,
+                     const std::vector<unsigned int> &cells) const
+      {
+        for (const auto &node : nodes)
+          if (std::none_of(cells.begin(),
+                           cells.end(),
+                           [&](const unsigned int cell) {
+                             const auto of_cell = functions.nodes(cell);
+                             return std::find(of_cell.begin(),
+                                              of_cell.end(),
+                                              node.first) != of_cell.end();
+                           }))
+            return true;
+        return false;
+      }
+
+    private:
+      typename ShapeFunctions<dim>::Values at;
+    };
 
     /** The nodes of one domain, and sums over its corners. */
     template <int dim>
     class DomainStencil
     {
     public:
+      using Corners = std::array<CornerNodes<dim>, dim + 1>;
+
+      /** N and N ∇λ of the nodes of @p corners, with the @p gradients ∇λ. */
       void
-      clear()
+      set(const Corners            &corners,
+          const CornerVectors<dim> &gradients_of_corners)
       {
         n_nodes = 0;
+        for (unsigned int c = 0; c <= dim; ++c)
+          for (const auto &[vertex, N] : corners[c].nodes)
+            {
+              const unsigned int I = entry(vertex);
+              shape[I] += N / (dim + 1);
+              gradients[I] += N * gradients_of_corners[c];
+            }
       }
 
-      /** Add N at @p vertex and the gradient N ∇λ of a corner. */
+      /** N of pressures of the nodes of @p corners, after set(); if these are
+       * too many nodes in all (of elements other than P1), those of
+       * @p displacements. */
       void
-      add(const unsigned int    vertex,
-          const double          N,
-          const Tensor<1, dim> &gradient_of_corner)
+      set_pressure(const Corners &corners, const Corners &displacements)
+      {
+        const unsigned int n_before = n_nodes;
+        add_pressure(corners);
+        if (n_nodes <= BodyTerm<dim>::largest_stencil)
+          return;
+        n_nodes = n_before;
+        std::fill(pressure_shape.begin(), pressure_shape.end(), 0.);
+        add_pressure(displacements);
+      }
+
+      void
+      append_to(PointArrays<dim> &points, const bool with_pressure) const
+      {
+        for (unsigned int I = 0; I < n_nodes; ++I)
+          {
+            points.stencil_vertex.push_back(vertices[I]);
+            points.stencil_shape.push_back(shape[I]);
+            points.stencil_gradient.push_back(gradients[I]);
+            if (with_pressure)
+              points.stencil_pressure_shape.push_back(pressure_shape[I]);
+          }
+        points.stencil_start.push_back(points.stencil_vertex.size());
+      }
+
+    private:
+      void
+      add_pressure(const Corners &corners)
+      {
+        for (const CornerNodes<dim> &corner : corners)
+          for (const auto &[vertex, N] : corner.nodes)
+            pressure_shape[entry(vertex)] += N / (dim + 1);
+      }
+
+      unsigned int
+      entry(const unsigned int vertex)
       {
         unsigned int I = 0;
         while (I < n_nodes && vertices[I] != vertex)
@@ -191,33 +261,25 @@ namespace isochor
         if (I == n_nodes)
           {
             ++n_nodes;
-            vertices[I]  = vertex;
-            shape[I]     = 0;
-            gradients[I] = Tensor<1, dim>();
+            if (n_nodes > vertices.size())
+              {
+                vertices.resize(n_nodes);
+                shape.resize(n_nodes);
+                pressure_shape.resize(n_nodes);
+                gradients.resize(n_nodes);
+              }
+            vertices[I]       = vertex;
+            shape[I]          = 0;
+            pressure_shape[I] = 0;
+            gradients[I]      = Tensor<1, dim>();
           }
-        shape[I] += N / (dim + 1);
-        gradients[I] += N * gradient_of_corner;
+        return I;
       }
 
-      void
-      append_to(PointArrays<dim> &points) const
-      {
-        for (unsigned int I = 0; I < n_nodes; ++I)
-          {
-            points.stencil_vertex.push_back(vertices[I]);
-            points.stencil_shape.push_back(shape[I]);
-            points.stencil_gradient.push_back(gradients[I]);
-          }
-        points.stencil_start.push_back(points.stencil_vertex.size());
-      }
-
-    private:
-      static constexpr unsigned int n_max =
-        (dim + 1) * ShapeFunctions<dim>::max_nodes;
-      unsigned int                      n_nodes = 0;
-      std::array<unsigned int, n_max>   vertices;
-      std::array<double, n_max>         shape;
-      std::array<Tensor<1, dim>, n_max> gradients;
+      unsigned int                n_nodes = 0;
+      std::vector<unsigned int>   vertices;
+      std::vector<double>         shape, pressure_shape;
+      std::vector<Tensor<1, dim>> gradients;
     };
 
     /** ∇λ_c of the simplex with the given corners. */
@@ -249,49 +311,85 @@ namespace isochor
 
   template <int dim>
   std::vector<double>
-  CPDI<dim>::build_stencils(PointArrays<dim>          &points,
-                            const PointLocator<dim>   &locator,
-                            const ShapeFunctions<dim> &functions) const
+  CPDI<dim>::build_stencils(PointArrays<dim>            &points,
+                            const PointLocator<dim>     &locator,
+                            const InterfaceCorners<dim> &interface,
+                            const ShapeFunctions<dim>   &functions) const
   {
-    std::vector<double>       corner_shares;
+    constexpr unsigned int no_cell = InterfaceCorners<dim>::no_cell;
+    std::vector<double>    corner_shares;
+    const auto             add_cell =
+      [&](const unsigned int q, const unsigned int cell, const double share) {
+        points.corner_cells.emplace_back(q, cell);
+        corner_shares.push_back(share);
+      };
     std::vector<unsigned int> cells;
     points.clear_stencils();
-    DomainStencil<dim>                                        stencil;
-    std::array<typename ShapeFunctions<dim>::Values, dim + 1> at;
+    DomainStencil<dim>                    stencil;
+    std::array<CornerNodes<dim>, dim + 1> at, of_pressure;
+    const bool                  separate = interface.separates_pressures();
+    const SimplexGeometry<dim> &geometry = locator.geometry();
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const Point<dim>   x = points.location(locator.geometry(), k, q);
+          const Point<dim>   x = points.location(geometry, k, q);
           CornerVectors<dim> corners;
-          std::array<double, dim + 1> sums;
+          bool               sees_others = false;
           for (unsigned int c = 0; c <= dim; ++c)
             {
               corners[c] = points.F[q] * points.domain[q][c];
               const LocateResult<dim> place =
                 locator.locate_towards(x, points.cell[k], corners[c]);
-              sums[c] = evaluate_corner(functions, place, at[c]);
-              find_corner_cells(locator, x, corners[c], place, cells);
-              for (const unsigned int cell : cells)
+              const unsigned int other = interface.cell(q, c),
+                                 other_of_pressure =
+                                   interface.pressure_cell(q, c);
+              if (other == no_cell)
+                at[c].evaluate(functions, place);
+              else
+                at[c].evaluate(functions, geometry, other, x + corners[c]);
+              if (other_of_pressure != no_cell)
+                of_pressure[c].evaluate(functions,
+                                        geometry,
+                                        other_of_pressure,
+                                        x + corners[c]);
+              else if (separate)
+                of_pressure[c].nodes = at[c].nodes;
+
+              // it is stabilised where its pressure is from
+              if (other == no_cell && other_of_pressure == no_cell)
                 {
-                  points.corner_cells.emplace_back(q, cell);
-                  corner_shares.push_back(1. / cells.size());
+                  find_corner_cells(locator, x, corners[c], place, cells);
+                  if (separate &&
+                      interface.has_own_pressures(place.cell,
+                                                  points.material[q]) &&
+                      !std::all_of(cells.begin(),
+                                   cells.end(),
+                                   [&](const unsigned int cell) {
+                                     return interface.has_own_pressures(
+                                       cell, points.material[q]);
+                                   }))
+                    cells.assign(1, place.cell);
+                  for (const unsigned int cell : cells)
+                    add_cell(q, cell, 1. / cells.size());
+                  if (at[c].touches_others(functions, cells))
+                    add_cell(q, place.cell, 0.);
+                  continue;
                 }
-              if (touches_other_nodes(functions, at[c], cells))
-                {
-                  points.corner_cells.emplace_back(q, place.cell);
-                  corner_shares.push_back(0.);
-                }
+              sees_others = true;
+              add_cell(q,
+                       other_of_pressure == no_cell ? other : other_of_pressure,
+                       1.);
+              if (other != no_cell)
+                add_cell(q, other, 0.);
+              add_cell(q, place.cell, 0.);
             }
-          const auto gradients = barycentric_gradients<dim>(corners);
-          stencil.clear();
-          for (unsigned int c = 0; c <= dim; ++c)
-            for (unsigned int I = 0; I < at[c].n_nodes; ++I)
-              if (at[c].shape[I] != 0)
-                stencil.add(at[c].vertex[I],
-                            at[c].shape[I] / sums[c],
-                            gradients[c]);
-          stencil.append_to(points);
+          stencil.set(at, barycentric_gradients<dim>(corners));
+          if (separate)
+            stencil.set_pressure(of_pressure, at);
+          stencil.append_to(points, separate);
+          if (sees_others)
+            points.points_that_see_others.push_back(q);
         }
     return corner_shares;
   }

@@ -143,7 +143,7 @@ namespace isochor
           const double volume  = determinant(points.F[q]) * points.weight[q];
           const auto   stencil = points.stencil(grid.geometry(), k, q);
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            add(stencil.vertex[I], stencil.shape[I] * volume);
+            add(stencil.vertex[I], std::max(stencil.shape[I], 0.) * volume);
         }
     if (Utilities::MPI::n_mpi_processes(grid.communicator()) == 1)
       return;

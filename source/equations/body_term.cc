@@ -5,6 +5,7 @@
 #include <isochor/equations/body_term.h>
 #include <isochor/equations/nodal_unknowns.h>
 
+#include <cmath>
 #include <type_traits>
 
 namespace isochor
@@ -98,24 +99,29 @@ namespace isochor
                                 first_element + points.n_points(),
                                 with_matrix,
                                 system);
-    // corners of domains in elements of P1 or of others; short arrays are
-    // faster to work on
+    // corners of domains in cells of P1; in other elements; or with pressures
+    // from other cells than displacements: short arrays are faster to work on
     constexpr unsigned int few  = (dim + 1) * (dim + 1),
                            many = (dim + 1) * ShapeFunctions<dim>::max_nodes;
     const auto assemble_points  = [&](auto n_components, auto max_nodes) {
       return assemble_domains<n_components(), max_nodes()>(
         step, unknowns, pending, first_element, with_matrix, system);
     };
-    constexpr std::integral_constant<int, dim>           u;
-    constexpr std::integral_constant<int, dim + 1>       u_p;
-    constexpr std::integral_constant<unsigned int, few>  as_few;
-    constexpr std::integral_constant<unsigned int, many> as_many;
-    if (grid.shape_functions().are_linear() || points.most_nodes() <= few)
+    constexpr std::integral_constant<int, dim>                      u;
+    constexpr std::integral_constant<int, dim + 1>                  u_p;
+    constexpr std::integral_constant<unsigned int, few>             as_few;
+    constexpr std::integral_constant<unsigned int, many>            as_many;
+    constexpr std::integral_constant<unsigned int, largest_stencil> as_most;
+    const unsigned int n_nodes = points.most_nodes();
+    if (n_nodes <= few)
       return step.mixed() ? assemble_points(u_p, as_few) :
                             assemble_points(u, as_few);
-    AssertThrow(points.most_nodes() <= many, ExcInternalError());
-    return step.mixed() ? assemble_points(u_p, as_many) :
-                          assemble_points(u, as_many);
+    if (n_nodes <= many)
+      return step.mixed() ? assemble_points(u_p, as_many) :
+                            assemble_points(u, as_many);
+    AssertThrow(n_nodes <= largest_stencil, ExcInternalError());
+    return step.mixed() ? assemble_points(u_p, as_most) :
+                          assemble_points(u, as_most);
   }
 
 
@@ -147,7 +153,7 @@ namespace isochor
               q,
               q + 1,
               [&](const unsigned int, const unsigned int I) {
-                return stencil.shape[I];
+                return stencil.pressure_shape[I];
               },
               with_matrix) :
             step.kernel.evaluate_points(
@@ -288,7 +294,8 @@ namespace isochor
                 scale.local_element(entry) +=
                   force * stencil.shape[I] / points.radius[q];
               if (step.mixed())
-                scale.local_element(entry + dim) += V * stencil.shape[I];
+                scale.local_element(entry + dim) +=
+                  V * std::abs(stencil.pressure_shape[I]);
             }
         }
   }

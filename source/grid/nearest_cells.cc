@@ -63,18 +63,19 @@ namespace isochor
 
 
 
-    /** Distance of the origin to the convex hull of the corners. Where the
-     * projection is outside, the nearest point lies on a face that the origin
-     * sees, one opposite to a corner of negative coordinate. */
+    /** The point of the convex hull of the corners that is nearest to the
+     * origin. Where the projection is outside, it lies on a face that the
+     * origin sees, one opposite to a corner of negative coordinate. */
     template <int dim>
-    double
-    distance_of_origin(const Corners<dim> &corners)
+    Tensor<1, dim>
+    nearest_to_origin(const Corners<dim> &corners)
     {
       if (corners.n == 1)
-        return corners.r[0].norm();
-      const auto lambda = project(corners);
-      double     least  = std::numeric_limits<double>::max();
-      bool       inside = true;
+        return corners.r[0];
+      const auto     lambda = project(corners);
+      Tensor<1, dim> nearest;
+      double         least  = std::numeric_limits<double>::max();
+      bool           inside = true;
       for (unsigned int i = 0; i < corners.n; ++i)
         if (lambda[i] < 0)
           {
@@ -83,18 +84,33 @@ namespace isochor
             for (unsigned int j = 0; j < corners.n; ++j)
               if (j != i)
                 face.r[face.n++] = corners.r[j];
-            least = std::min(least, distance_of_origin(face));
+            const Tensor<1, dim> on_face = nearest_to_origin(face);
+            if (on_face.norm_square() < least)
+              {
+                least   = on_face.norm_square();
+                nearest = on_face;
+              }
           }
-      if (!inside)
-        return least;
-      if (corners.n == dim + 1)
-        return 0;
-      Tensor<1, dim> foot;
-      for (unsigned int i = 0; i < corners.n; ++i)
-        foot += lambda[i] * corners.r[i];
-      return foot.norm();
+      if (inside && corners.n <= dim)
+        for (unsigned int i = 0; i < corners.n; ++i)
+          nearest += lambda[i] * corners.r[i];
+      return nearest;
     }
   } // namespace
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  way_to_cell(const SimplexGeometry<dim> &geometry,
+              const unsigned int          cell,
+              const Point<dim>           &x)
+  {
+    Corners<dim> corners;
+    for (const unsigned int vertex : geometry.vertex_indices(cell))
+      corners.r[corners.n++] = geometry.vertices()[vertex] - x;
+    return nearest_to_origin(corners);
+  }
 
 
 
@@ -104,10 +120,7 @@ namespace isochor
                    const unsigned int          cell,
                    const Point<dim>           &x)
   {
-    Corners<dim> corners;
-    for (const unsigned int vertex : geometry.vertex_indices(cell))
-      corners.r[corners.n++] = geometry.vertices()[vertex] - x;
-    return distance_of_origin(corners);
+    return way_to_cell(geometry, cell, x).norm();
   }
 
 
@@ -182,10 +195,18 @@ namespace isochor
 
 
 
+  template Tensor<1, 2>
+  way_to_cell<2>(const SimplexGeometry<2> &,
+                 const unsigned int,
+                 const Point<2> &);
   template double
   distance_to_cell<2>(const SimplexGeometry<2> &,
                       const unsigned int,
                       const Point<2> &);
+  template Tensor<1, 3>
+  way_to_cell<3>(const SimplexGeometry<3> &,
+                 const unsigned int,
+                 const Point<3> &);
   template double
   distance_to_cell<3>(const SimplexGeometry<3> &,
                       const unsigned int,

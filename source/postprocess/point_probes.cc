@@ -85,6 +85,9 @@ namespace isochor
       if (probes.empty())
         return;
       const NodalField touched = touched_nodes(result.step);
+      const bool       see_others =
+        Utilities::MPI::max(result.step.points.points_that_see_others.size(),
+                            result.step.grid.communicator()) > 0;
       for (Probe &probe : probes)
         {
           if (probe.is_new)
@@ -92,7 +95,8 @@ namespace isochor
           Values     values;
           const bool in_body =
             result.time.step > 0 || lies_in_body(result.step, probe);
-          if (!interpolate(result, probe, touched, in_body, values))
+          if (!(see_others && interpolate_in_domain(result, probe, values)) &&
+              !interpolate(result, probe, touched, in_body, values))
             {
               assert_in_body(probe, in_body);
               extrapolate(result, probe, values);
@@ -326,6 +330,66 @@ namespace isochor
             best = {k, inside};
         }
       return best;
+    }
+
+    /** In the domain of a point that sees functions of other cells than its
+     * own, if the probe lies in one: those of its cell are not the body's.
+     * Collective. */
+    static bool
+    interpolate_in_domain(const StepResult<dim> &result,
+                          const Probe           &probe,
+                          Values                &values)
+    {
+      const StepContext<dim> &step   = result.step;
+      const PointArrays<dim> &points = step.points;
+      double                  best   = -1e-6;
+      bool                    found  = false;
+      values.fill(0.);
+      for (const unsigned int q : points.points_that_see_others)
+        {
+          const unsigned int k = std::upper_bound(points.cell_start.begin(),
+                                                  points.cell_start.begin() +
+                                                    points.n_occupied_cells + 1,
+                                                  q) -
+                                 points.cell_start.begin() - 1;
+          const Tensor<1, dim> r      = probe.location - place_of(step, k, q);
+          const double         inside = least_coordinate(points, q, r);
+          if (inside <= best)
+            continue;
+          best  = inside;
+          found = true;
+          const NodalUnknowns<dim> nodal(step, result.unknowns);
+          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          const Tensor<1, dim> increment =
+            nodal.increment_at(stencil) + nodal.gradient_at(stencil) * r;
+          for (unsigned int a = 0; a < dim; ++a)
+            values[a] = increment[a];
+          values[dim] = nodal.pressure_at(stencil);
+        }
+      return take_best(step.grid.communicator(), -best, found, values);
+    }
+
+    /** The least barycentric coordinate in the domain of point @p q of the
+     * place at @p r from the point. */
+    static double
+    least_coordinate(const PointArrays<dim> &points,
+                     const unsigned int      q,
+                     const Tensor<1, dim>   &r)
+    {
+      const auto          &domain = points.domain[q];
+      const Tensor<1, dim> R      = invert(points.F[q]) * r - domain[0];
+      Tensor<2, dim>       edges;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          edges[d][c] = domain[c + 1][d] - domain[0][d];
+      const Tensor<1, dim> lambda = invert(edges) * R;
+      double first = 1, least = std::numeric_limits<double>::max();
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          first -= lambda[c];
+          least = std::min(least, lambda[c]);
+        }
+      return std::min(first, least);
     }
 
     /** Interpolate in the cell that find_cell() finds, its shape functions

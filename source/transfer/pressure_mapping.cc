@@ -28,7 +28,7 @@ namespace isochor
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
               const unsigned int node = step.nodes.node(stencil.vertex[I]);
-              const double       Nm   = stencil.shape[I] *
+              const double       Nm = std::max(stencil.pressure_shape[I], 0.) *
                                 (massless ? points.volume[q] : points.mass[q]);
               mass.local_element(node) += Nm;
               unknowns.local_element(node * n_components + dim) +=

@@ -14,6 +14,13 @@ namespace isochor
 {
   using namespace dealii;
 
+  /** From @p x to the nearest place of the simplex @p cell (m), zero inside. */
+  template <int dim>
+  Tensor<1, dim>
+  way_to_cell(const SimplexGeometry<dim> &geometry,
+              const unsigned int          cell,
+              const Point<dim>           &x);
+
   /** Euclidean distance between @p x and the simplex @p cell (m), zero
    * inside. */
   template <int dim>

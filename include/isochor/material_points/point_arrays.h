@@ -62,6 +62,20 @@ namespace isochor
     }
   };
 
+  /** Where materials of other stiffness share the functions of a cell: how far
+   * one of them reaches into it, as a part of it, and the ratio of the
+   * stiffnesses. */
+  struct InterfaceCrossing
+  {
+    double depth = 0, ratio = 0;
+
+    double
+    weight() const
+    {
+      return depth * ratio;
+    }
+  };
+
   /**
    * The material points of this rank in typed arrays, ordered by cell: what
    * the hot loops of one step work on. Cell k of the list `cell` holds the
@@ -108,6 +122,14 @@ namespace isochor
     std::vector<unsigned int>   stencil_vertex;
     std::vector<double>         stencil_shape;
     std::vector<Tensor<1, dim>> stencil_gradient;
+    /** The N_I of pressures, where they aren't those of displacements; else
+     * empty. */
+    std::vector<double> stencil_pressure_shape;
+    /** Points that see functions of cells that they don't lie in, ascending
+     * (InterfaceCorners). */
+    std::vector<unsigned int> points_that_see_others;
+    /** That of most weight where stencils couldn't avoid it. */
+    InterfaceCrossing worst_crossing;
     /** Pairs (point, cell) for the corners of domains, at least dim + 1 a
      * point: the cells whose nodes corners touch. */
     std::vector<std::pair<unsigned int, unsigned int>> corner_cells;
@@ -232,6 +254,9 @@ namespace isochor
       stencil_vertex.clear();
       stencil_shape.clear();
       stencil_gradient.clear();
+      stencil_pressure_shape.clear();
+      points_that_see_others.clear();
+      worst_crossing = InterfaceCrossing();
       corner_cells.clear();
       overlapped_cells.clear();
     }
@@ -300,6 +325,7 @@ namespace isochor
       const unsigned int   *vertex;
       const double         *shape;
       const Tensor<1, dim> *gradient;
+      const double         *pressure_shape;
     };
 
     /** The nodes of point @p q in cell k of the list. */
@@ -312,12 +338,17 @@ namespace isochor
         return {dim + 1,
                 geometry.vertex_indices(cell[k]).data(),
                 shape[q].data(),
-                gradients(geometry, k).data()};
+                gradients(geometry, k).data(),
+                shape[q].data()};
       const std::size_t begin = stencil_start[q];
       return {static_cast<unsigned int>(stencil_start[q + 1] - begin),
               stencil_vertex.data() + begin,
               stencil_shape.data() + begin,
-              stencil_gradient.data() + begin};
+              stencil_gradient.data() + begin,
+              (stencil_pressure_shape.empty() ? stencil_shape :
+                                                stencil_pressure_shape)
+                  .data() +
+                begin};
     }
 
     /** Whether @p c is in the list of cells. */
@@ -342,7 +373,8 @@ namespace isochor
       archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
         &pressure &F &material &history &velocity &acceleration &domain
           &stencil_start &stencil_vertex &stencil_shape &stencil_gradient
-            &corner_cells &overlapped_cells &deformed_cell &n_history &radius;
+            &stencil_pressure_shape &points_that_see_others &corner_cells
+              &overlapped_cells &deformed_cell &n_history &radius;
     }
   };
 } // namespace isochor

@@ -6,28 +6,23 @@
 #define isochor_interface_watch_h
 
 #include <isochor/base/warnings.h>
-#include <isochor/cut_cells/cell_occupancy.h>
-#include <isochor/equations/mixed_kernel.h>
-#include <isochor/material_points/point_locator.h>
+#include <isochor/material_points/point_arrays.h>
 
 namespace isochor
 {
   /**
-   * Warn where materials of other stiffness meet within cells, for points with
-   * domains that act at their corners (CPDI): both are strained by the nodes of
-   * these cells, and the stiff one gets strains of the soft one. The error of
-   * its stresses was found to be some 0.15 times the ratio of the stiffnesses,
-   * times the part of a cell by which one lies in cells of the other one.
-   * Called when the grid has been put back at @p time. Collective.
+   * Warn where materials of other stiffness share the functions of a cell, for
+   * points with domains that act at their corners (CPDI), as found by
+   * InterfaceCorners, @p worst: the stiff one gets strains of the soft one. The
+   * error of its stresses was found to be some 0.15 times the ratio of the
+   * stiffnesses, times the part of a cell by which one lies in cells of the
+   * other one. Called when the grid has been put back at @p time. Collective.
    */
-  template <int dim>
   void
-  warn_of_interfaces_in_cells(const PointArrays<dim>   &points,
-                              const PointLocator<dim>  &locator,
-                              const CellOccupancy<dim> &occupancy,
-                              const MixedKernel<dim>   &kernel,
-                              const double              time,
-                              Warnings                 &warnings);
+  warn_of_interfaces_in_cells(const InterfaceCrossing &worst,
+                              const MPI_Comm           comm,
+                              const double             time,
+                              Warnings                &warnings);
 } // namespace isochor
 
 #endif

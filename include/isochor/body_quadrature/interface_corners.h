@@ -1,0 +1,167 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_interface_corners_h
+#define isochor_interface_corners_h
+
+#include <isochor/cut_cells/cell_occupancy.h>
+#include <isochor/equations/mixed_kernel.h>
+#include <isochor/material_points/point_locator.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * The corners of domains in cells that materials of other stiffness share.
+   * The functions of such a cell have one gradient for both; a corner of a
+   * stiff domain that lies in it by a part d of the cell would strain the
+   * domain by d times the strain of the soft material. These corners therefore
+   * see the functions of the nearest cell that only holds their own material,
+   * continued to where they are; so each material has its own gradient, and the
+   * two meet in the domains at the interface: what is linear in each of them,
+   * and continuous, is exact, wherever the interface lies in its cells. A
+   * corner that domains of both share is one of the stiffest, for all of them,
+   * so that the domains go on tiling the body.
+   *
+   * Materials count as different if their shear or bulk moduli differ by more
+   * than same_stiffness.
+   */
+  template <int dim>
+  class InterfaceCorners
+  {
+  public:
+    /** Of the @p points, located. Collective. */
+    InterfaceCorners(const PointArrays<dim>   &points,
+                     const PointLocator<dim>  &locator,
+                     const CellOccupancy<dim> &occupancy,
+                     const MixedKernel<dim>   &kernel);
+
+    static constexpr unsigned int no_cell = SimplexGeometry<dim>::no_cell;
+
+    /** The cell whose functions corner @p c of point @p q sees, if that isn't
+     * the one that it lies in; else no_cell. */
+    unsigned int
+    cell(const unsigned int q, const unsigned int c) const
+    {
+      return find(others, q * (dim + 1) + c);
+    }
+
+    /** The same for pressures; no_cell if it is that for displacements. */
+    unsigned int
+    pressure_cell(const unsigned int q, const unsigned int c) const
+    {
+      return find(others_of_pressure, q * (dim + 1) + c);
+    }
+
+    /** Whether the pressures of @p cell are those of @p material only: none of
+     * its nodes is one of cells with a stiffer one. */
+    bool
+    has_own_pressures(const unsigned int  cell,
+                      const unsigned char material) const
+    {
+      return has_pressures_of(cell, group_of_material[material]);
+    }
+
+    /** Whether pressures see other cells anywhere. */
+    bool
+    separates_pressures() const
+    {
+      return !others_of_pressure.empty();
+    }
+
+    /** The corner of most weight on this rank that has no cell of its own
+     * material nearby, and lies in one that it shares. */
+    const InterfaceCrossing &
+    worst_crossing() const
+    {
+      return worst;
+    }
+
+    static constexpr double same_stiffness = 1.5;
+
+  private:
+    /** A set of groups of materials, one bit each. */
+    using Groups = std::uint64_t;
+
+    /** What an element holds. */
+    struct Content
+    {
+      Groups       groups = 0;
+      unsigned int most   = 0; ///< the group of most of the points' volume
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &groups &most;
+      }
+    };
+
+    struct Corner
+    {
+      Point<dim>        x; ///< where it is
+      Point<dim>        X; ///< where it was at t = 0
+      LocateResult<dim> place;
+      unsigned int      group;
+    };
+
+    using CellsOfCorners = std::unordered_map<unsigned int, unsigned int>;
+
+    static unsigned int
+    find(const CellsOfCorners &cells, const unsigned int corner)
+    {
+      const auto found = cells.find(corner);
+      return found == cells.end() ? no_cell : found->second;
+    }
+
+    void
+    sort_materials(const MixedKernel<dim> &kernel);
+    void
+    locate_corners(const PointArrays<dim> &points);
+    void
+    collect_contents(const PointArrays<dim> &points);
+    void
+    find_owners(const PointArrays<dim> &points);
+    void
+    find_cells(const unsigned int corner);
+    void
+    find_pressure_cells(const unsigned int group, const unsigned int corner);
+    bool
+    has_pressures_of(const unsigned int cell, const unsigned int group) const;
+    void
+    remember(const Corner &corner, const Groups groups);
+    unsigned int
+    element(const unsigned int cell) const;
+    Content
+    content(const unsigned int cell) const;
+    void
+    exchange_contents();
+    unsigned int
+    nearest(const Corner                                  &corner,
+            const std::function<bool(const unsigned int)> &is_candidate,
+            const double                                   reach) const;
+    std::vector<unsigned int>
+    ranks_near(const unsigned int cell) const;
+
+    const PointLocator<dim>  &locator;
+    const CellOccupancy<dim> &occupancy;
+
+    /** Moduli G and K of the groups of materials, the softest first. */
+    std::vector<std::array<double, 2>> moduli;
+    std::vector<unsigned int>          group_of_material;
+    std::vector<Corner>                corners;
+    std::map<unsigned int, Content>    contents; ///< by element
+    /** The stiffest group of the cells around, by vertex; not the softest. */
+    std::unordered_map<unsigned int, unsigned int> stiffest_at;
+    CellsOfCorners                                 others, others_of_pressure;
+    InterfaceCrossing                              worst;
+  };
+} // namespace isochor
+
+#endif

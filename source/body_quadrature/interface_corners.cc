@@ -1,0 +1,486 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/body_quadrature/interface_corners.h>
+#include <isochor/grid/nearest_cells.h>
+#include <isochor/material_points/place_table.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Below this, a barycentric coordinate is one of a point on a face. */
+    constexpr double near_face = 1e-6;
+    /** A corner less deep in a cell than this part of it doesn't keep others
+     * from the functions of the cell: they are wrong by this part at most. */
+    constexpr double hardly_inside = 0.02;
+
+    template <int dim>
+    double
+    depth(const LocateResult<dim> &place)
+    {
+      return *std::min_element(place.barycentric.begin(),
+                               place.barycentric.end());
+    }
+
+    /** Of the @p cells nearest to @p x, the one that the way from x leads into.
+     * If there are several, the way leads along what they have in common, and
+     * functions are continued to x alike from all of them. */
+    template <int dim>
+    unsigned int
+    cell_ahead(const SimplexGeometry<dim>      &geometry,
+               const std::vector<unsigned int> &cells,
+               const Point<dim>                &x)
+    {
+      constexpr double on_face = 1e-9, same = 1e-6;
+      unsigned int     ahead = cells.front();
+      double           most  = std::numeric_limits<double>::lowest();
+      for (const unsigned int cell : cells)
+        {
+          const Tensor<1, dim> way     = way_to_cell(geometry, cell, x);
+          const auto           at_foot = geometry.barycentric(cell, x + way);
+          double into = std::numeric_limits<double>::max(), size = 0;
+          for (unsigned int v = 0; v <= dim; ++v)
+            {
+              const double change = way * geometry.gradients(cell)[v];
+              size                = std::max(size, std::abs(change));
+              if (at_foot[v] < on_face)
+                into = std::min(into, change);
+            }
+          if (size == 0) // x is inside
+            return cell;
+          into /= size;
+          if (into > most + same)
+            {
+              most  = into;
+              ahead = cell;
+            }
+        }
+      return ahead;
+    }
+
+    /** Add the normals of the grid's boundary faces of @p cell that @p x lies
+     * on. */
+    template <int dim>
+    void
+    add_walls(const SimplexGeometry<dim>  &geometry,
+              const unsigned int           cell,
+              const Point<dim>            &x,
+              std::vector<Tensor<1, dim>> &normals)
+    {
+      const auto lambda = geometry.barycentric(cell, x);
+      for (unsigned int v = 0; v <= dim; ++v)
+        if (std::abs(lambda[v]) < near_face &&
+            geometry.neighbours(cell)[v] == SimplexGeometry<dim>::no_cell)
+          {
+            const Tensor<1, dim> g = geometry.gradients(cell)[v];
+            normals.push_back(g / g.norm());
+          }
+    }
+
+    /** Whether the functions of @p cell, continued to @p x, are there those of
+     * nodes on the same faces of the grid's boundary, with the @p normals: what
+     * holds these nodes has to hold the corner. */
+    template <int dim>
+    bool
+    stays_on_walls(const SimplexGeometry<dim>        &geometry,
+                   const unsigned int                 cell,
+                   const Point<dim>                  &x,
+                   const std::vector<Tensor<1, dim>> &normals)
+    {
+      if (normals.empty())
+        return true;
+      const auto   lambda = geometry.barycentric(cell, x);
+      const double size   = cell_size(geometry, cell);
+      for (unsigned int v = 0; v <= dim; ++v)
+        if (std::abs(lambda[v]) > near_face)
+          for (const Tensor<1, dim> &n : normals)
+            if (std::abs(
+                  n * (geometry.vertices()[geometry.vertex_indices(cell)[v]] -
+                       x)) > near_face * size)
+              return false;
+      return true;
+    }
+
+    double
+    ratio(const double a, const double b)
+    {
+      return a == b ? 1. : std::max(a / b, b / a);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  InterfaceCorners<dim>::InterfaceCorners(const PointArrays<dim>   &points,
+                                          const PointLocator<dim>  &locator,
+                                          const CellOccupancy<dim> &occupancy,
+                                          const MixedKernel<dim>   &kernel)
+    : locator(locator)
+    , occupancy(occupancy)
+  {
+    sort_materials(kernel);
+    if (moduli.size() < 2)
+      return;
+    locate_corners(points);
+    collect_contents(points);
+    find_owners(points);
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::sort_materials(const MixedKernel<dim> &kernel)
+  {
+    std::vector<std::pair<std::array<double, 2>, unsigned int>> sorted;
+    for (unsigned int m = 0; m < kernel.materials.size(); ++m)
+      if (kernel.materials[m] != nullptr)
+        {
+          const double K_inverse = kernel.materials[m]->inverse_bulk_modulus();
+          sorted.push_back(
+            {{{kernel.materials[m]->shear_modulus(),
+               K_inverse == 0 ? std::numeric_limits<double>::max() :
+                                1 / K_inverse}},
+             m});
+        }
+    std::sort(sorted.begin(), sorted.end());
+    group_of_material.assign(kernel.materials.size(), 0);
+    for (const auto &[of_material, m] : sorted)
+      {
+        const bool is_new =
+          moduli.empty() ||
+          ratio(of_material[0], moduli.back()[0]) > same_stiffness ||
+          ratio(of_material[1], moduli.back()[1]) > same_stiffness;
+        if (is_new && moduli.size() < std::numeric_limits<Groups>::digits)
+          moduli.push_back(of_material);
+        group_of_material[m] = moduli.size() - 1;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::locate_corners(const PointArrays<dim> &points)
+  {
+    corners.reserve(points.domain.size() * (dim + 1));
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const Point<dim> x = points.location(locator.geometry(), k, q);
+          for (const Tensor<1, dim> &of_start : points.domain[q])
+            {
+              Tensor<1, dim> r = points.F[q] * of_start;
+              Corner         corner;
+              corner.place = locator.locate_towards(x, points.cell[k], r);
+              corner.x     = x + r;
+              corner.X     = x - points.displacement[q] + of_start;
+              corner.group = group_of_material[points.material[q]];
+              corners.push_back(corner);
+            }
+        }
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  InterfaceCorners<dim>::element(const unsigned int cell) const
+  {
+    const auto &functions = occupancy.grid.shape_functions();
+    if (functions.are_linear())
+      return cell;
+    const auto cells = functions.element(cell);
+    return *std::min_element(cells.begin(), cells.end());
+  }
+
+
+
+  template <int dim>
+  typename InterfaceCorners<dim>::Content
+  InterfaceCorners<dim>::content(const unsigned int cell) const
+  {
+    const auto found = contents.find(element(cell));
+    return found == contents.end() ? Content() : found->second;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  InterfaceCorners<dim>::ranks_near(const unsigned int cell) const
+  {
+    std::vector<unsigned int> ranks;
+    for (const unsigned int v : locator.geometry().vertex_indices(cell))
+      for (const unsigned int rank : occupancy.ranks_near(v))
+        ranks.push_back(rank);
+    std::sort(ranks.begin(), ranks.end());
+    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+    return ranks;
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::collect_contents(const PointArrays<dim> &points)
+  {
+    std::map<std::pair<unsigned int, unsigned int>, double> volumes;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        volumes[{element(points.cell[k]),
+                 group_of_material[points.material[q]]}] += points.volume[q];
+    std::map<unsigned int, double> most;
+    for (const auto &[of, volume] : volumes)
+      {
+        Content &here = contents[of.first];
+        here.groups |= Groups(1) << of.second;
+        double &largest = most[of.first];
+        if (volume >= (1 - 1e-6) * largest)
+          {
+            largest   = volume;
+            here.most = of.second;
+          }
+      }
+    for (const Corner &corner : corners)
+      if (depth<dim>(corner.place) > hardly_inside)
+        contents[element(corner.place.cell)].groups |= Groups(1)
+                                                       << corner.group;
+    exchange_contents();
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::exchange_contents()
+  {
+    const MPI_Comm comm = locator.geometry().communicator();
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return;
+    std::map<unsigned int, std::vector<std::pair<unsigned int, Content>>> sent;
+    for (const auto &of_element : contents)
+      for (const unsigned int rank : ranks_near(of_element.first))
+        sent[rank].push_back(of_element);
+    for (const auto &received : Utilities::MPI::some_to_some(comm, sent))
+      for (const auto &[of_element, there] : received.second)
+        {
+          Content &here = contents[of_element];
+          here.groups |= there.groups;
+          // points are with the owner of their cell
+          if (locator.geometry().owner(of_element) == received.first)
+            here.most = there.most;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::find_owners(const PointArrays<dim> &points)
+  {
+    (void)points;
+    // Those of stiffer materials in cells that aren't of theirs only.
+    using Entry = std::array<double, dim + 1>; // X and the group
+    std::vector<Entry>                         foreign;
+    std::map<unsigned int, std::vector<Entry>> sent;
+    for (const Corner &corner : corners)
+      if (corner.group > 0 &&
+          content(corner.place.cell).groups != (Groups(1) << corner.group))
+        {
+          Entry entry;
+          for (unsigned int d = 0; d < dim; ++d)
+            entry[d] = corner.X[d];
+          entry[dim] = corner.group;
+          foreign.push_back(entry);
+          for (const unsigned int rank : ranks_near(corner.place.cell))
+            sent[rank].push_back(entry);
+        }
+    const MPI_Comm comm = locator.geometry().communicator();
+    if (Utilities::MPI::n_mpi_processes(comm) > 1)
+      for (const auto &received : Utilities::MPI::some_to_some(comm, sent))
+        foreign.insert(foreign.end(),
+                       received.second.begin(),
+                       received.second.end());
+
+    PlaceScale<dim> scale;
+    double          length = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i < points.domain.size(); ++i)
+      for (unsigned int c = 1; c <= dim; ++c)
+        length =
+          std::min(length, (points.domain[i][c] - points.domain[i][0]).norm());
+    scale.quantum = 1e-4 * length;
+    PlaceTable<dim>           table(scale);
+    std::vector<unsigned int> groups;
+    for (const Entry &entry : foreign)
+      {
+        Point<dim> X;
+        for (unsigned int d = 0; d < dim; ++d)
+          X[d] = entry[d];
+        const unsigned int number = table.find_or_add(X);
+        groups.resize(table.size(), 0);
+        groups[number] =
+          std::max(groups[number], static_cast<unsigned int>(entry[dim]));
+      }
+    for (const auto &[of_element, here] : contents)
+      for (unsigned int g = 1; g < moduli.size(); ++g)
+        if ((here.groups >> g) & 1)
+          for (const unsigned int v :
+               occupancy.grid.shape_functions().nodes(of_element))
+            stiffest_at[v] = std::max(stiffest_at[v], g);
+    for (unsigned int i = 0; i < corners.size(); ++i)
+      {
+        find_pressure_cells(corners[i].group, i);
+        const unsigned int number =
+          table.size() > 0 ? table.find(corners[i].X) : PlaceTable<dim>::none;
+        if (number != PlaceTable<dim>::none)
+          corners[i].group = std::max(corners[i].group, groups[number]);
+        find_cells(i);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::find_cells(const unsigned int i)
+  {
+    const SimplexGeometry<dim> &geometry = locator.geometry();
+    const Corner               &corner   = corners[i];
+    const Groups                own      = Groups(1) << corner.group;
+    Groups                      here     = content(corner.place.cell).groups;
+    if (here == own)
+      return;
+    std::vector<Tensor<1, dim>> walls;
+    if (depth<dim>(corner.place) < near_face)
+      for (const unsigned int cell : nearest_cells<dim>(
+             geometry,
+             corner.x,
+             corner.place.cell,
+             [](const unsigned int) { return true; },
+             std::numeric_limits<double>::max()))
+        {
+          const Groups there = content(cell).groups;
+          if (there == own)
+            return;
+          here |= there;
+          add_walls(geometry, cell, corner.x, walls);
+        }
+    if ((here & ~own) == 0)
+      return;
+
+    constexpr double reach    = 1.5;
+    const auto       on_walls = [&](const unsigned int cell) {
+      return stays_on_walls(geometry, cell, corner.x, walls);
+    };
+    unsigned int other = nearest(
+      corner,
+      [&](const unsigned int cell) {
+        return content(cell).groups == own && on_walls(cell);
+      },
+      reach);
+    if (other == no_cell) // of a thin layer
+      other = nearest(
+        corner,
+        [&](const unsigned int cell) {
+          const Content there = content(cell);
+          return (there.groups & own) != 0 && there.most == corner.group &&
+                 on_walls(cell);
+        },
+        reach);
+    if (other == no_cell)
+      remember(corner, here);
+    else
+      others[i] = other;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  InterfaceCorners<dim>::nearest(
+    const Corner                                  &corner,
+    const std::function<bool(const unsigned int)> &is_candidate,
+    const double                                   reach) const
+  {
+    const SimplexGeometry<dim>     &geometry = locator.geometry();
+    const unsigned int              start    = corner.place.cell;
+    const std::vector<unsigned int> cells =
+      nearest_cells<dim>(geometry,
+                         corner.x,
+                         start,
+                         is_candidate,
+                         reach * cell_size(geometry, start));
+    return cells.empty() ? no_cell : cell_ahead(geometry, cells, corner.x);
+  }
+
+
+
+  template <int dim>
+  bool
+  InterfaceCorners<dim>::has_pressures_of(const unsigned int cell,
+                                          const unsigned int group) const
+  {
+    if (content(cell).groups != (Groups(1) << group))
+      return false;
+    for (const unsigned int v : occupancy.grid.shape_functions().nodes(cell))
+      {
+        const auto found = stiffest_at.find(v);
+        if (found != stiffest_at.end() && found->second > group)
+          return false;
+      }
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::find_pressure_cells(const unsigned int group,
+                                             const unsigned int i)
+  {
+    const Corner &corner = corners[i];
+    if (content(corner.place.cell).groups == 0 ||
+        has_pressures_of(corner.place.cell, group))
+      return;
+    constexpr double   reach = 2.;
+    const unsigned int other = nearest(
+      corner,
+      [&](const unsigned int cell) { return has_pressures_of(cell, group); },
+      reach);
+    if (other != no_cell)
+      others_of_pressure[i] = other;
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::remember(const Corner &corner, const Groups groups)
+  {
+    for (unsigned int g = 0; g < moduli.size(); ++g)
+      if ((groups >> g) & 1)
+        {
+          const InterfaceCrossing crossing = {
+            depth<dim>(corner.place),
+            std::max(ratio(moduli[g][0], moduli[corner.group][0]),
+                     ratio(moduli[g][1], moduli[corner.group][1]))};
+          if (crossing.weight() > worst.weight())
+            worst = crossing;
+        }
+  }
+
+
+
+  template class InterfaceCorners<2>;
+  template class InterfaceCorners<3>;
+} // namespace isochor
