@@ -10,6 +10,7 @@
 #include <isochor/step/free_motions.h>
 #include <isochor/step/scene.h>
 #include <isochor/step/scene_checks.h>
+#include <isochor/step/tied_bodies.h>
 
 #include <algorithm>
 #include <array>
@@ -217,6 +218,7 @@ namespace isochor
     check_body(step);
     check_interfaces(step);
     check_materials(scene, step.warnings);
+    warn_of_tied_bodies(scene.points, step);
     scene.points.check_seeding(scene.quadrature->needs_domains(),
                                step.warnings);
     for (const auto &condition : scene.boundary_conditions)
