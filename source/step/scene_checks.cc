@@ -219,6 +219,7 @@ namespace isochor
     check_interfaces(step);
     check_materials(scene, step.warnings);
     warn_of_tied_bodies(scene.points, step);
+    scene.shape.check_mesh(step.warnings);
     scene.points.check_seeding(scene.quadrature->needs_domains(),
                                step.warnings);
     for (const auto &condition : scene.boundary_conditions)
