@@ -62,6 +62,48 @@ namespace
       expect("the region " + formula, messages<2>(region + formula + '\n'), {});
   }
 
+  /** Formulas that stand for conditions hold where they are above 0. */
+  void
+  test_conditions()
+  {
+    const std::string zones = "Material points/Materials in zones = 2: ";
+    const auto        of    = [&](const std::string &settings) {
+      return messages<2>(good + settings + '\n', true, 2);
+    };
+    expect("a zone that compares nothing",
+           of(zones + "y"),
+           {"WARNING a condition that compares nothing",
+            "<y>",
+            "Material points/Materials in zones",
+            "in 100 % of the places",
+            "values from 0.08333 to 0.9167",
+            "'y < 0.5'"});
+    expect("... of numbers of points",
+           of("Material points/Points per cell in zones = 9: x; 4: x < 2\n" +
+              zones + "y < 0.5"),
+           {"WARNING", "<x>", "Material points/Points per cell in zones"});
+    for (const std::string formula : {"y - 0.5",
+                                      "0.5 - y",
+                                      "if(y > 0.5, 1, 0)",
+                                      "y > 0.5",
+                                      "1",
+                                      "2",
+                                      "floor(y + 0.5)"})
+      expect("the zone " + formula, of(zones + formula), {});
+    const std::string surface =
+      "Boundary conditions/Traction on body = S: 0, "
+      "-t\nBoundary conditions/Surfaces of body = S: ";
+    expect("a surface that compares nothing",
+           of(zones + "y < 0.5\n" + surface + "y"),
+           {"WARNING a condition that compares nothing",
+            "<y>",
+            "Boundary conditions/Surfaces of body",
+            "values from 0 to 1"});
+    expect("... and one below 0 elsewhere",
+           of(zones + "y < 0.5\n" + surface + "y - 0.99"),
+           {});
+  }
+
   void
   test_loads_on_supports()
   {
@@ -148,6 +190,7 @@ main(int argc, char **argv)
   std::filesystem::create_directory("scene_checks");
   test_probes();
   test_formulas();
+  test_conditions();
   test_loads_on_supports();
   test_materials();
   test_wandering_volumes();

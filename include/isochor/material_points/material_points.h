@@ -142,12 +142,12 @@ namespace isochor
       keeps_ancestry = true;
     }
 
-    /** See BodySeeding::check_region() and check_domains(); before the grid
+    /** See BodySeeding::check_conditions() and check_domains(); before the grid
      * changes. */
     void
     check_seeding(const bool domains_are_integrated, Warnings &warnings) const
     {
-      seeding.check_region(grid, warnings);
+      seeding.check_conditions(grid, warnings);
       if (domains_are_integrated && point_layout.with_domains)
         seeding.check_domains(grid, warnings);
     }
