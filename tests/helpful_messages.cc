@@ -104,6 +104,36 @@ namespace
            {});
   }
 
+  /** What is printed at the start of a body of several materials. */
+  void
+  test_list_of_materials()
+  {
+    const auto printed = [](const std::string &settings,
+                            const unsigned int n_materials) {
+      std::ostringstream    out;
+      std::streambuf *const original = std::cout.rdbuf(out.rdbuf());
+      messages<2>(good + settings + "Output/Terminal = progress\n",
+                  true,
+                  n_materials);
+      std::cout.rdbuf(original);
+      return out.str();
+    };
+    const std::string three =
+      printed("Material points/Materials in zones = 2: y < 0.5\n"
+              "Material 2/Density = 1800\n",
+              3);
+    test::check("the materials are listed",
+                three.find("  Material: 64 points, 0.5 m^2, 1000 kg/m^3\n"
+                           "  Material 2: 64 points, 0.5 m^2, 1800 kg/m^3\n"
+                           "  Material 3: no points\n") != std::string::npos,
+                three);
+    const std::string one = printed("", 1);
+    test::check("... not a single one",
+                one.find("Body: 1 m^2") != std::string::npos &&
+                  one.find("  Material:") == std::string::npos,
+                one);
+  }
+
   void
   test_loads_on_supports()
   {
@@ -191,6 +221,7 @@ main(int argc, char **argv)
   test_probes();
   test_formulas();
   test_conditions();
+  test_list_of_materials();
   test_loads_on_supports();
   test_materials();
   test_wandering_volumes();
