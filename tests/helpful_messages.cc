@@ -104,6 +104,18 @@ namespace
            {});
   }
 
+  void
+  test_hidden_zones()
+  {
+    expect("a zone that a later one covers",
+           messages<2>(good +
+                         "Material points/Materials in zones = 2: y < 0.5; 1: "
+                         "y < 0.75\n",
+                       true,
+                       2),
+           {"WARNING", "<Material 2>", "later zones hold", "the last one"});
+  }
+
   /** What is printed at the start of a body of several materials. */
   void
   test_list_of_materials()
@@ -132,6 +144,18 @@ namespace
                 one.find("Body: 1 m^2") != std::string::npos &&
                   one.find("  Material:") == std::string::npos,
                 one);
+  }
+
+  void
+  test_places_far_away()
+  {
+    expect("a boundary beside the body, far from the origin",
+           messages<2>("Grid/Lower corner = 1000, 0\nGrid/Upper corner = "
+                       "1001, 1\nGrid/Subdivisions = 4, 4\nMaterial "
+                       "points/Region = x < 1000.75\nBoundary conditions/"
+                       "Displacement = left: x=0, y=0; right: x=0\nBoundary "
+                       "conditions/Gravity = 0, -1\n"),
+           {"WARNING", "<right>", "[1000, 1000.75]", "[1001, 1001]"});
   }
 
   void
@@ -221,7 +245,9 @@ main(int argc, char **argv)
   test_probes();
   test_formulas();
   test_conditions();
+  test_hidden_zones();
   test_list_of_materials();
+  test_places_far_away();
   test_loads_on_supports();
   test_materials();
   test_wandering_volumes();

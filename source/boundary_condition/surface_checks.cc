@@ -68,8 +68,11 @@ namespace isochor
             "> consist of faces of the points' domains, which <Quadrature/Type> "
             "makes of the body at t = 0. Elsewhere its load is not in balance "
             "with the stress of the points below, by 5 to 20 per cent, once the "
-            "surface lies inside of cells. Let the surface be that of the "
-            "points' domains (the mesh of <Material points/Body mesh> in <" +
+            "surface lies inside of cells. Faces count if they are in one "
+            "plane to 1e-6 of their size: if nearly none are, coordinates may "
+            "be rounded in a mesh, the region or the grid. Let the surface be "
+            "that of the points' domains (the mesh of <Material points/Body "
+            "mesh> in <" +
             mesh_parameter +
             ">, or a <Material points/Region> that ends where cells do), or "
             "choose <Quadrature/Type = cell-filled + boundary>.");

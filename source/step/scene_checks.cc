@@ -67,11 +67,12 @@ namespace isochor
       }
     for (unsigned int m = 1; m < n_materials; ++m)
       if (n_points[m] == 0)
-        step.warnings.add("no point of material " + std::to_string(m + 1),
-                          "No material point is made of <Material " +
-                            std::to_string(m + 1) +
-                            ">: <Material points/Materials in zones> has no "
-                            "zone with that number that holds a point.");
+        step.warnings.add(
+          "no point of material " + std::to_string(m + 1),
+          "No material point is made of <Material " + std::to_string(m + 1) +
+            ">: <Material points/Materials in zones> has no zone with that "
+            "number that holds a point, or later zones hold wherever it does: "
+            "the last one counts.");
   }
 
 
