@@ -40,7 +40,9 @@ namespace isochor
                       "1",
                       Patterns::Anything(),
                       "The body: a condition in x, y(, z). Points are seeded "
-                      "where it holds.");
+                      "where it holds. Parts and gaps that are narrower than "
+                      "the distance of points are lost; a warning tells, but "
+                      "not with <Lattice spacing>.");
     prm.declare_entry("Physical groups",
                       "",
                       Patterns::List(Patterns::Anything()),

@@ -68,6 +68,14 @@ namespace isochor
     void
     check_conditions(const BackgroundGrid<dim> &grid, Warnings &warnings) const;
 
+    /** Warn of gaps and parts of the region that are narrower than the distance
+     * of the points, so that points don't show them; only of points that are
+     * seeded in the cells of the @p grid. Collective. */
+    void
+    check_fineness(const BackgroundGrid<dim> &grid,
+                   const bool                 with_domains,
+                   Warnings                  &warnings) const;
+
   private:
     /** Cells with the same number of points. */
     struct Zone
@@ -84,6 +92,10 @@ namespace isochor
     /** The zone of a cell with this @p centroid. */
     static unsigned int
     find_zone(const std::vector<Zone> &zones, const Point<dim> &centroid);
+    static std::vector<Point<dim>>
+    places_in_cell(const SimplexGeometry<dim> &geometry,
+                   const unsigned int          cell,
+                   const std::vector<Zone>    &zones);
     void
     check_region(const BackgroundGrid<dim> &grid, Warnings &warnings) const;
     void

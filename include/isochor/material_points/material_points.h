@@ -142,12 +142,13 @@ namespace isochor
       keeps_ancestry = true;
     }
 
-    /** See BodySeeding::check_conditions() and check_domains(); before the grid
-     * changes. */
+    /** See BodySeeding::check_conditions(), check_fineness() and
+     * check_domains(); before the grid changes. */
     void
     check_seeding(const bool domains_are_integrated, Warnings &warnings) const
     {
       seeding.check_conditions(grid, warnings);
+      seeding.check_fineness(grid, point_layout.with_domains, warnings);
       if (domains_are_integrated && point_layout.with_domains)
         seeding.check_domains(grid, warnings);
     }
