@@ -62,6 +62,102 @@ namespace
       expect("the region " + formula, messages<2>(region + formula + '\n'), {});
   }
 
+  /** Formulas that stand for conditions hold where they are above 0. */
+  void
+  test_conditions()
+  {
+    const std::string zones = "Material points/Materials in zones = 2: ";
+    const auto        of    = [&](const std::string &settings) {
+      return messages<2>(good + settings + '\n', true, 2);
+    };
+    expect("a zone that compares nothing",
+           of(zones + "y"),
+           {"WARNING a condition that compares nothing",
+            "<y>",
+            "Material points/Materials in zones",
+            "in 100 % of the places",
+            "values from 0.08333 to 0.9167",
+            "'y < 0.5'"});
+    expect("... of numbers of points",
+           of("Material points/Points per cell in zones = 9: x; 4: x < 2\n" +
+              zones + "y < 0.5"),
+           {"WARNING", "<x>", "Material points/Points per cell in zones"});
+    for (const std::string formula : {"y - 0.5",
+                                      "0.5 - y",
+                                      "if(y > 0.5, 1, 0)",
+                                      "y > 0.5",
+                                      "1",
+                                      "2",
+                                      "floor(y + 0.5)"})
+      expect("the zone " + formula, of(zones + formula), {});
+    const std::string surface =
+      "Boundary conditions/Traction on body = S: 0, "
+      "-t\nBoundary conditions/Surfaces of body = S: ";
+    expect("a surface that compares nothing",
+           of(zones + "y < 0.5\n" + surface + "y"),
+           {"WARNING a condition that compares nothing",
+            "<y>",
+            "Boundary conditions/Surfaces of body",
+            "values from 0 to 1"});
+    expect("... and one below 0 elsewhere",
+           of(zones + "y < 0.5\n" + surface + "y - 0.99"),
+           {});
+  }
+
+  void
+  test_hidden_zones()
+  {
+    expect("a zone that a later one covers",
+           messages<2>(good +
+                         "Material points/Materials in zones = 2: y < 0.5; 1: "
+                         "y < 0.75\n",
+                       true,
+                       2),
+           {"WARNING", "<Material 2>", "later zones hold", "the last one"});
+  }
+
+  /** What is printed at the start of a body of several materials. */
+  void
+  test_list_of_materials()
+  {
+    const auto printed = [](const std::string &settings,
+                            const unsigned int n_materials) {
+      std::ostringstream    out;
+      std::streambuf *const original = std::cout.rdbuf(out.rdbuf());
+      messages<2>(good + settings + "Output/Terminal = progress\n",
+                  true,
+                  n_materials);
+      std::cout.rdbuf(original);
+      return out.str();
+    };
+    const std::string three =
+      printed("Material points/Materials in zones = 2: y < 0.5\n"
+              "Material 2/Density = 1800\n",
+              3);
+    test::check("the materials are listed",
+                three.find("  Material: 64 points, 0.5 m^2, 1000 kg/m^3\n"
+                           "  Material 2: 64 points, 0.5 m^2, 1800 kg/m^3\n"
+                           "  Material 3: no points\n") != std::string::npos,
+                three);
+    const std::string one = printed("", 1);
+    test::check("... not a single one",
+                one.find("Body: 1 m^2") != std::string::npos &&
+                  one.find("  Material:") == std::string::npos,
+                one);
+  }
+
+  void
+  test_places_far_away()
+  {
+    expect("a boundary beside the body, far from the origin",
+           messages<2>("Grid/Lower corner = 1000, 0\nGrid/Upper corner = "
+                       "1001, 1\nGrid/Subdivisions = 4, 4\nMaterial "
+                       "points/Region = x < 1000.75\nBoundary conditions/"
+                       "Displacement = left: x=0, y=0; right: x=0\nBoundary "
+                       "conditions/Gravity = 0, -1\n"),
+           {"WARNING", "<right>", "[1000, 1000.75]", "[1001, 1001]"});
+  }
+
   void
   test_loads_on_supports()
   {
@@ -148,6 +244,10 @@ main(int argc, char **argv)
   std::filesystem::create_directory("scene_checks");
   test_probes();
   test_formulas();
+  test_conditions();
+  test_hidden_zones();
+  test_list_of_materials();
+  test_places_far_away();
   test_loads_on_supports();
   test_materials();
   test_wandering_volumes();

@@ -237,6 +237,7 @@ namespace isochor
   void
   BodySurfaceConditions<dim>::check_scene(const StepContext<dim> &step) const
   {
+    warn_of_places_without_comparison(step, conditions);
     for (const auto &surface : conditions.surfaces)
       if (surface.traction.empty() && surface.pressure.empty() &&
           !surface.is_fixed())

@@ -92,10 +92,14 @@ namespace isochor
           " by what the body is deformed by now; where forces are, it stays "
           "away from the wall by so much. That "
           "falls as the body is pressed further and with the cells. Use smaller "
-          "cells at the wall (<Adaptive grid/Cell size at boundaries>), put a "
-          "flat side of the body on a line of the grid, or keep a grid that "
-          "fits the surface of the body (<Grid reset/Steps between resets = "
-          "0>). In statics a flat one-sided wall acts where the surface is, "
+          "cells at the wall (<Adaptive grid/Cell size at boundaries>), or put "
+          "a flat side of the body on a line of the grid" +
+          (step.grid_is_kept ?
+             "" :
+             "; or keep a grid that fits the surface of the body (<Grid "
+             "reset/Steps between resets = 0>), if nothing comes to the wall "
+             "that doesn't touch it at t = 0") +
+          ". In statics a flat one-sided wall acts where the surface is, "
           "with <Quadrature/Type = CPDI>.");
     }
   } // namespace

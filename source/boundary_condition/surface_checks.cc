@@ -4,9 +4,13 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/condition.h>
+#include <isochor/base/expression.h>
+#include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/surface_checks.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace isochor
@@ -64,12 +68,59 @@ namespace isochor
             "> consist of faces of the points' domains, which <Quadrature/Type> "
             "makes of the body at t = 0. Elsewhere its load is not in balance "
             "with the stress of the points below, by 5 to 20 per cent, once the "
-            "surface lies inside of cells. Let the surface be that of the "
-            "points' domains (the mesh of <Material points/Body mesh> in <" +
+            "surface lies inside of cells. Faces count if they are in one "
+            "plane to 1e-6 of their size: if nearly none are, coordinates may "
+            "be rounded in a mesh, the region or the grid. Let the surface be "
+            "that of the points' domains (the mesh of <Material points/Body "
+            "mesh> in <" +
             mesh_parameter +
             ">, or a <Material points/Region> that ends where cells do), or "
             "choose <Quadrature/Type = cell-filled + boundary>.");
       }
+  }
+
+
+
+  template <int dim>
+  void
+  warn_of_places_without_comparison(const StepContext<dim>       &step,
+                                    const SurfaceConditions<dim> &conditions)
+  {
+    const auto is_doubtful = [](const SurfaceCondition<dim> &surface) {
+      return !surface.place.on_grid_boundary &&
+             compares_nothing(surface.place.condition);
+    };
+    if (std::none_of(conditions.surfaces.begin(),
+                     conditions.surfaces.end(),
+                     is_doubtful))
+      return;
+    const SimplexGeometry<dim> &geometry = step.grid.geometry();
+    std::vector<unsigned char>  touched(geometry.vertices().size(), 0);
+    for (const unsigned int cell :
+         union_over_ranks(step.points.cell, step.grid.communicator()))
+      for (const unsigned int vertex : geometry.vertex_indices(cell))
+        touched[vertex] = 1;
+    for (const SurfaceCondition<dim> &surface : conditions.surfaces)
+      if (is_doubtful(surface))
+        {
+          const BodySurface<dim> &place = surface.place;
+          std::vector<double>     values;
+          try
+            {
+              const Expression<dim> formula(place.condition, place.parameter);
+              for (unsigned int v = 0; v < touched.size(); ++v)
+                if (touched[v])
+                  values.push_back(formula(geometry.vertices()[v], 0.));
+            }
+          catch (const StandardExceptions::ExcMessage &)
+            {
+              continue; // it need have values at the surface only
+            }
+          warn_of_formula_for_condition(place.condition,
+                                        place.parameter,
+                                        values,
+                                        step.warnings);
+        }
   }
 
 
@@ -142,6 +193,12 @@ namespace isochor
                                const SurfaceConditions<3> &,
                                const std::vector<double> &,
                                const std::string &);
+  template void
+  warn_of_places_without_comparison(const StepContext<2> &,
+                                    const SurfaceConditions<2> &);
+  template void
+  warn_of_places_without_comparison(const StepContext<3> &,
+                                    const SurfaceConditions<3> &);
   template void
   warn_of_loads_on_supports(const StepContext<2> &,
                             const NodalField &,

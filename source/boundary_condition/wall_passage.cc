@@ -280,7 +280,11 @@ namespace isochor
               ">: on a grid that is kept, the wall holds only what was at the "
               "boundary when the grid was put back, and what came later only "
               "in part. Its force is too small. Put the grid back after each "
-              "step (<Grid reset/Steps between resets = 1>).");
+              "step (<Grid reset/Steps between resets = 1>), in statics with "
+              "<Quadrature/Type = CPDI>: else a wall acts before the body "
+              "reaches it then, by up to a cell, which smaller cells there "
+              "make less. Keep the grid only where nothing comes to the wall "
+              "that did not touch it at t = 0.");
     }
   } // namespace
 

@@ -40,7 +40,9 @@ namespace isochor
                       "1",
                       Patterns::Anything(),
                       "The body: a condition in x, y(, z). Points are seeded "
-                      "where it holds.");
+                      "where it holds. Parts and gaps that are narrower than "
+                      "the distance of points are lost; a warning tells, but "
+                      "not with <Lattice spacing>.");
     prm.declare_entry("Physical groups",
                       "",
                       Patterns::List(Patterns::Anything()),
@@ -119,33 +121,6 @@ namespace isochor
                            "zones> can't be used with <Material points/Lattice "
                            "spacing>, which places the points without regard "
                            "to cells. Leave one out."));
-  }
-
-
-
-  template <int dim>
-  void
-  BodySeeding<dim>::check_region(const BackgroundGrid<dim> &grid,
-                                 Warnings                  &warnings) const
-  {
-    // the formula need not have values beside a mesh of the body
-    const auto names = names_in_formula(parameters.region);
-    if (names.empty() || !parameters.body_mesh.empty() ||
-        std::find(names.begin(), names.end(), "if") != names.end() ||
-        parameters.region.find_first_of("<>=!&|?") != std::string::npos)
-      return;
-    const Expression<dim> in_body(parameters.region, "Material points/Region");
-    for (unsigned int cell = 0; cell < grid.geometry().n_cells(); ++cell)
-      if (!(in_body(cell_centroid(grid.geometry(), cell), 0.) > 0))
-        return;
-    warnings.add("a region that leaves nothing out",
-                 "The parameter <Material points/Region = " +
-                   parameters.region +
-                   "> compares nothing: the body is where the formula is above "
-                   "0, which it is in all cells of the grid. Write a "
-                   "comparison, as 'y < 0.5', or a formula that is below 0 "
-                   "outside of the body; leave the parameter out if the body "
-                   "fills the grid.");
   }
 
 

@@ -2,12 +2,16 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/plain_message.h>
 #include <isochor/grid/mesh_reader.h>
+#include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/body_shape.h>
+#include <isochor/material_points/mesh_overlap.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
 namespace isochor
 {
@@ -81,6 +85,44 @@ namespace isochor
       }
     return belongs(grid->geometry(), cell, grid->group_ids()) &&
            (*in_region)(x, 0.) > 0;
+  }
+
+
+
+  template <int dim>
+  void
+  BodyShape<dim>::check_mesh(Warnings &warnings) const
+  {
+    if (!mesh)
+      return;
+    std::vector<unsigned char> is_in(mesh_geometry->n_cells(), 0);
+    double                     volume = 0;
+    for (unsigned int cell = 0; cell < is_in.size(); ++cell)
+      if (belongs(*mesh_geometry, cell, mesh_groups) &&
+          (*in_region)(cell_centroid(*mesh_geometry, cell), 0.) > 0)
+        {
+          is_in[cell] = 1;
+          volume += mesh_geometry->measure(cell);
+        }
+    const MeshOverlap<dim> found = find_overlap(*mesh_geometry, is_in);
+    if (found.n_overlapping == 0)
+      return;
+    std::ostringstream place;
+    place << found.place;
+    warnings.add(
+      "a body mesh that overlaps itself",
+      "Cells of the mesh <" + body_mesh +
+        "> of the parameter <Material points/Body mesh> overlap each other, at " +
+        std::to_string(found.n_overlapping) + " of the " +
+        std::to_string(found.n_faces) + " faces at its surface, as near (" +
+        place.str() +
+        "). There the body has its mass and its stiffness twice; they add up "
+        "to " +
+        rounded(volume) + (dim == 2 ? " m^2" : " m^3") +
+        ". Bodies that share a place have to be cut out of each other, or made "
+        "one (gmsh: BooleanFragments, BooleanDifference, Coherence); name "
+        "groups in <Material points/Physical groups> if the file has more than "
+        "the body.");
   }
 
 

@@ -7,6 +7,7 @@
 #include <isochor/base/expression.h>
 #include <isochor/base/thickness.h>
 #include <isochor/material_points/material_points.h>
+#include <isochor/material_points/parts_of_body.h>
 #include <isochor/material_points/point_domain.h>
 #include <isochor/material_points/relocation.h>
 
@@ -142,7 +143,9 @@ namespace isochor
                           grid.mapping(),
                           point_layout.n_properties);
 
-    insert(seeding.seeds(grid, with_domains, materials.size()), materials);
+    const auto seeds = seeding.seeds(grid, with_domains, materials.size());
+    find_parts(seeds);
+    insert(seeds, materials);
     if (!initial_velocity.empty())
       set_velocity(initial_velocity);
   }
@@ -197,6 +200,42 @@ namespace isochor
                                    make_array_view(properties));
       }
     particles->update_cached_numbers();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::find_parts(const std::vector<Seed<dim>> &seeds)
+  {
+    n_parts = 0;
+    part_of_seed.clear();
+    if (!point_layout.with_domains)
+      return;
+    std::vector<unsigned int> parts = parts_by_domains(seeds);
+    for (const unsigned int part : parts)
+      n_parts = std::max(n_parts, part + 1);
+    if (n_parts > 1)
+      part_of_seed.swap(parts);
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  MaterialPoints<dim>::parts_at_start() const
+  {
+    const auto               &pool = particles->get_property_pool();
+    std::vector<unsigned int> parts;
+    parts.reserve(slots->slot.size());
+    for (const auto handle : slots->slot)
+      {
+        const auto number = pool.get_id(handle);
+        parts.push_back(number < part_of_seed.size() ?
+                          part_of_seed[number] :
+                          numbers::invalid_unsigned_int);
+      }
+    return parts;
   }
 
 

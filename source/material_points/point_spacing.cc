@@ -267,8 +267,9 @@ namespace isochor
             "later also those of the body. Seed more points (<Material "
             "points/Points per cell>: domains grow by the stretch of the "
             "body), let them be split before (<Material points/Split at share "
-            "of cell> = 0.2), take larger cells, or keep the grid (<Grid "
-            "reset/Steps between resets>).";
+            "of cell> = 0.2), take larger cells, or put the grid back less "
+            "often, if it is done in each step (<Grid reset/Steps between "
+            "resets>).";
     warnings.add("domains longer than the cells", text.str());
   }
 

@@ -7,11 +7,37 @@
 #include <isochor/base/thickness.h>
 #include <isochor/postprocess/body_summary.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <sstream>
 
 namespace isochor
 {
+  namespace
+  {
+    /** Of the section, of a body of revolution in space. */
+    template <int dim>
+    double
+    volume_at_start(const Particles::ParticleAccessor<dim> &point,
+                    const PointLayout                      &l)
+    {
+      const auto properties = point.get_properties();
+      return properties[l.volume] *
+             thickness(l.axisymmetric,
+                       point.get_location()[0] - properties[l.displacement]);
+    }
+
+    template <int dim>
+    std::string
+    unit_of_volume(const PointLayout &l)
+    {
+      return dim == 2 && !l.axisymmetric ? " m^2, " : " m^3, ";
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::string
   body_summary(const MaterialPoints<dim> &points, const MPI_Comm comm)
@@ -25,10 +51,7 @@ namespace isochor
       {
         const auto properties = point.get_properties();
         mass += properties[l.mass];
-        volume +=
-          properties[l.volume] *
-          thickness(l.axisymmetric,
-                    point.get_location()[0] - properties[l.displacement]);
+        volume += volume_at_start(point, l);
         for (unsigned int d = 0; d < dim; ++d)
           {
             lower[d] = std::min(lower[d], point.get_location()[d]);
@@ -38,11 +61,49 @@ namespace isochor
 
     std::ostringstream text;
     text << "Body: " << Utilities::MPI::sum(volume, comm)
-         << (dim == 2 && !l.axisymmetric ? " m^2, " : " m^3, ")
-         << Utilities::MPI::sum(mass, comm) << " kg, points in ";
+         << unit_of_volume<dim>(l) << Utilities::MPI::sum(mass, comm)
+         << " kg, points in ";
     for (unsigned int d = 0; d < dim; ++d)
       text << (d == 0 ? "[" : " x [") << Utilities::MPI::min(lower[d], comm)
            << ", " << Utilities::MPI::max(upper[d], comm) << "]";
+    return text.str();
+  }
+
+
+
+  template <int dim>
+  std::string
+  material_summary(
+    const MaterialPoints<dim>                              &points,
+    const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
+    const MPI_Comm                                          comm)
+  {
+    const std::size_t n = materials.size();
+    if (n < 2)
+      return "";
+    const PointLayout  &l = points.layout();
+    std::vector<double> number(n, 0.), volume(n, 0.);
+    for (const auto &point : points.handler())
+      {
+        const unsigned int material = point.get_properties()[l.material];
+        number[material] += 1;
+        volume[material] += volume_at_start(point, l);
+      }
+    Utilities::MPI::sum(number, comm, number);
+    Utilities::MPI::sum(volume, comm, volume);
+    std::ostringstream text;
+    for (unsigned int m = 0; m < n; ++m)
+      {
+        text << (m > 0 ? "\n" : "") << "  "
+             << (m == 0 ? "Material" : "Material " + std::to_string(m + 1))
+             << ": ";
+        if (number[m] > 0)
+          text << static_cast<unsigned long long>(number[m]) << " points, "
+               << volume[m] << unit_of_volume<dim>(l) << materials[m]->density()
+               << " kg/m^3";
+        else
+          text << "no points";
+      }
     return text.str();
   }
 
@@ -52,4 +113,12 @@ namespace isochor
   body_summary(const MaterialPoints<2> &, const MPI_Comm);
   template std::string
   body_summary(const MaterialPoints<3> &, const MPI_Comm);
+  template std::string
+  material_summary(const MaterialPoints<2> &,
+                   const std::vector<std::unique_ptr<MaterialModel<2>>> &,
+                   const MPI_Comm);
+  template std::string
+  material_summary(const MaterialPoints<3> &,
+                   const std::vector<std::unique_ptr<MaterialModel<3>>> &,
+                   const MPI_Comm);
 } // namespace isochor

@@ -61,8 +61,10 @@ namespace isochor
          << " % of the largest energy of the body"
          << (size > largest ? " per cycle" : "")
          << ", see 'Energy lost by the scheme' in the statistics. ";
-    const std::string keep = "a grid that is kept (<Grid reset/Steps between "
-                             "resets = 0>, up to where bodies come together)";
+    const std::string keep =
+      "a grid that is kept (<Grid reset/Steps between resets = 0>; where "
+      "bodies have come together or cells are distorted it is put back all "
+      "the same)";
     if (!is_cpdi && !grid_is_kept)
       text << "Points that change cells take their stresses with them: "
               "<Quadrature/Type = CPDI> or "

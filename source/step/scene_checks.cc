@@ -10,6 +10,7 @@
 #include <isochor/step/free_motions.h>
 #include <isochor/step/scene.h>
 #include <isochor/step/scene_checks.h>
+#include <isochor/step/tied_bodies.h>
 
 #include <algorithm>
 #include <array>
@@ -66,11 +67,12 @@ namespace isochor
       }
     for (unsigned int m = 1; m < n_materials; ++m)
       if (n_points[m] == 0)
-        step.warnings.add("no point of material " + std::to_string(m + 1),
-                          "No material point is made of <Material " +
-                            std::to_string(m + 1) +
-                            ">: <Material points/Materials in zones> has no "
-                            "zone with that number that holds a point.");
+        step.warnings.add(
+          "no point of material " + std::to_string(m + 1),
+          "No material point is made of <Material " + std::to_string(m + 1) +
+            ">: <Material points/Materials in zones> has no zone with that "
+            "number that holds a point, or later zones hold wherever it does: "
+            "the last one counts.");
   }
 
 
@@ -145,24 +147,19 @@ namespace isochor
 
 
   /** In the mixed form warn of materials that meet at nodes, where the mean
-   * stress jumps, but not p. Where all of them are nearly incompressible, it
-   * hardly matters. At the start. Collective. */
+   * stress may jump, but not p: by their shear moduli, or by their volume
+   * stiffnesses, also if both are nearly incompressible. Whether it jumps
+   * depends on the loads. At the start. Collective. */
   template <int dim>
   static void
   check_interfaces(const StepContext<dim> &step)
   {
     constexpr double much      = 1.5;
     const auto      &materials = step.kernel.materials;
-    const bool       any_compressible =
-      std::any_of(materials.begin(), materials.end(), [](const auto &m) {
-        return m->shear_modulus() * m->inverse_bulk_modulus() *
-                 nearly_incompressible >
-               1;
-      });
-    if (!step.mixed() || materials.size() < 2 || !any_compressible)
+    if (!step.mixed() || materials.size() < 2)
       return;
-    // of each vertex the largest G, 1/G, 1/K, K and G/K of what is around it
-    constexpr unsigned int      n_values = 5;
+    // of each vertex the largest G, 1/G, 1/K and K of what is around it
+    constexpr unsigned int      n_values = 4;
     const PointArrays<dim>     &points   = step.points;
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
     std::vector<double> largest(n_values * geometry.vertices().size(), 0.);
@@ -174,7 +171,7 @@ namespace isochor
           const double G        = material.shear_modulus(),
                        iK       = material.inverse_bulk_modulus();
           const std::array<double, n_values> values = {
-            {G, 1 / G, iK, iK > 0 ? 1 / iK : 1e300, G * iK}};
+            {G, 1 / G, iK, iK > 0 ? 1 / iK : 1e300}};
           for (const unsigned int v : geometry.vertex_indices(points.cell[k]))
             for (unsigned int i = 0; i < n_values; ++i)
               largest[n_values * v + i] =
@@ -186,22 +183,24 @@ namespace isochor
       {
         const double *const l = largest.data() + n_values * v;
         n_all += l[0] > 0 ? 1 : 0;
-        n_between += (l[0] * l[1] > much || l[2] * l[3] > much) &&
-                         l[4] * nearly_incompressible > 1 ?
-                       1 :
-                       0;
+        n_between += l[0] * l[1] > much || l[2] * l[3] > much ? 1 : 0;
       }
     if (n_between > 0)
       step.warnings.add(
         "materials that share pressures",
-        "Materials of other stiffness, not all of them nearly incompressible, "
-        "meet at " +
+        "Materials of other stiffness (shear or bulk moduli that differ by "
+        "more than half) meet at " +
           rounded(100. * n_between / n_all) +
           " % of the nodes of the body. The mean stress may jump there, but "
-          "the pressure of <Formulation/Type = u-p> can't: it is wrong in the "
-          "cells along the interface, and with it displacements and forces, by "
-          "about as much as these cells are of the layers (7 to 32 % with four "
-          "cells across each, if moduli differ by 100 to 1). If no Poisson's "
+          "the pressure of <Formulation/Type = u-p> can't. Where it does, it "
+          "is wrong in the cells along the interface, and with it "
+          "displacements and forces, by about as much as these cells are of "
+          "the layers (7 to 32 % with four cells across each, if moduli differ "
+          "by 100 to 1). Where both are nearly incompressible, the one that is "
+          "less so makes the other one give way as it does itself: the "
+          "compression of a layer may be several times too large. Nothing is "
+          "wrong where the mean stress does not jump, as of layers with the "
+          "same Poisson's ratio under a load across them. If no Poisson's "
           "ratio is above 0.48, use <Formulation/Type = u>, where nothing of "
           "this happens as long as the interface lies on faces of cells: keep "
           "the grid if it moves (<Grid reset/Steps between resets = 0>). Else "
@@ -220,6 +219,8 @@ namespace isochor
     check_body(step);
     check_interfaces(step);
     check_materials(scene, step.warnings);
+    warn_of_tied_bodies(scene.points, step);
+    scene.shape.check_mesh(step.warnings);
     scene.points.check_seeding(scene.quadrature->needs_domains(),
                                step.warnings);
     for (const auto &condition : scene.boundary_conditions)

@@ -36,6 +36,13 @@ namespace isochor
                                const std::vector<double>    &share_on_domains,
                                const std::string            &mesh_parameter);
 
+  /** Warn of surfaces whose places are formulas that compare nothing, seen at
+   * the vertices of the cells that hold points. Collective. */
+  template <int dim>
+  void
+  warn_of_places_without_comparison(const StepContext<dim>       &step,
+                                    const SurfaceConditions<dim> &conditions);
+
   /** Warn of loads of surfaces that act, in a component, on nodes alone at
    * which
    * @p constraints prescribe this component: they go into the support, and the

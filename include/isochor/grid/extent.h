@@ -9,6 +9,7 @@
 #include <deal.II/base/point.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -41,12 +42,22 @@ namespace isochor
       Utilities::MPI::max(upper, comm, upper);
     }
 
-    /** "[0, 1] x [2, 3]" */
+    /** "[0, 1] x [2, 3]", with four digits of the largest difference. */
     std::string
     text() const
     {
+      double largest = 0, span = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          largest = std::max({largest, std::abs(lower[d]), std::abs(upper[d])});
+          span    = std::max(span, upper[d] - lower[d]);
+        }
       std::ostringstream out;
-      out.precision(4);
+      // more would show what coordinates are rounded to
+      constexpr double most = 12;
+      out.precision(
+        span > 0 ? std::min(4 + std::ceil(std::log10(largest / span)), most) :
+                   most);
       for (unsigned int d = 0; d < dim; ++d)
         out << (d > 0 ? " x [" : "[") << lower[d] << ", " << upper[d] << "]";
       return out.str();

@@ -62,10 +62,19 @@ namespace isochor
     void
     check_domains(const BackgroundGrid<dim> &grid, Warnings &warnings) const;
 
-    /** Warn of a region that compares nothing and leaves no cell of the @p grid
-     * out: a formula is above zero there, but hardly meant so. */
+    /** Warn of conditions (region, zones) that compare nothing and leave hardly
+     * anything of the @p grid out: a formula is above zero there, but hardly
+     * meant so. */
     void
-    check_region(const BackgroundGrid<dim> &grid, Warnings &warnings) const;
+    check_conditions(const BackgroundGrid<dim> &grid, Warnings &warnings) const;
+
+    /** Warn of gaps and parts of the region that are narrower than the distance
+     * of the points, so that points don't show them; only of points that are
+     * seeded in the cells of the @p grid. Collective. */
+    void
+    check_fineness(const BackgroundGrid<dim> &grid,
+                   const bool                 with_domains,
+                   Warnings                  &warnings) const;
 
   private:
     /** Cells with the same number of points. */
@@ -83,6 +92,16 @@ namespace isochor
     /** The zone of a cell with this @p centroid. */
     static unsigned int
     find_zone(const std::vector<Zone> &zones, const Point<dim> &centroid);
+    static std::vector<Point<dim>>
+    places_in_cell(const SimplexGeometry<dim> &geometry,
+                   const unsigned int          cell,
+                   const std::vector<Zone>    &zones);
+    void
+    check_region(const BackgroundGrid<dim> &grid, Warnings &warnings) const;
+    void
+    check_zones(const SimplexGeometry<dim>                      &geometry,
+                const std::map<std::string, types::material_id> &group_ids,
+                Warnings &warnings) const;
     void
     check_domains_in_cells(
       const SimplexGeometry<dim>                      &geometry,

@@ -7,6 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <isochor/base/warnings.h>
 #include <isochor/grid/background_grid.h>
 #include <isochor/material_points/point_locator.h>
 
@@ -49,6 +50,11 @@ namespace isochor
      * whether the domain around x has its point in the region. */
     bool
     contains(const Point<dim> &x, const unsigned int cell) const;
+
+    /** Warn of a mesh of the body that overlaps itself, where points are seeded
+     * twice. */
+    void
+    check_mesh(Warnings &warnings) const;
 
   private:
     /** Whether a cell belongs to the physical groups asked for. */

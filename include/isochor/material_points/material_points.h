@@ -142,15 +142,30 @@ namespace isochor
       keeps_ancestry = true;
     }
 
-    /** See BodySeeding::check_region() and check_domains(); before the grid
-     * changes. */
+    /** See BodySeeding::check_conditions(), check_fineness() and
+     * check_domains(); before the grid changes. */
     void
     check_seeding(const bool domains_are_integrated, Warnings &warnings) const
     {
-      seeding.check_region(grid, warnings);
+      seeding.check_conditions(grid, warnings);
+      seeding.check_fineness(grid, point_layout.with_domains, warnings);
       if (domains_are_integrated && point_layout.with_domains)
         seeding.check_domains(grid, warnings);
     }
+
+    /** How many parts the body has as it was seeded, by parts_by_domains(); 0
+     * if unknown, as in a run that was resumed. */
+    unsigned int
+    n_parts_at_start() const
+    {
+      return n_parts;
+    }
+
+    /** The part that each point of the last gather() was seeded in, if there
+     * are two or more; numbers::invalid_unsigned_int of points that were split
+     * off others since. */
+    std::vector<unsigned int>
+    parts_at_start() const;
 
     /**
      * Let @p change replace the mesh of the grid (it returns what
@@ -236,6 +251,8 @@ namespace isochor
     insert(const std::vector<Seed<dim>>                           &seeds,
            const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials);
     void
+    find_parts(const std::vector<Seed<dim>> &seeds);
+    void
     set_velocity(const std::string &formulas);
 
     const BackgroundGrid<dim> &grid;
@@ -244,6 +261,9 @@ namespace isochor
     PointLayout                point_layout;
     /** Another one after relocate(). */
     std::unique_ptr<Particles::ParticleHandler<dim>> particles;
+    unsigned int                                     n_parts = 0;
+    /** Of each seed, by the number of its point; empty if there is one part. */
+    std::vector<unsigned int> part_of_seed;
     /** As PointArrays has them; null and empty if points have been located
      * since. */
     std::shared_ptr<const PointSlots> slots;

@@ -7,7 +7,9 @@
 
 #include <isochor/material_points/material_points.h>
 
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace isochor
 {
@@ -16,6 +18,16 @@ namespace isochor
   template <int dim>
   std::string
   body_summary(const MaterialPoints<dim> &points, const MPI_Comm comm);
+
+  /** Of a body of several @p materials: points, volume at t = 0 and density of
+   * each, a line of its own. A zone or a density that was forgotten shows
+   * there. Empty for one material. Collective. */
+  template <int dim>
+  std::string
+  material_summary(
+    const MaterialPoints<dim>                              &points,
+    const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
+    const MPI_Comm                                          comm);
 } // namespace isochor
 
 #endif

@@ -1,0 +1,104 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+// The members of BodySeeding that look for formulas which are hardly meant as
+// conditions.
+#include <isochor/base/condition.h>
+#include <isochor/base/expression.h>
+#include <isochor/grid/mesh_reader.h>
+#include <isochor/grid/nearest_cells.h>
+#include <isochor/material_points/body_seeding.h>
+
+#include <algorithm>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  BodySeeding<dim>::check_conditions(const BackgroundGrid<dim> &grid,
+                                     Warnings                  &warnings) const
+  {
+    check_region(grid, warnings);
+    const auto is_doubtful = [](const std::string &zones) {
+      const auto list = split_named_list(zones, "");
+      return std::any_of(list.begin(), list.end(), [](const auto &zone) {
+        return compares_nothing(zone.second);
+      });
+    };
+    if (!is_doubtful(parameters.material_zones) &&
+        !is_doubtful(parameters.zones))
+      return;
+    if (parameters.body_mesh.empty())
+      return check_zones(grid.geometry(), grid.group_ids(), warnings);
+    Triangulation<dim> body;
+    const MeshGroups   names =
+      read_mesh<dim>(parameters.body_mesh, "Material points/Body mesh", body);
+    check_zones(SimplexGeometry<dim>(body), names.cells, warnings);
+  }
+
+
+
+  template <int dim>
+  void
+  BodySeeding<dim>::check_region(const BackgroundGrid<dim> &grid,
+                                 Warnings                  &warnings) const
+  {
+    // the formula need not have values beside a mesh of the body
+    if (!parameters.body_mesh.empty() || !compares_nothing(parameters.region))
+      return;
+    const Expression<dim> in_body(parameters.region, "Material points/Region");
+    for (unsigned int cell = 0; cell < grid.geometry().n_cells(); ++cell)
+      if (!(in_body(cell_centroid(grid.geometry(), cell), 0.) > 0))
+        return;
+    warnings.add("a region that leaves nothing out",
+                 "The parameter <Material points/Region = " +
+                   parameters.region +
+                   "> compares nothing: the body is where the formula is above "
+                   "0, which it is in all cells of the grid. Write a "
+                   "comparison, as 'y < 0.5', or a formula that is below 0 "
+                   "outside of the body; leave the parameter out if the body "
+                   "fills the grid.");
+  }
+
+
+
+  template <int dim>
+  void
+  BodySeeding<dim>::check_zones(
+    const SimplexGeometry<dim>                      &geometry,
+    const std::map<std::string, types::material_id> &group_ids,
+    Warnings                                        &warnings) const
+  {
+    const Expression<dim> in_body(parameters.region, "Material points/Region");
+    std::vector<Point<dim>> places;
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      if (in_groups(geometry.cell_iterator(cell)->material_id(),
+                    parameters.groups,
+                    group_ids))
+        if (const Point<dim> centroid = cell_centroid(geometry, cell);
+            in_body(centroid, 0.) > 0)
+          places.push_back(centroid);
+
+    const auto check = [&](const std::string &zones, const std::string &name) {
+      for (const auto &zone : split_named_list(zones, name))
+        if (compares_nothing(zone.second))
+          {
+            const Expression<dim> condition(zone.second, name);
+            std::vector<double>   values;
+            for (const Point<dim> &place : places)
+              values.push_back(condition(place, 0.));
+            warn_of_formula_for_condition(zone.second, name, values, warnings);
+          }
+    };
+    check(parameters.material_zones, "Material points/Materials in zones");
+    check(parameters.zones, "Material points/Points per cell in zones");
+  }
+
+
+
+  template void
+  BodySeeding<2>::check_conditions(const BackgroundGrid<2> &, Warnings &) const;
+  template void
+  BodySeeding<3>::check_conditions(const BackgroundGrid<3> &, Warnings &) const;
+} // namespace isochor

@@ -1,0 +1,235 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+// The member of BodySeeding that looks for parts of a region between points.
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/expression.h>
+#include <isochor/base/plain_message.h>
+#include <isochor/grid/nearest_cells.h>
+#include <isochor/material_points/body_seeding.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Places looked at in each cell: if a slit of a tenth of a cell goes
+     * through ten cells, 98 of 100 such slits are found. */
+    constexpr unsigned int n_samples = 4;
+
+    /** What points say of the surroundings of a vertex. */
+    constexpr unsigned int body = 1, no_body = 2, boundary = 4;
+
+    /** The @p i th of places spread evenly over cells, in @p corners: a part of
+     * the cell that is the same in each would miss a slit along the cells. */
+    template <int dim>
+    Point<dim>
+    sample(const std::array<Point<dim>, dim + 1> &corners, const std::size_t i)
+    {
+      // the sequence of Kronecker with the root of x^(dim+1) = x + 1; cuts of
+      // the unit interval, sorted, are barycentric coordinates
+      constexpr double root =
+        dim == 2 ? 1.32471795724474602596 : 1.22074408460575947536;
+      std::array<double, dim + 2> cuts;
+      cuts[0] = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        cuts[d + 1] = std::fmod(0.5 + (i + 1) * std::pow(root, -1. - d), 1.);
+      cuts[dim + 1] = 1;
+      std::sort(cuts.begin(), cuts.end());
+      Point<dim> x;
+      for (unsigned int v = 0; v <= dim; ++v)
+        x += (cuts[v + 1] - cuts[v]) * corners[v];
+      return x;
+    }
+
+    template <int dim>
+    std::array<Point<dim>, dim + 1>
+    corners_of(const SimplexGeometry<dim> &geometry, const unsigned int cell)
+    {
+      std::array<Point<dim>, dim + 1> corners;
+      for (unsigned int v = 0; v <= dim; ++v)
+        corners[v] = geometry.vertices()[geometry.vertex_indices(cell)[v]];
+      return corners;
+    }
+
+    /** What was found: cells in which a gap, or a part of the body, lies
+     * between the points, and a place of each. */
+    template <int dim>
+    struct LostParts
+    {
+      std::array<unsigned int, 2> n_cells{};
+      std::array<Point<dim>, 2>   place;
+    };
+
+    /** In the @p cells, of vertices whose surroundings are all body, or without
+     * it. Stretches along a surface are not looked at, as a surface that isn't
+     * made of faces goes through cells anywhere between points. */
+    template <int dim>
+    LostParts<dim>
+    look_between_points(const SimplexGeometry<dim>      &geometry,
+                        const std::vector<unsigned int> &cells,
+                        const std::vector<unsigned int> &surroundings,
+                        const Expression<dim>           &in_body)
+    {
+      LostParts<dim> result;
+      for (const unsigned int cell : cells)
+        {
+          // the body may end, or begin, between the boundary and the first
+          // points
+          constexpr double                   near_boundary = 0.6;
+          unsigned int                       around        = 0;
+          std::array<unsigned char, dim + 1> is_on_boundary{};
+          for (unsigned int v = 0; v <= dim; ++v)
+            {
+              const unsigned int here =
+                surroundings[geometry.vertex_indices(cell)[v]];
+              around |= here & (body | no_body);
+              is_on_boundary[v] = (here & boundary) != 0;
+            }
+          if (around != body && around != no_body)
+            continue;
+          const auto corners = corners_of(geometry, cell);
+          for (unsigned int s = 0; s < n_samples; ++s)
+            {
+              const auto x =
+                sample<dim>(corners, std::size_t(cell) * n_samples + s);
+              const auto lambda = geometry.barycentric(cell, x);
+              double     part   = 0;
+              for (unsigned int v = 0; v <= dim; ++v)
+                part += is_on_boundary[v] ? lambda[v] : 0;
+              if (part > near_boundary ||
+                  (in_body(x, 0.) > 0) == (around == body))
+                continue;
+              const unsigned int what = around == body ? 0 : 1;
+              if (result.n_cells[what]++ == 0)
+                result.place[what] = x;
+              break;
+            }
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  BodySeeding<dim>::check_fineness(const BackgroundGrid<dim> &grid,
+                                   const bool                 with_domains,
+                                   Warnings                  &warnings) const
+  {
+    if (names_in_formula(parameters.region).empty() ||
+        !parameters.body_mesh.empty() || parameters.lattice_spacing > 0)
+      return;
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    const MPI_Comm              comm     = grid.communicator();
+    const unsigned int          rank  = Utilities::MPI::this_mpi_process(comm);
+    const std::vector<Zone>     zones = create_zones(with_domains);
+    const Expression<dim> in_body(parameters.region, "Material points/Region");
+    std::vector<unsigned int> own, surroundings(geometry.vertices().size(), 0);
+    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+      if (geometry.owner(cell) == rank)
+        {
+          own.push_back(cell);
+          unsigned int here = 0;
+          if (!in_groups(geometry.cell_iterator(cell)->material_id(),
+                         parameters.groups,
+                         grid.group_ids()))
+            here = no_body;
+          else
+            for (const Point<dim> &x : places_in_cell(geometry, cell, zones))
+              here |= in_body(x, 0.) > 0 ? body : no_body;
+          for (unsigned int v = 0; v <= dim; ++v)
+            if (geometry.neighbours(cell)[v] == SimplexGeometry<dim>::no_cell)
+              for (unsigned int w = 0; w <= dim; ++w)
+                if (w != v)
+                  surroundings[geometry.vertex_indices(cell)[w]] |= boundary;
+          for (const unsigned int vertex : geometry.vertex_indices(cell))
+            surroundings[vertex] |= here;
+        }
+    for (const unsigned int bit : {body, no_body, boundary})
+      {
+        std::vector<unsigned int> has_bit;
+        for (const unsigned int of_vertex : surroundings)
+          has_bit.push_back(of_vertex & bit);
+        Utilities::MPI::max(has_bit, comm, has_bit);
+        for (unsigned int v = 0; v < has_bit.size(); ++v)
+          surroundings[v] |= has_bit[v];
+      }
+    LostParts<dim> found;
+    try
+      {
+        found = look_between_points(geometry, own, surroundings, in_body);
+      }
+    catch (const StandardExceptions::ExcMessage &)
+      {} // the formula need have values at the points only
+    const auto all = Utilities::MPI::all_gather(comm, found.n_cells);
+    for (const unsigned int what : {0, 1})
+      {
+        unsigned int n_cells = 0, first = all.size();
+        for (unsigned int r = all.size(); r-- > 0;)
+          {
+            n_cells += all[r][what];
+            first = all[r][what] > 0 ? r : first;
+          }
+        if (n_cells == 0)
+          continue;
+        std::ostringstream place;
+        place << Utilities::MPI::broadcast(comm, found.place[what], first);
+        warnings.add(
+          "a region that is finer than the points",
+          "<Material points/Region> " +
+            std::string(what == 0 ? "does not hold" : "holds") +
+            " in places of " + std::to_string(n_cells) +
+            (n_cells == 1 ? " cell" : " cells") + ", as at (" + place.str() +
+            "), where all points around " +
+            (what == 0 ?
+               "belong to the body: a gap, a slit or a hole is narrower than "
+               "the distance of the points, and filled" :
+               "are outside of the body: a part of the body is thinner than the "
+               "distance of the points, and left out") +
+            ". Where that matters take smaller cells, more points (<Material "
+            "points/Points per cell in zones>) or a <Body mesh>; what has no "
+            "meaning leave out of the formula.");
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<Point<dim>>
+  BodySeeding<dim>::places_in_cell(const SimplexGeometry<dim> &geometry,
+                                   const unsigned int          cell,
+                                   const std::vector<Zone>    &zones)
+  {
+    auto                    corners = corners_of(geometry, cell);
+    std::vector<Point<dim>> places;
+    order_for_subdivision<dim>(corners);
+    for (const Point<dim> &x :
+         zones[find_zone(zones, cell_centroid(geometry, cell))]
+           .rule.get_points())
+      {
+        places.push_back(corners[0]);
+        for (unsigned int d = 0; d < dim; ++d)
+          places.back() += x[d] * (corners[d + 1] - corners[0]);
+      }
+    return places;
+  }
+
+
+
+  template void
+  BodySeeding<2>::check_fineness(const BackgroundGrid<2> &,
+                                 const bool,
+                                 Warnings &) const;
+  template void
+  BodySeeding<3>::check_fineness(const BackgroundGrid<3> &,
+                                 const bool,
+                                 Warnings &) const;
+} // namespace isochor
