@@ -172,10 +172,14 @@ namespace isochor
                        iK       = material.inverse_bulk_modulus();
           const std::array<double, n_values> values = {
             {G, 1 / G, iK, iK > 0 ? 1 / iK : 1e300}};
-          for (const unsigned int v : geometry.vertex_indices(points.cell[k]))
-            for (unsigned int i = 0; i < n_values; ++i)
-              largest[n_values * v + i] =
-                std::max(largest[n_values * v + i], values[i]);
+          const auto stencil = points.stencil(geometry, k, q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            if (stencil.pressure_shape[I] != 0)
+              for (unsigned int i = 0; i < n_values; ++i)
+                {
+                  double &here = largest[n_values * stencil.vertex[I] + i];
+                  here         = std::max(here, values[i]);
+                }
         }
     Utilities::MPI::max(largest, step.grid.communicator(), largest);
     unsigned int n_between = 0, n_all = 0;
@@ -200,11 +204,10 @@ namespace isochor
           "less so makes the other one give way as it does itself: the "
           "compression of a layer may be several times too large. Nothing is "
           "wrong where the mean stress does not jump, as of layers with the "
-          "same Poisson's ratio under a load across them. If no Poisson's "
-          "ratio is above 0.48, use <Formulation/Type = u>, where nothing of "
-          "this happens as long as the interface lies on faces of cells: keep "
-          "the grid if it moves (<Grid reset/Steps between resets = 0>). Else "
-          "take smaller cells at the interface.");
+          "same Poisson's ratio under a load across them. With "
+          "<Quadrature/Type = CPDI> each material has pressures of its own, if "
+          "the soft one is at least two cells thick, three between stiff ones: "
+          "use it, or take smaller cells.");
   }
 
 
