@@ -93,6 +93,8 @@ namespace isochor
     /** Shape functions below this are zero: a corner on a face. */
     constexpr double no_support = 1e-9;
 
+    constexpr unsigned int no_cell = SimplexGeometry<2>::no_cell;
+
     /**
      * The cells that the corner at x + r shares its part of the domain among:
      * the one it lies in, @p place, or, if it is on a face or vertex, those
@@ -141,13 +143,20 @@ namespace isochor
     public:
       std::vector<std::pair<unsigned int, double>> nodes;
 
-      /** At @p place. */
+      /** At @p place, or at @p x the functions of @p other, unless that is
+       * no_cell, continued to there. */
       void
-      evaluate(const ShapeFunctions<dim> &functions,
-               const LocateResult<dim>   &place)
+      evaluate(const ShapeFunctions<dim>  &functions,
+               const SimplexGeometry<dim> &geometry,
+               const LocateResult<dim>    &place,
+               const unsigned int          other,
+               const Point<dim>           &x)
       {
+        if (other == SimplexGeometry<dim>::no_cell)
+          functions.evaluate(place.cell, place.barycentric, at);
+        else
+          functions.evaluate(other, geometry.barycentric(other, x), at);
         nodes.clear();
-        functions.evaluate(place.cell, place.barycentric, at);
         double sum = 0;
         for (unsigned int I = 0; I < at.n_nodes; ++I)
           if (std::abs(at.shape[I]) >= no_support)
@@ -157,16 +166,6 @@ namespace isochor
             }
         for (auto &node : nodes)
           node.second /= sum;
-      }
-
-      /** The functions of @p cell, continued to @p x. */
-      void
-      evaluate(const ShapeFunctions<dim>  &functions,
-               const SimplexGeometry<dim> &geometry,
-               const unsigned int          cell,
-               const Point<dim>           &x)
-      {
-        evaluate(functions, {cell, geometry.barycentric(cell, x), true});
       }
 
       /** Whether it acts on nodes that none of the elements of @p cells has,
@@ -282,6 +281,87 @@ namespace isochor
       std::vector<Tensor<1, dim>> gradients;
     };
 
+    /** The cells whose functions a corner sees in place of those of its own,
+     * for displacements and pressures; see InterfaceCorners. */
+    struct SeenCells
+    {
+      unsigned int displacement, pressure;
+
+      bool
+      are_others() const
+      {
+        return displacement != no_cell || pressure != no_cell;
+      }
+    };
+
+    /** Lists the cells that corners act on (PointArrays::corner_cells). */
+    template <int dim>
+    class CornerCells
+    {
+    public:
+      CornerCells(PointArrays<dim>            &points,
+                  const PointLocator<dim>     &locator,
+                  const InterfaceCorners<dim> &interface,
+                  const ShapeFunctions<dim>   &functions)
+        : points(points)
+        , locator(locator)
+        , interface(interface)
+        , functions(functions)
+      {}
+
+      /** What each of the cells gets of its corner's part of the domain, in
+       * the stabilisation. */
+      std::vector<double> shares;
+
+      /** A corner of point @p q, at @p r from it and at @p place, that sees the
+       * cells @p seen and acts on @p nodes. Its part is shared among cells that
+       * its pressure is from. */
+      void
+      add(const unsigned int       q,
+          const Point<dim>        &x,
+          const Tensor<1, dim>    &r,
+          const LocateResult<dim> &place,
+          const SeenCells         &seen,
+          const CornerNodes<dim>  &nodes)
+      {
+        if (seen.are_others())
+          {
+            add(q,
+                seen.pressure == no_cell ? seen.displacement : seen.pressure,
+                1.);
+            if (seen.displacement != no_cell)
+              add(q, seen.displacement, 0.);
+            add(q, place.cell, 0.);
+            return;
+          }
+        const auto is_own = [&](const unsigned int cell) {
+          return interface.has_own_pressures(cell, points.material[q]);
+        };
+        find_corner_cells(locator, x, r, place, cells);
+        if (interface.separates_pressures() && is_own(place.cell) &&
+            !std::all_of(cells.begin(), cells.end(), is_own))
+          cells.assign(1, place.cell);
+        for (const unsigned int cell : cells)
+          add(q, cell, 1. / cells.size());
+        if (nodes.touches_others(functions, cells))
+          add(q, place.cell, 0.);
+      }
+
+    private:
+      void
+      add(const unsigned int q, const unsigned int cell, const double share)
+      {
+        points.corner_cells.emplace_back(q, cell);
+        shares.push_back(share);
+      }
+
+      PointArrays<dim>            &points;
+      const PointLocator<dim>     &locator;
+      const InterfaceCorners<dim> &interface;
+      const ShapeFunctions<dim>   &functions;
+      std::vector<unsigned int>    cells;
+    };
+
     /** ∇λ_c of the simplex with the given corners. */
     template <int dim>
     CornerVectors<dim>
@@ -316,73 +396,36 @@ namespace isochor
                             const InterfaceCorners<dim> &interface,
                             const ShapeFunctions<dim>   &functions) const
   {
-    constexpr unsigned int no_cell = InterfaceCorners<dim>::no_cell;
-    std::vector<double>    corner_shares;
-    const auto             add_cell =
-      [&](const unsigned int q, const unsigned int cell, const double share) {
-        points.corner_cells.emplace_back(q, cell);
-        corner_shares.push_back(share);
-      };
-    std::vector<unsigned int> cells;
+    CornerCells<dim> corner_cells(points, locator, interface, functions);
     points.clear_stencils();
     DomainStencil<dim>                    stencil;
     std::array<CornerNodes<dim>, dim + 1> at, of_pressure;
-    const bool                  separate = interface.separates_pressures();
-    const SimplexGeometry<dim> &geometry = locator.geometry();
+    const bool separate = interface.separates_pressures();
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const Point<dim>   x = points.location(geometry, k, q);
+          const Point<dim>   x = points.location(locator.geometry(), k, q);
           CornerVectors<dim> corners;
           bool               sees_others = false;
           for (unsigned int c = 0; c <= dim; ++c)
             {
-              corners[c] = points.F[q] * points.domain[q][c];
-              const LocateResult<dim> place =
-                locator.locate_towards(x, points.cell[k], corners[c]);
-              const unsigned int other = interface.cell(q, c),
-                                 other_of_pressure =
-                                   interface.pressure_cell(q, c);
-              if (other == no_cell)
-                at[c].evaluate(functions, place);
-              else
-                at[c].evaluate(functions, geometry, other, x + corners[c]);
-              if (other_of_pressure != no_cell)
-                of_pressure[c].evaluate(functions,
-                                        geometry,
-                                        other_of_pressure,
-                                        x + corners[c]);
+              Tensor<1, dim> &r     = corners[c];
+              r                     = points.F[q] * points.domain[q][c];
+              const auto      place = interface.is_needed() ?
+                                        interface.place(q, c, x, r) :
+                                        locator.locate_towards(x, points.cell[k], r);
+              const SeenCells seen  = {interface.cell(q, c),
+                                       interface.pressure_cell(q, c)};
+              at[c].evaluate(
+                functions, locator.geometry(), place, seen.displacement, x + r);
+              if (separate && seen.pressure != no_cell)
+                of_pressure[c].evaluate(
+                  functions, locator.geometry(), place, seen.pressure, x + r);
               else if (separate)
-                of_pressure[c].nodes = at[c].nodes;
-
-              // it is stabilised where its pressure is from
-              if (other == no_cell && other_of_pressure == no_cell)
-                {
-                  find_corner_cells(locator, x, corners[c], place, cells);
-                  if (separate &&
-                      interface.has_own_pressures(place.cell,
-                                                  points.material[q]) &&
-                      !std::all_of(cells.begin(),
-                                   cells.end(),
-                                   [&](const unsigned int cell) {
-                                     return interface.has_own_pressures(
-                                       cell, points.material[q]);
-                                   }))
-                    cells.assign(1, place.cell);
-                  for (const unsigned int cell : cells)
-                    add_cell(q, cell, 1. / cells.size());
-                  if (at[c].touches_others(functions, cells))
-                    add_cell(q, place.cell, 0.);
-                  continue;
-                }
-              sees_others = true;
-              add_cell(q,
-                       other_of_pressure == no_cell ? other : other_of_pressure,
-                       1.);
-              if (other != no_cell)
-                add_cell(q, other, 0.);
-              add_cell(q, place.cell, 0.);
+                of_pressure[c] = at[c];
+              corner_cells.add(q, x, r, place, seen, at[c]);
+              sees_others = sees_others || seen.are_others();
             }
           stencil.set(at, barycentric_gradients<dim>(corners));
           if (separate)
@@ -391,7 +434,7 @@ namespace isochor
           if (sees_others)
             points.points_that_see_others.push_back(q);
         }
-    return corner_shares;
+    return corner_cells.shares;
   }
 
 

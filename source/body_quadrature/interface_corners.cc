@@ -21,6 +21,10 @@ namespace isochor
      * from the functions of the cell: they are wrong by this part at most. */
     constexpr double hardly_inside = 0.02;
 
+    /** How far away corners see cells of their own material, in sizes of
+     * cells. (Not distances that regular grids have.) */
+    constexpr double reach = 1.53, reach_of_pressures = 2.07;
+
     template <int dim>
     double
     depth(const LocateResult<dim> &place)
@@ -130,6 +134,8 @@ namespace isochor
       return;
     locate_corners(points);
     collect_contents(points);
+    exchange_contents();
+    find_own_pressures();
     find_owners(points);
   }
 
@@ -233,29 +239,33 @@ namespace isochor
   void
   InterfaceCorners<dim>::collect_contents(const PointArrays<dim> &points)
   {
-    std::map<std::pair<unsigned int, unsigned int>, double> volumes;
+    const unsigned int n_groups = moduli.size();
+    std::unordered_map<unsigned int, std::vector<double>> volumes;
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
-      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
-           ++q)
-        volumes[{element(points.cell[k]),
-                 group_of_material[points.material[q]]}] += points.volume[q];
-    std::map<unsigned int, double> most;
-    for (const auto &[of, volume] : volumes)
       {
-        Content &here = contents[of.first];
-        here.groups |= Groups(1) << of.second;
-        double &largest = most[of.first];
-        if (volume >= (1 - 1e-6) * largest)
-          {
-            largest   = volume;
-            here.most = of.second;
-          }
+        std::vector<double> &here = volumes[element(points.cell[k])];
+        here.resize(n_groups);
+        for (unsigned int q = points.cell_start[k];
+             q < points.cell_start[k + 1];
+             ++q)
+          here[group_of_material[points.material[q]]] += points.volume[q];
+      }
+    for (const auto &[of_element, volume] : volumes)
+      {
+        Content &here = contents[of_element];
+        for (unsigned int g = 0; g < n_groups; ++g)
+          if (volume[g] > 0)
+            {
+              here.groups |= Groups(1) << g;
+              // of equals, but for rounding, the stiffest
+              if (volume[g] >= (1 - 1e-6) * volume[here.most])
+                here.most = g;
+            }
       }
     for (const Corner &corner : corners)
       if (depth<dim>(corner.place) > hardly_inside)
         contents[element(corner.place.cell)].groups |= Groups(1)
                                                        << corner.group;
-    exchange_contents();
   }
 
 
@@ -286,10 +296,36 @@ namespace isochor
 
   template <int dim>
   void
+  InterfaceCorners<dim>::find_own_pressures()
+  {
+    const auto &functions = occupancy.grid.shape_functions();
+    std::unordered_map<unsigned int, unsigned int> stiffest_at; // vertices
+    for (const auto &[of_element, here] : contents)
+      for (unsigned int g = moduli.size() - 1; g > 0; --g)
+        if ((here.groups >> g) & 1)
+          {
+            for (const unsigned int v : functions.nodes(of_element))
+              stiffest_at[v] = std::max(stiffest_at[v], g);
+            break;
+          }
+    for (auto &[of_element, here] : contents)
+      {
+        unsigned int stiffest = 0;
+        for (const unsigned int v : functions.nodes(of_element))
+          if (const auto found = stiffest_at.find(v);
+              found != stiffest_at.end())
+            stiffest = std::max(stiffest, found->second);
+        here.has_own_pressures = here.groups == Groups(1) << stiffest;
+      }
+  }
+
+
+
+  template <int dim>
+  void
   InterfaceCorners<dim>::find_owners(const PointArrays<dim> &points)
   {
-    (void)points;
-    // Those of stiffer materials in cells that aren't of theirs only.
+    // those of stiffer materials in cells that aren't of theirs only.
     using Entry = std::array<double, dim + 1>; // X and the group
     std::vector<Entry>                         foreign;
     std::map<unsigned int, std::vector<Entry>> sent;
@@ -314,10 +350,9 @@ namespace isochor
 
     PlaceScale<dim> scale;
     double          length = std::numeric_limits<double>::max();
-    for (unsigned int i = 0; i < points.domain.size(); ++i)
+    for (const auto &domain : points.domain)
       for (unsigned int c = 1; c <= dim; ++c)
-        length =
-          std::min(length, (points.domain[i][c] - points.domain[i][0]).norm());
+        length = std::min(length, (domain[c] - domain[0]).norm());
     scale.quantum = 1e-4 * length;
     PlaceTable<dim>           table(scale);
     std::vector<unsigned int> groups;
@@ -331,12 +366,6 @@ namespace isochor
         groups[number] =
           std::max(groups[number], static_cast<unsigned int>(entry[dim]));
       }
-    for (const auto &[of_element, here] : contents)
-      for (unsigned int g = 1; g < moduli.size(); ++g)
-        if ((here.groups >> g) & 1)
-          for (const unsigned int v :
-               occupancy.grid.shape_functions().nodes(of_element))
-            stiffest_at[v] = std::max(stiffest_at[v], g);
     for (unsigned int i = 0; i < corners.size(); ++i)
       {
         find_pressure_cells(corners[i].group, i);
@@ -378,8 +407,7 @@ namespace isochor
     if ((here & ~own) == 0)
       return;
 
-    constexpr double reach    = 1.5;
-    const auto       on_walls = [&](const unsigned int cell) {
+    const auto on_walls = [&](const unsigned int cell) {
       return stays_on_walls(geometry, cell, corner.x, walls);
     };
     unsigned int other = nearest(
@@ -426,37 +454,19 @@ namespace isochor
 
 
   template <int dim>
-  bool
-  InterfaceCorners<dim>::has_pressures_of(const unsigned int cell,
-                                          const unsigned int group) const
-  {
-    if (content(cell).groups != (Groups(1) << group))
-      return false;
-    for (const unsigned int v : occupancy.grid.shape_functions().nodes(cell))
-      {
-        const auto found = stiffest_at.find(v);
-        if (found != stiffest_at.end() && found->second > group)
-          return false;
-      }
-    return true;
-  }
-
-
-
-  template <int dim>
   void
   InterfaceCorners<dim>::find_pressure_cells(const unsigned int group,
                                              const unsigned int i)
   {
     const Corner &corner = corners[i];
-    if (content(corner.place.cell).groups == 0 ||
-        has_pressures_of(corner.place.cell, group))
+    const Content here   = content(corner.place.cell);
+    if (here.groups == 0 ||
+        (here.has_own_pressures && here.groups == Groups(1) << group))
       return;
-    constexpr double   reach = 2.;
     const unsigned int other = nearest(
       corner,
       [&](const unsigned int cell) { return has_pressures_of(cell, group); },
-      reach);
+      reach_of_pressures);
     if (other != no_cell)
       others_of_pressure[i] = other;
   }

@@ -332,19 +332,19 @@ namespace isochor
       return best;
     }
 
-    /** In the domain of a point that sees functions of other cells than its
-     * own, if the probe lies in one: those of its cell are not the body's.
+    /** In domains of points that see functions of other cells than their own,
+     * if the probe lies in such: those of its cell are not the body's. Where
+     * domains meet it is the mean of all, as pressures are constant in each.
      * Collective. */
     static bool
     interpolate_in_domain(const StepResult<dim> &result,
                           const Probe           &probe,
                           Values                &values)
     {
-      const StepContext<dim> &step   = result.step;
-      const PointArrays<dim> &points = step.points;
-      double                  best   = -1e-6;
-      bool                    found  = false;
-      values.fill(0.);
+      const StepContext<dim>     &step   = result.step;
+      const PointArrays<dim>     &points = step.points;
+      const NodalUnknowns<dim>    nodal(step, result.unknowns);
+      std::array<double, dim + 2> sums{}; // the last one is their number
       for (const unsigned int q : points.points_that_see_others)
         {
           const unsigned int k = std::upper_bound(points.cell_start.begin(),
@@ -352,21 +352,21 @@ namespace isochor
                                                     points.n_occupied_cells + 1,
                                                   q) -
                                  points.cell_start.begin() - 1;
-          const Tensor<1, dim> r      = probe.location - place_of(step, k, q);
-          const double         inside = least_coordinate(points, q, r);
-          if (inside <= best)
+          const Tensor<1, dim> r = probe.location - place_of(step, k, q);
+          if (least_coordinate(points, q, r) < -1e-6)
             continue;
-          best  = inside;
-          found = true;
-          const NodalUnknowns<dim> nodal(step, result.unknowns);
           const auto stencil = points.stencil(step.grid.geometry(), k, q);
           const Tensor<1, dim> increment =
             nodal.increment_at(stencil) + nodal.gradient_at(stencil) * r;
           for (unsigned int a = 0; a < dim; ++a)
-            values[a] = increment[a];
-          values[dim] = nodal.pressure_at(stencil);
+            sums[a] += increment[a];
+          sums[dim] += nodal.pressure_at(stencil);
+          sums[dim + 1] += 1;
         }
-      return take_best(step.grid.communicator(), -best, found, values);
+      sum_over_ranks(sums, step.grid.communicator());
+      for (unsigned int a = 0; a <= dim; ++a)
+        values[a] = sums[dim + 1] > 0 ? sums[a] / sums[dim + 1] : 0.;
+      return sums[dim + 1] > 0;
     }
 
     /** The least barycentric coordinate in the domain of point @p q of the

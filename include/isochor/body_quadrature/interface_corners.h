@@ -11,7 +11,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -43,6 +42,26 @@ namespace isochor
                      const MixedKernel<dim>   &kernel);
 
     static constexpr unsigned int no_cell = SimplexGeometry<dim>::no_cell;
+
+    /** Whether there are materials that differ. */
+    bool
+    is_needed() const
+    {
+      return moduli.size() > 1;
+    }
+
+    /** Where corner @p c of point @p q is, if is_needed(): @p r from the point
+     * at @p x. */
+    const LocateResult<dim> &
+    place(const unsigned int q,
+          const unsigned int c,
+          const Point<dim>  &x,
+          Tensor<1, dim>    &r) const
+    {
+      const Corner &corner = corners[q * (dim + 1) + c];
+      r                    = corner.x - x;
+      return corner.place;
+    }
 
     /** The cell whose functions corner @p c of point @p q sees, if that isn't
      * the one that it lies in; else no_cell. */
@@ -94,6 +113,9 @@ namespace isochor
     {
       Groups       groups = 0;
       unsigned int most   = 0; ///< the group of most of the points' volume
+      /** Whether pressures of its nodes are those of one group, the only one:
+       * none of them is a node of elements with a stiffer one. */
+      bool has_own_pressures = false;
 
       template <class Archive>
       void
@@ -127,13 +149,19 @@ namespace isochor
     void
     collect_contents(const PointArrays<dim> &points);
     void
+    find_own_pressures();
+    void
     find_owners(const PointArrays<dim> &points);
     void
     find_cells(const unsigned int corner);
     void
     find_pressure_cells(const unsigned int group, const unsigned int corner);
     bool
-    has_pressures_of(const unsigned int cell, const unsigned int group) const;
+    has_pressures_of(const unsigned int cell, const unsigned int group) const
+    {
+      const Content here = content(cell);
+      return here.has_own_pressures && here.groups == Groups(1) << group;
+    }
     void
     remember(const Corner &corner, const Groups groups);
     unsigned int
@@ -153,14 +181,12 @@ namespace isochor
     const CellOccupancy<dim> &occupancy;
 
     /** Moduli G and K of the groups of materials, the softest first. */
-    std::vector<std::array<double, 2>> moduli;
-    std::vector<unsigned int>          group_of_material;
-    std::vector<Corner>                corners;
-    std::map<unsigned int, Content>    contents; ///< by element
-    /** The stiffest group of the cells around, by vertex; not the softest. */
-    std::unordered_map<unsigned int, unsigned int> stiffest_at;
-    CellsOfCorners                                 others, others_of_pressure;
-    InterfaceCrossing                              worst;
+    std::vector<std::array<double, 2>>        moduli;
+    std::vector<unsigned int>                 group_of_material;
+    std::vector<Corner>                       corners;
+    std::unordered_map<unsigned int, Content> contents; ///< by element
+    CellsOfCorners                            others, others_of_pressure;
+    InterfaceCrossing                         worst;
   };
 } // namespace isochor
 
