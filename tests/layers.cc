@@ -95,9 +95,9 @@ namespace
   };
 
   Moved
-  move(const double       most_load,
-       const unsigned int n_steps,
-       const std::string &settings)
+  settle_under(const double       most_load,
+               const unsigned int n_steps,
+               const std::string &settings)
   {
     std::ostringstream scene;
     scene << "Grid/Upper corner = 0.25, 1\nGrid/Subdivisions = 2, 8\n"
@@ -129,8 +129,8 @@ namespace
     const auto test_move = [&](const double       load,
                                const std::string &settings,
                                const double       tolerance) {
-      const Moved moved = move(load, 10, settings),
-                  exact = move(load, 10, settings + kept);
+      const Moved moved = settle_under(load, 10, settings),
+                  exact = settle_under(load, 10, settings + kept);
       test::check_error("stress, " + settings, moved.stress_error, tolerance);
       test::check_error("settlement, " + settings,
                         std::abs(moved.settlement / exact.settlement - 1),
@@ -146,13 +146,13 @@ namespace
     // a layer that is half a cell thick, and fills no cell
     const std::string thin =
       "Material points/Materials in zones = 2: y > 0.53 && y < 0.59\n";
-    const std::string told = move(2000, 4, thin).told;
+    const std::string told = settle_under(2000, 4, thin).told;
     test::check("told of a thin layer",
                 told.find("differ by up to 100 to 1") != std::string::npos &&
                   told.find("At t = 0.25 s") == 0,
                 told);
     const auto test_silence = [&](const std::string &settings) {
-      const std::string not_told = move(2000, 4, thin + settings).told;
+      const std::string not_told = settle_under(2000, 4, thin + settings).told;
       test::check("not told, " + settings, not_told.empty(), not_told);
     };
     test_silence("Quadrature/Type = cell-filled + boundary");

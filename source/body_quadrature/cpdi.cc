@@ -67,13 +67,14 @@ namespace isochor
       const InterfaceCorners<dim> interface(points, locator, occupancy, kernel);
       const std::vector<double>   corner_shares = build_stencils(
         points, locator, interface, occupancy.grid.shape_functions());
-      points.worst_crossing = interface.worst_crossing();
+      points.domain_corners.worst_crossing = interface.worst_crossing();
       occupancy.update(points, kernel, false);
       collect_overlapped_cells(points, corner_shares, occupancy, kernel);
     }
 
   private:
-    /** Returns the part of its corner for each entry of corner_cells. */
+    /** Returns the part of its corner for each entry of DomainCorners::cells.
+     */
     std::vector<double>
     build_stencils(PointArrays<dim>            &points,
                    const PointLocator<dim>     &locator,
@@ -237,7 +238,7 @@ namespace isochor
             points.stencil_shape.push_back(shape[I]);
             points.stencil_gradient.push_back(gradients[I]);
             if (with_pressure)
-              points.stencil_pressure_shape.push_back(pressure_shape[I]);
+              points.domain_corners.pressure_shape.push_back(pressure_shape[I]);
           }
         points.stencil_start.push_back(points.stencil_vertex.size());
       }
@@ -294,7 +295,7 @@ namespace isochor
       }
     };
 
-    /** Lists the cells that corners act on (PointArrays::corner_cells). */
+    /** Lists the cells that corners act on (DomainCorners::cells). */
     template <int dim>
     class CornerCells
     {
@@ -351,7 +352,7 @@ namespace isochor
       void
       add(const unsigned int q, const unsigned int cell, const double share)
       {
-        points.corner_cells.emplace_back(q, cell);
+        points.domain_corners.cells.emplace_back(q, cell);
         shares.push_back(share);
       }
 
@@ -432,7 +433,7 @@ namespace isochor
             stencil.set_pressure(of_pressure, at);
           stencil.append_to(points, separate);
           if (sees_others)
-            points.points_that_see_others.push_back(q);
+            points.domain_corners.points_that_see_others.push_back(q);
         }
     return corner_cells.shares;
   }
@@ -455,10 +456,10 @@ namespace isochor
       {
         if (corner_shares[i] == 0)
           continue;
-        const unsigned int q = points.corner_cells[i].first;
+        const unsigned int q = points.domain_corners.cells[i].first;
         for_parts_of_element(
           grid,
-          points.corner_cells[i].second,
+          points.domain_corners.cells[i].second,
           [&](const unsigned int cell, const double part) {
             if (!occupancy.is_closed(cell))
               return;

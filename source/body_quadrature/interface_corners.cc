@@ -17,8 +17,10 @@ namespace isochor
   {
     /** Below this, a barycentric coordinate is one of a point on a face. */
     constexpr double near_face = 1e-6;
-    /** A corner less deep in a cell than this part of it doesn't keep others
-     * from the functions of the cell: they are wrong by this part at most. */
+    /** What a domain has in a cell by this part of the way to its corner only
+     * doesn't keep others from the functions of the cell: they are wrong by as
+     * much at most. (Whether the corner is in the cell says too little: it may
+     * lie on its edge.) */
     constexpr double hardly_inside = 0.02;
 
     /** How far away corners see cells of their own material, in sizes of
@@ -188,8 +190,11 @@ namespace isochor
               Corner         corner;
               corner.place = locator.locate_towards(x, points.cell[k], r);
               corner.x     = x + r;
-              corner.X     = x - points.displacement[q] + of_start;
-              corner.group = group_of_material[points.material[q]];
+              const auto inner =
+                locator.locate(x + (1 - hardly_inside) * r, corner.place.cell);
+              corner.inner_cell = inner.found ? inner.cell : corner.place.cell;
+              corner.X          = x - points.displacement[q] + of_start;
+              corner.group      = group_of_material[points.material[q]];
               corners.push_back(corner);
             }
         }
@@ -263,9 +268,7 @@ namespace isochor
             }
       }
     for (const Corner &corner : corners)
-      if (depth<dim>(corner.place) > hardly_inside)
-        contents[element(corner.place.cell)].groups |= Groups(1)
-                                                       << corner.group;
+      contents[element(corner.inner_cell)].groups |= Groups(1) << corner.group;
   }
 
 

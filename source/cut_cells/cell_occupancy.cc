@@ -266,7 +266,7 @@ namespace isochor
               activate(stencil.vertex[I]);
           }
       }
-    for (const auto &corner : points.corner_cells)
+    for (const auto &corner : points.domain_corners.cells)
       entry(corner.second);
   }
 

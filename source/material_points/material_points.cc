@@ -329,7 +329,7 @@ namespace isochor
     arrays.n_occupied_cells = arrays.cell.size();
     arrays.deformed_cell.clear();
     arrays.stencil_start.clear();
-    arrays.corner_cells.clear();
+    arrays.domain_corners.cells.clear();
     arrays.volume.clear();
     arrays.mass.clear();
     arrays.pressure.clear();

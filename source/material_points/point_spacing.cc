@@ -129,7 +129,7 @@ namespace isochor
                "share of cell> = 0.5)." :
                "");
     std::set<unsigned int> held(points.cell.begin(), points.cell.end());
-    for (const auto &corner : points.corner_cells)
+    for (const auto &corner : points.domain_corners.cells)
       held.insert(corner.second);
     std::set<unsigned int> body = held;
     body.insert(bare.begin(), bare.end());
@@ -155,8 +155,8 @@ namespace isochor
                                     Warnings               &warnings) const
   {
     // domains connect what the cells of the points don't
-    if (Utilities::MPI::max(points.corner_cells.size(), grid.communicator()) >
-        0)
+    if (Utilities::MPI::max(points.domain_corners.cells.size(),
+                            grid.communicator()) > 0)
       return;
     std::vector<unsigned int> cells;
     for (const unsigned int cell : points.cell)
@@ -193,8 +193,8 @@ namespace isochor
     // corners along an edge of the cell they are more than linear
     constexpr unsigned int n_needed = (1u << dim);
     if (grid.shape_functions().are_linear() || share < 1.1 / n_needed ||
-        Utilities::MPI::max(points.corner_cells.size(), grid.communicator()) ==
-          0)
+        Utilities::MPI::max(points.domain_corners.cells.size(),
+                            grid.communicator()) == 0)
       return;
     warnings.add("domains too large for the shape functions",
                  "The largest domain of a material point has " +
@@ -218,7 +218,7 @@ namespace isochor
                                           Warnings &warnings) const
   {
     const MPI_Comm comm = grid.communicator();
-    if (Utilities::MPI::max(points.corner_cells.size(), comm) == 0)
+    if (Utilities::MPI::max(points.domain_corners.cells.size(), comm) == 0)
       return;
     const auto           &geometry = grid.geometry();
     double                longest  = 0;
@@ -376,7 +376,7 @@ namespace isochor
       bare.erase(points.cell[k]);
 
     std::set<unsigned int> with_corners;
-    for (const auto &corner : points.corner_cells)
+    for (const auto &corner : points.domain_corners.cells)
       with_corners.insert(corner.second);
     for (const unsigned int cell : send_to_owners(with_corners, geometry))
       bare.erase(cell);

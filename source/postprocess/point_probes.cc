@@ -86,8 +86,9 @@ namespace isochor
         return;
       const NodalField touched = touched_nodes(result.step);
       const bool       see_others =
-        Utilities::MPI::max(result.step.points.points_that_see_others.size(),
-                            result.step.grid.communicator()) > 0;
+        Utilities::MPI::max(
+          result.step.points.domain_corners.points_that_see_others.size(),
+          result.step.grid.communicator()) > 0;
       for (Probe &probe : probes)
         {
           if (probe.is_new)
@@ -345,7 +346,7 @@ namespace isochor
       const PointArrays<dim>     &points = step.points;
       const NodalUnknowns<dim>    nodal(step, result.unknowns);
       std::array<double, dim + 2> sums{}; // the last one is their number
-      for (const unsigned int q : points.points_that_see_others)
+      for (const unsigned int q : points.domain_corners.points_that_see_others)
         {
           const unsigned int k = std::upper_bound(points.cell_start.begin(),
                                                   points.cell_start.begin() +

@@ -295,7 +295,7 @@ namespace isochor
       arrays, *locator, scene.kernel, needs_occupancy, occupancy);
     watch.spacing.check(arrays, time, scene.time.step == 0, scene.warnings);
     watch.spacing.compare_volumes(arrays, time, scene.warnings);
-    warn_of_interfaces_in_cells(arrays.worst_crossing,
+    warn_of_interfaces_in_cells(arrays.domain_corners.worst_crossing,
                                 scene.grid.communicator(),
                                 time,
                                 scene.warnings);

@@ -130,6 +130,7 @@ namespace isochor
       Point<dim>        x; ///< where it is
       Point<dim>        X; ///< where it was at t = 0
       LocateResult<dim> place;
+      unsigned int      inner_cell; ///< that of a place inside of the domain
       unsigned int      group;
     };
 

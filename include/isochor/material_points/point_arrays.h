@@ -76,6 +76,29 @@ namespace isochor
     }
   };
 
+  /** What the corners of domains act on, of points that have domains. */
+  struct DomainCorners
+  {
+    /** Pairs (point, cell) for the corners, at least dim + 1 a point: the cells
+     * whose nodes corners touch. */
+    std::vector<std::pair<unsigned int, unsigned int>> cells;
+    /** The N_I of pressures, beside PointArrays::stencil_shape, where they
+     * aren't those of displacements; else empty. */
+    std::vector<double> pressure_shape;
+    /** Points that see functions of cells that they don't lie in, ascending
+     * (InterfaceCorners). */
+    std::vector<unsigned int> points_that_see_others;
+    /** That of most weight where this could not be avoided. */
+    InterfaceCrossing worst_crossing;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &cells &pressure_shape &points_that_see_others;
+    }
+  };
+
   /**
    * The material points of this rank in typed arrays, ordered by cell: what
    * the hot loops of one step work on. Cell k of the list `cell` holds the
@@ -122,17 +145,7 @@ namespace isochor
     std::vector<unsigned int>   stencil_vertex;
     std::vector<double>         stencil_shape;
     std::vector<Tensor<1, dim>> stencil_gradient;
-    /** The N_I of pressures, where they aren't those of displacements; else
-     * empty. */
-    std::vector<double> stencil_pressure_shape;
-    /** Points that see functions of cells that they don't lie in, ascending
-     * (InterfaceCorners). */
-    std::vector<unsigned int> points_that_see_others;
-    /** That of most weight where stencils couldn't avoid it. */
-    InterfaceCrossing worst_crossing;
-    /** Pairs (point, cell) for the corners of domains, at least dim + 1 a
-     * point: the cells whose nodes corners touch. */
-    std::vector<std::pair<unsigned int, unsigned int>> corner_cells;
+    DomainCorners               domain_corners;
     /** Cells of the stabilisation; all of their nodes are active. */
     std::vector<OverlappedCell<dim>> overlapped_cells;
 
@@ -254,10 +267,7 @@ namespace isochor
       stencil_vertex.clear();
       stencil_shape.clear();
       stencil_gradient.clear();
-      stencil_pressure_shape.clear();
-      points_that_see_others.clear();
-      worst_crossing = InterfaceCrossing();
-      corner_cells.clear();
+      domain_corners = {};
       overlapped_cells.clear();
     }
 
@@ -345,8 +355,9 @@ namespace isochor
               stencil_vertex.data() + begin,
               stencil_shape.data() + begin,
               stencil_gradient.data() + begin,
-              (stencil_pressure_shape.empty() ? stencil_shape :
-                                                stencil_pressure_shape)
+              (domain_corners.pressure_shape.empty() ?
+                 stencil_shape :
+                 domain_corners.pressure_shape)
                   .data() +
                 begin};
     }
@@ -373,8 +384,7 @@ namespace isochor
       archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
         &pressure &F &material &history &velocity &acceleration &domain
           &stencil_start &stencil_vertex &stencil_shape &stencil_gradient
-            &stencil_pressure_shape &points_that_see_others &corner_cells
-              &overlapped_cells &deformed_cell &n_history &radius;
+            &domain_corners &overlapped_cells &deformed_cell &n_history &radius;
     }
   };
 } // namespace isochor
