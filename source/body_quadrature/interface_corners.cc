@@ -17,12 +17,6 @@ namespace isochor
   {
     /** Below this, a barycentric coordinate is one of a point on a face. */
     constexpr double near_face = 1e-6;
-    /** What a domain has in a cell by this part of the way to its corner only
-     * doesn't keep others from the functions of the cell: they are wrong by as
-     * much at most. (Whether the corner is in the cell says too little: it may
-     * lie on its edge.) */
-    constexpr double hardly_inside = 0.02;
-
     /** How far away corners see cells of their own material, in sizes of
      * cells. (Not distances that regular grids have.) */
     constexpr double reach = 1.53, reach_of_pressures = 2.07;
@@ -137,6 +131,8 @@ namespace isochor
     locate_corners(points);
     collect_contents(points);
     exchange_contents();
+    add_overlaps(points);
+    exchange_contents();
     find_own_pressures();
     find_owners(points);
   }
@@ -190,136 +186,11 @@ namespace isochor
               Corner         corner;
               corner.place = locator.locate_towards(x, points.cell[k], r);
               corner.x     = x + r;
-              const auto inner =
-                locator.locate(x + (1 - hardly_inside) * r, corner.place.cell);
-              corner.inner_cell = inner.found ? inner.cell : corner.place.cell;
-              corner.X          = x - points.displacement[q] + of_start;
-              corner.group      = group_of_material[points.material[q]];
+              corner.X     = x - points.displacement[q] + of_start;
+              corner.group = group_of_material[points.material[q]];
               corners.push_back(corner);
             }
         }
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  InterfaceCorners<dim>::element(const unsigned int cell) const
-  {
-    const auto &functions = occupancy.grid.shape_functions();
-    if (functions.are_linear())
-      return cell;
-    const auto cells = functions.element(cell);
-    return *std::min_element(cells.begin(), cells.end());
-  }
-
-
-
-  template <int dim>
-  typename InterfaceCorners<dim>::Content
-  InterfaceCorners<dim>::content(const unsigned int cell) const
-  {
-    const auto found = contents.find(element(cell));
-    return found == contents.end() ? Content() : found->second;
-  }
-
-
-
-  template <int dim>
-  std::vector<unsigned int>
-  InterfaceCorners<dim>::ranks_near(const unsigned int cell) const
-  {
-    std::vector<unsigned int> ranks;
-    for (const unsigned int v : locator.geometry().vertex_indices(cell))
-      for (const unsigned int rank : occupancy.ranks_near(v))
-        ranks.push_back(rank);
-    std::sort(ranks.begin(), ranks.end());
-    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
-    return ranks;
-  }
-
-
-
-  template <int dim>
-  void
-  InterfaceCorners<dim>::collect_contents(const PointArrays<dim> &points)
-  {
-    const unsigned int n_groups = moduli.size();
-    std::unordered_map<unsigned int, std::vector<double>> volumes;
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
-      {
-        std::vector<double> &here = volumes[element(points.cell[k])];
-        here.resize(n_groups);
-        for (unsigned int q = points.cell_start[k];
-             q < points.cell_start[k + 1];
-             ++q)
-          here[group_of_material[points.material[q]]] += points.volume[q];
-      }
-    for (const auto &[of_element, volume] : volumes)
-      {
-        Content &here = contents[of_element];
-        for (unsigned int g = 0; g < n_groups; ++g)
-          if (volume[g] > 0)
-            {
-              here.groups |= Groups(1) << g;
-              // of equals, but for rounding, the stiffest
-              if (volume[g] >= (1 - 1e-6) * volume[here.most])
-                here.most = g;
-            }
-      }
-    for (const Corner &corner : corners)
-      contents[element(corner.inner_cell)].groups |= Groups(1) << corner.group;
-  }
-
-
-
-  template <int dim>
-  void
-  InterfaceCorners<dim>::exchange_contents()
-  {
-    const MPI_Comm comm = locator.geometry().communicator();
-    if (Utilities::MPI::n_mpi_processes(comm) == 1)
-      return;
-    std::map<unsigned int, std::vector<std::pair<unsigned int, Content>>> sent;
-    for (const auto &of_element : contents)
-      for (const unsigned int rank : ranks_near(of_element.first))
-        sent[rank].push_back(of_element);
-    for (const auto &received : Utilities::MPI::some_to_some(comm, sent))
-      for (const auto &[of_element, there] : received.second)
-        {
-          Content &here = contents[of_element];
-          here.groups |= there.groups;
-          // points are with the owner of their cell
-          if (locator.geometry().owner(of_element) == received.first)
-            here.most = there.most;
-        }
-  }
-
-
-
-  template <int dim>
-  void
-  InterfaceCorners<dim>::find_own_pressures()
-  {
-    const auto &functions = occupancy.grid.shape_functions();
-    std::unordered_map<unsigned int, unsigned int> stiffest_at; // vertices
-    for (const auto &[of_element, here] : contents)
-      for (unsigned int g = moduli.size() - 1; g > 0; --g)
-        if ((here.groups >> g) & 1)
-          {
-            for (const unsigned int v : functions.nodes(of_element))
-              stiffest_at[v] = std::max(stiffest_at[v], g);
-            break;
-          }
-    for (auto &[of_element, here] : contents)
-      {
-        unsigned int stiffest = 0;
-        for (const unsigned int v : functions.nodes(of_element))
-          if (const auto found = stiffest_at.find(v);
-              found != stiffest_at.end())
-            stiffest = std::max(stiffest, found->second);
-        here.has_own_pressures = here.groups == Groups(1) << stiffest;
-      }
   }
 
 

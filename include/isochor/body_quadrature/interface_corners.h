@@ -9,6 +9,7 @@
 #include <isochor/equations/mixed_kernel.h>
 #include <isochor/material_points/point_locator.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <unordered_map>
@@ -130,7 +131,6 @@ namespace isochor
       Point<dim>        x; ///< where it is
       Point<dim>        X; ///< where it was at t = 0
       LocateResult<dim> place;
-      unsigned int      inner_cell; ///< that of a place inside of the domain
       unsigned int      group;
     };
 
@@ -150,6 +150,12 @@ namespace isochor
     void
     collect_contents(const PointArrays<dim> &points);
     void
+    add_overlaps(const PointArrays<dim> &points);
+    /** Whether the domain with the corners from @p of_domain on and @p cell
+     * overlap, by more than a little. */
+    bool
+    reaches_into(const Corner *const of_domain, const unsigned int cell) const;
+    void
     find_own_pressures();
     void
     find_owners(const PointArrays<dim> &points);
@@ -165,10 +171,22 @@ namespace isochor
     }
     void
     remember(const Corner &corner, const Groups groups);
+    /** The element of @p cell, named by the first of its cells. */
     unsigned int
-    element(const unsigned int cell) const;
+    element(const unsigned int cell) const
+    {
+      const auto &functions = occupancy.grid.shape_functions();
+      if (functions.are_linear())
+        return cell;
+      const auto cells = functions.element(cell);
+      return *std::min_element(cells.begin(), cells.end());
+    }
     Content
-    content(const unsigned int cell) const;
+    content(const unsigned int cell) const
+    {
+      const auto found = contents.find(element(cell));
+      return found == contents.end() ? Content() : found->second;
+    }
     void
     exchange_contents();
     unsigned int

@@ -1,0 +1,195 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/body_quadrature/interface_corners.h>
+#include <isochor/grid/simplex_overlap.h>
+
+#include <algorithm>
+
+// What materials cells hold.
+
+namespace isochor
+{
+  namespace
+  {
+    /** What domains have in a cell by this part of their size only doesn't keep
+     * others from the functions of the cell: they are wrong by as much at
+     * most. */
+    constexpr double hardly_inside = 0.02;
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  InterfaceCorners<dim>::ranks_near(const unsigned int cell) const
+  {
+    std::vector<unsigned int> ranks;
+    for (const unsigned int v : locator.geometry().vertex_indices(cell))
+      for (const unsigned int rank : occupancy.ranks_near(v))
+        ranks.push_back(rank);
+    std::sort(ranks.begin(), ranks.end());
+    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+    return ranks;
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::collect_contents(const PointArrays<dim> &points)
+  {
+    const unsigned int n_groups = moduli.size();
+    std::unordered_map<unsigned int, std::vector<double>> volumes;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      {
+        std::vector<double> &here = volumes[element(points.cell[k])];
+        here.resize(n_groups);
+        for (unsigned int q = points.cell_start[k];
+             q < points.cell_start[k + 1];
+             ++q)
+          here[group_of_material[points.material[q]]] += points.volume[q];
+      }
+    for (const auto &[of_element, volume] : volumes)
+      {
+        Content &here = contents[of_element];
+        for (unsigned int g = 0; g < n_groups; ++g)
+          if (volume[g] > 0)
+            {
+              here.groups |= Groups(1) << g;
+              // of equals, but for rounding, the stiffest
+              if (volume[g] >= (1 - 1e-6) * volume[here.most])
+                here.most = g;
+            }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::add_overlaps(const PointArrays<dim> &points)
+  {
+    // Corners don't tell: a domain may reach into a cell in which it has none.
+    std::unordered_map<unsigned int, Groups> groups_at; // vertices
+    for (const auto &[of_element, here] : contents)
+      for (const unsigned int v :
+           occupancy.grid.shape_functions().nodes(of_element))
+        groups_at[v] |= here.groups;
+    const auto is_at_others = [&](const unsigned int cell, const Groups own) {
+      for (const unsigned int v : locator.geometry().vertex_indices(cell))
+        if (const auto found = groups_at.find(v);
+            found != groups_at.end() && (found->second & ~own) != 0)
+          return true;
+      return false;
+    };
+    for (unsigned int q = 0; q < points.domain.size(); ++q)
+      {
+        const Corner *const of_domain = &corners[q * (dim + 1)];
+        const Groups        own       = Groups(1) << of_domain->group;
+        for (unsigned int c = 0; c <= dim; ++c)
+          if (const unsigned int cell = of_domain[c].place.cell;
+              is_at_others(cell, own))
+            for (const unsigned int v : locator.geometry().vertex_indices(cell))
+              for (const unsigned int other : occupancy.cells_at(v))
+                if (const Groups there = content(other).groups;
+                    there != 0 && (there & own) == 0 &&
+                    reaches_into(of_domain, other))
+                  contents[element(other)].groups |= own;
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  InterfaceCorners<dim>::reaches_into(const Corner *const of_domain,
+                                      const unsigned int  cell) const
+  {
+    Point<dim> centre;
+    for (unsigned int c = 0; c <= dim; ++c)
+      centre += of_domain[c].x / (dim + 1.);
+    SimplexInCell<dim> simplex;
+    for (unsigned int c = 0; c <= dim; ++c)
+      simplex[c] = locator.geometry().barycentric(
+        cell, centre + (1 - hardly_inside) * (of_domain[c].x - centre));
+    return overlap_with_cell<dim>(simplex) > 0;
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::exchange_contents()
+  {
+    const MPI_Comm comm = locator.geometry().communicator();
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return;
+    std::map<unsigned int, std::vector<std::pair<unsigned int, Content>>> sent;
+    for (const auto &of_element : contents)
+      for (const unsigned int rank : ranks_near(of_element.first))
+        sent[rank].push_back(of_element);
+    for (const auto &received : Utilities::MPI::some_to_some(comm, sent))
+      for (const auto &[of_element, there] : received.second)
+        {
+          Content &here = contents[of_element];
+          here.groups |= there.groups;
+          // points are with the owner of their cell
+          if (locator.geometry().owner(of_element) == received.first)
+            here.most = there.most;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::find_own_pressures()
+  {
+    const auto &functions = occupancy.grid.shape_functions();
+    std::unordered_map<unsigned int, unsigned int> stiffest_at; // vertices
+    for (const auto &[of_element, here] : contents)
+      for (unsigned int g = moduli.size() - 1; g > 0; --g)
+        if ((here.groups >> g) & 1)
+          {
+            for (const unsigned int v : functions.nodes(of_element))
+              stiffest_at[v] = std::max(stiffest_at[v], g);
+            break;
+          }
+    for (auto &[of_element, here] : contents)
+      {
+        unsigned int stiffest = 0;
+        for (const unsigned int v : functions.nodes(of_element))
+          if (const auto found = stiffest_at.find(v);
+              found != stiffest_at.end())
+            stiffest = std::max(stiffest, found->second);
+        here.has_own_pressures = here.groups == Groups(1) << stiffest;
+      }
+  }
+
+
+
+  template std::vector<unsigned int>
+  InterfaceCorners<2>::ranks_near(const unsigned int) const;
+  template std::vector<unsigned int>
+  InterfaceCorners<3>::ranks_near(const unsigned int) const;
+  template void
+  InterfaceCorners<2>::collect_contents(const PointArrays<2> &);
+  template void
+  InterfaceCorners<3>::collect_contents(const PointArrays<3> &);
+  template void
+  InterfaceCorners<2>::add_overlaps(const PointArrays<2> &);
+  template void
+  InterfaceCorners<3>::add_overlaps(const PointArrays<3> &);
+  template void
+  InterfaceCorners<2>::exchange_contents();
+  template void
+  InterfaceCorners<3>::exchange_contents();
+  template void
+  InterfaceCorners<2>::find_own_pressures();
+  template void
+  InterfaceCorners<3>::find_own_pressures();
+} // namespace isochor
