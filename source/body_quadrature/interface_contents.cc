@@ -8,6 +8,7 @@
 #include <isochor/grid/simplex_overlap.h>
 
 #include <algorithm>
+#include <numeric>
 
 // What materials cells hold.
 
@@ -19,6 +20,9 @@ namespace isochor
      * others from the functions of the cell: they are wrong by as much at
      * most. */
     constexpr double hardly_inside = 0.02;
+
+    /** The part of a cell that a material fills whose gradient it then is. */
+    constexpr double well_filled = 0.3;
   } // namespace
 
 
@@ -42,6 +46,13 @@ namespace isochor
   void
   InterfaceCorners<dim>::collect_contents(const PointArrays<dim> &points)
   {
+    const auto measure = [&](const unsigned int of_element) {
+      double sum = 0;
+      for (const unsigned int cell :
+           occupancy.grid.shape_functions().element(of_element))
+        sum += locator.geometry().measure(cell);
+      return sum;
+    };
     const unsigned int n_groups = moduli.size();
     std::unordered_map<unsigned int, std::vector<double>> volumes;
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
@@ -51,11 +62,14 @@ namespace isochor
         for (unsigned int q = points.cell_start[k];
              q < points.cell_start[k + 1];
              ++q)
-          here[group_of_material[points.material[q]]] += points.volume[q];
+          here[group_of_material[points.material[q]]] +=
+            determinant(points.F[q]) * points.volume[q];
       }
     for (const auto &[of_element, volume] : volumes)
       {
         Content &here = contents[of_element];
+        here.filled   = std::accumulate(volume.begin(), volume.end(), 0.) /
+                      measure(of_element);
         for (unsigned int g = 0; g < n_groups; ++g)
           if (volume[g] > 0)
             {
@@ -74,11 +88,7 @@ namespace isochor
   InterfaceCorners<dim>::add_overlaps(const PointArrays<dim> &points)
   {
     // Corners don't tell: a domain may reach into a cell in which it has none.
-    std::unordered_map<unsigned int, Groups> groups_at; // vertices
-    for (const auto &[of_element, here] : contents)
-      for (const unsigned int v :
-           occupancy.grid.shape_functions().nodes(of_element))
-        groups_at[v] |= here.groups;
+    const auto groups_at    = groups_at_vertices();
     const auto is_at_others = [&](const unsigned int cell, const Groups own) {
       for (const unsigned int v : locator.geometry().vertex_indices(cell))
         if (const auto found = groups_at.find(v);
@@ -139,34 +149,47 @@ namespace isochor
           here.groups |= there.groups;
           // points are with the owner of their cell
           if (locator.geometry().owner(of_element) == received.first)
-            here.most = there.most;
+            {
+              here.most   = there.most;
+              here.filled = there.filled;
+            }
         }
   }
 
 
 
   template <int dim>
-  void
-  InterfaceCorners<dim>::find_own_pressures()
+  std::unordered_map<unsigned int, typename InterfaceCorners<dim>::Groups>
+  InterfaceCorners<dim>::groups_at_vertices() const
   {
-    const auto &functions = occupancy.grid.shape_functions();
-    std::unordered_map<unsigned int, unsigned int> stiffest_at; // vertices
+    std::unordered_map<unsigned int, Groups> groups_at;
     for (const auto &[of_element, here] : contents)
-      for (unsigned int g = moduli.size() - 1; g > 0; --g)
-        if ((here.groups >> g) & 1)
-          {
-            for (const unsigned int v : functions.nodes(of_element))
-              stiffest_at[v] = std::max(stiffest_at[v], g);
-            break;
-          }
+      for (const unsigned int v :
+           occupancy.grid.shape_functions().nodes(of_element))
+        groups_at[v] |= here.groups;
+    return groups_at;
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::find_own_functions()
+  {
+    const auto groups_at = groups_at_vertices();
     for (auto &[of_element, here] : contents)
       {
-        unsigned int stiffest = 0;
-        for (const unsigned int v : functions.nodes(of_element))
-          if (const auto found = stiffest_at.find(v);
-              found != stiffest_at.end())
-            stiffest = std::max(stiffest, found->second);
-        here.has_own_pressures = here.groups == Groups(1) << stiffest;
+        Groups around = here.groups;
+        for (const unsigned int v :
+             occupancy.grid.shape_functions().nodes(of_element))
+          around |= groups_at.at(v);
+        const bool is_one = (here.groups & (here.groups - 1)) == 0;
+        // A cell at the end of the body that is hardly filled may have nodes
+        // beyond the interface.
+        here.is_own =
+          is_one && (around == here.groups || here.filled > well_filled);
+        // The nodes at an interface have the pressures of the stiffest.
+        here.has_own_pressures = is_one && around < 2 * here.groups;
       }
   }
 
@@ -189,7 +212,7 @@ namespace isochor
   template void
   InterfaceCorners<3>::exchange_contents();
   template void
-  InterfaceCorners<2>::find_own_pressures();
+  InterfaceCorners<2>::find_own_functions();
   template void
-  InterfaceCorners<3>::find_own_pressures();
+  InterfaceCorners<3>::find_own_functions();
 } // namespace isochor

@@ -133,7 +133,7 @@ namespace isochor
     exchange_contents();
     add_overlaps(points);
     exchange_contents();
-    find_own_pressures();
+    find_own_functions();
     find_owners(points);
   }
 
@@ -204,8 +204,7 @@ namespace isochor
     std::vector<Entry>                         foreign;
     std::map<unsigned int, std::vector<Entry>> sent;
     for (const Corner &corner : corners)
-      if (corner.group > 0 &&
-          content(corner.place.cell).groups != (Groups(1) << corner.group))
+      if (corner.group > 0 && !is_own(corner.place.cell, corner.group))
         {
           Entry entry;
           for (unsigned int d = 0; d < dim; ++d)
@@ -259,10 +258,9 @@ namespace isochor
   {
     const SimplexGeometry<dim> &geometry = locator.geometry();
     const Corner               &corner   = corners[i];
-    const Groups                own      = Groups(1) << corner.group;
-    Groups                      here     = content(corner.place.cell).groups;
-    if (here == own)
+    if (is_own(corner.place.cell, corner.group))
       return;
+    Groups                      here = content(corner.place.cell).groups;
     std::vector<Tensor<1, dim>> walls;
     if (depth<dim>(corner.place) < near_face)
       for (const unsigned int cell : nearest_cells<dim>(
@@ -272,13 +270,12 @@ namespace isochor
              [](const unsigned int) { return true; },
              std::numeric_limits<double>::max()))
         {
-          const Groups there = content(cell).groups;
-          if (there == own)
+          if (is_own(cell, corner.group))
             return;
-          here |= there;
+          here |= content(cell).groups;
           add_walls(geometry, cell, corner.x, walls);
         }
-    if ((here & ~own) == 0)
+    if (here == 0)
       return;
 
     const auto on_walls = [&](const unsigned int cell) {
@@ -287,7 +284,7 @@ namespace isochor
     unsigned int other = nearest(
       corner,
       [&](const unsigned int cell) {
-        return content(cell).groups == own && on_walls(cell);
+        return is_own(cell, corner.group) && on_walls(cell);
       },
       reach);
     if (other == no_cell) // of a thin layer
@@ -295,8 +292,8 @@ namespace isochor
         corner,
         [&](const unsigned int cell) {
           const Content there = content(cell);
-          return (there.groups & own) != 0 && there.most == corner.group &&
-                 on_walls(cell);
+          return ((there.groups >> corner.group) & 1) != 0 &&
+                 there.most == corner.group && on_walls(cell);
         },
         reach);
     if (other == no_cell)

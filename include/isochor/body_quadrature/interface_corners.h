@@ -114,15 +114,16 @@ namespace isochor
     {
       Groups       groups = 0;
       unsigned int most   = 0; ///< the group of most of the points' volume
-      /** Whether pressures of its nodes are those of one group, the only one:
-       * none of them is a node of elements with a stiffer one. */
-      bool has_own_pressures = false;
+      /** Whether its functions are those of one group, the only one, for
+       * displacements and for pressures. See find_own_functions(). */
+      bool   has_own_pressures = false, is_own = false;
+      double filled = 0; ///< the part of it that points fill
 
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int /*version*/)
       {
-        archive &groups &most;
+        archive &groups &most &filled;
       }
     };
 
@@ -155,14 +156,23 @@ namespace isochor
      * overlap, by more than a little. */
     bool
     reaches_into(const Corner *const of_domain, const unsigned int cell) const;
+    /** By vertex, the groups in elements around. */
+    std::unordered_map<unsigned int, Groups>
+    groups_at_vertices() const;
     void
-    find_own_pressures();
+    find_own_functions();
     void
     find_owners(const PointArrays<dim> &points);
     void
     find_cells(const unsigned int corner);
     void
     find_pressure_cells(const unsigned int group, const unsigned int corner);
+    bool
+    is_own(const unsigned int cell, const unsigned int group) const
+    {
+      const Content here = content(cell);
+      return here.is_own && here.groups == Groups(1) << group;
+    }
     bool
     has_pressures_of(const unsigned int cell, const unsigned int group) const
     {
