@@ -9,7 +9,7 @@
 // form has none. With CPDI each material has gradients and pressures of its
 // own, wherever the interface lies in its cells.
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -63,7 +63,7 @@ namespace
     Result     result{test::get(*problem, "Displacement y of middle (m)"),
                   test::get(*problem, "Displacement y of top (m)"),
                   ""};
-    for (const auto &warning : problem->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*problem).all())
       if (warning.subject == subject)
         result.told = warning.text;
     return result;
@@ -95,9 +95,9 @@ namespace
   };
 
   Moved
-  move(const double       most_load,
-       const unsigned int n_steps,
-       const std::string &settings)
+  settle_under(const double       most_load,
+               const unsigned int n_steps,
+               const std::string &settings)
   {
     std::ostringstream scene;
     scene << "Grid/Upper corner = 0.25, 1\nGrid/Subdivisions = 2, 8\n"
@@ -114,7 +114,7 @@ namespace
     Moved      result{test::get(*problem, "L2 error of stress yy"),
                  test::get(*problem, "Displacement y of I (m)"),
                  ""};
-    for (const auto &warning : problem->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*problem).all())
       if (warning.subject == "materials that meet within cells")
         result.told = warning.text;
     return result;
@@ -129,8 +129,8 @@ namespace
     const auto test_move = [&](const double       load,
                                const std::string &settings,
                                const double       tolerance) {
-      const Moved moved = move(load, 10, settings),
-                  exact = move(load, 10, settings + kept);
+      const Moved moved = settle_under(load, 10, settings),
+                  exact = settle_under(load, 10, settings + kept);
       test::check_error("stress, " + settings, moved.stress_error, tolerance);
       test::check_error("settlement, " + settings,
                         std::abs(moved.settlement / exact.settlement - 1),
@@ -146,13 +146,13 @@ namespace
     // a layer that is half a cell thick, and fills no cell
     const std::string thin =
       "Material points/Materials in zones = 2: y > 0.53 && y < 0.59\n";
-    const std::string told = move(2000, 4, thin).told;
+    const std::string told = settle_under(2000, 4, thin).told;
     test::check("told of a thin layer",
                 told.find("differ by up to 100 to 1") != std::string::npos &&
                   told.find("At t = 0.25 s") == 0,
                 told);
     const auto test_silence = [&](const std::string &settings) {
-      const std::string not_told = move(2000, 4, thin + settings).told;
+      const std::string not_told = settle_under(2000, 4, thin + settings).told;
       test::check("not told, " + settings, not_told.empty(), not_told);
     };
     test_silence("Quadrature/Type = cell-filled + boundary");
@@ -198,7 +198,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   // strains are below 1e-5
   test::check_error("u", std::abs(error("u", 8, false)), 2e-5);
   const double coarse = error("u-p", 8, true), fine = error("u-p", 32, true);
