@@ -7,7 +7,7 @@
 // surface, where nothing resists, and pressed back: elastic from the apex on,
 // with a closed form. In u-p no step was small enough to leave the apex.
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -49,7 +49,7 @@ namespace
                              std::to_string(static_cast<int>(psi)),
                       reaction = "Reaction y on top (N)";
     const double K = E / (3 * (1 - 2 * nu)), G = E / (2 * (1 + nu)),
-                 apex       = c / std::tan(phi * numbers::PI / 180);
+                 apex       = c / std::tan(phi * test::pi / 180);
     const std::string scene = block<dim>(formulation, psi);
 
     const auto pulled = test::run_scene<dim>(scene + "Time/End time = 1\n");
@@ -73,7 +73,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   for (const std::string formulation : {"u", "u-p"})
     for (const double psi : {30., 10., 0.})
       test_block<2>(formulation, psi);

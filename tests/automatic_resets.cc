@@ -7,7 +7,7 @@
 // energy with each quadrature, and where resets are needed, or cost nothing,
 // the grid is put back in each step.
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -31,8 +31,8 @@ test_loss(const std::string &name, const std::string &settings)
                   std::abs(lost) < 0.01,
                   std::to_string(lost));
       test::check(name + ", " + quadrature + ": no warning",
-                  problem->all_warnings().all().empty(),
-                  problem->all_warnings().summary());
+                  test::all_warnings(*problem).all().empty(),
+                  test::all_warnings(*problem).summary());
     }
 }
 
@@ -42,7 +42,7 @@ bool
 is_put_back(const std::string &settings)
 {
   const auto problem = test::run_scene<dim>(settings);
-  return problem->work().row("searches for all points").skipped == 0;
+  return test::work(*problem).row("searches for all points").skipped == 0;
 }
 
 /** A block that is pressed, or moves, on a few cells. */
@@ -129,7 +129,7 @@ test_idle(const std::string &name,
   const auto problem = test::run_scene<2>(
     block + held + settings + "Grid reset/Smallest element quality = 0.2\n");
   std::string told;
-  for (const auto &warning : problem->all_warnings().all())
+  for (const auto &warning : test::all_warnings(*problem).all())
     if (warning.subject == "no effect of <Grid reset/Smallest element quality>")
       told = test::one_line(warning.text);
   test::check(name + ": what is said of the quality of cells",
@@ -150,14 +150,14 @@ test_boundary()
     "Boundary conditions/Displacement = bottom: y = 0; left: x = 0\n"
     "Time/Step size = 0.01\nTime/End time = 0.2\n" +
     dynamics);
-  const auto row = problem->work().row("searches for all points");
+  const auto row = test::work(*problem).row("searches for all points");
   test::check("a block is thrown onto the ground: put back from there on",
               row.skipped > 5 && row.skipped < 12,
               std::to_string(row.skipped));
   test::check("a block is thrown onto the ground: this is said",
-              problem->all_warnings().summary().find("contact on a grid") !=
-                std::string::npos,
-              problem->all_warnings().summary());
+              test::all_warnings(*problem).summary().find(
+                "contact on a grid") != std::string::npos,
+              test::all_warnings(*problem).summary());
 }
 
 /** Two discs collide and part: then the grid is kept again, and they lose no
@@ -182,7 +182,7 @@ test_parting()
         std::to_string(time) + '\n' + dynamics);
       energy.push_back(test::get(*problem, "Kinetic energy (J)") +
                        test::get(*problem, "Strain energy (J)"));
-      skipped = problem->work().row("searches for all points").skipped;
+      skipped = test::work(*problem).row("searches for all points").skipped;
     }
   test::check("discs that have parted: the grid is kept",
               skipped > 80,
@@ -195,7 +195,7 @@ test_parting()
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   test_loss("cantilever",
             "Grid/Lower corner = 0, -0.8\nGrid/Upper corner = 1.2, 0.4\n"
             "Grid/Subdivisions = 48, 48\nMaterial points/Points per cell = 4\n"

@@ -17,11 +17,8 @@ using namespace isochor::test;
 
 namespace
 {
-  const double pi = numbers::PI;
-
   double
-  get(const std::unique_ptr<MaterialPointMethod<2>> &problem,
-      const std::string                             &column)
+  get(const test::ProblemPointer<2> &problem, const std::string &column)
   {
     return problem->last_statistics().get(column);
   }

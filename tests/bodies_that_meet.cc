@@ -6,7 +6,7 @@
 // Bodies are one where they have nodes of the grid in common: told once they
 // come to that, on any number of ranks.
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -26,7 +26,7 @@ namespace
       "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0\n"
       "Quadrature/Type = CPDI\nTime/Step size = 0.1\nTime/End time = 1\n" +
       settings);
-    for (const auto &warning : problem->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*problem).all())
       if (warning.subject == "bodies that meet")
         return warning.text;
     return "";
@@ -45,7 +45,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   // the lower side is in the row of cells above the lower block from 0.8 s on
   const std::string two = "At t = 0.8 s bodies have come together: 2 were "
                           "apart, now there is one.";

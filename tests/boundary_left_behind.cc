@@ -8,7 +8,7 @@
 // so. The force is that on a grid that is kept, on which the block stays
 // homogeneous.
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -42,7 +42,7 @@ namespace
       "Postprocess/Reactions = top\n" +
       settings);
     Result result{test::get(*problem, "Reaction y on top (N)"), ""};
-    for (const auto &warning : problem->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*problem).all())
       if (warning.subject == subject)
         result.warning = warning.text;
     return result;
@@ -73,7 +73,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   test_force<2>("0.2", 0.015, false);
   test_force<2>("0.6", 0.015, true);
   test_force<3>("0.2", 0.015, false);

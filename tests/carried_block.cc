@@ -6,7 +6,7 @@
 // A block is carried through a box, on a grid that stays or on an adaptive one
 // that is never refined: each rank has its share of the points at all times.
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -30,16 +30,15 @@ test_balance(const std::string &type, const std::string &box)
                          "Time/End time = 5.5\nTime/Step size = 0.25\n");
   const std::string name = std::to_string(dim) + "D, " + type + ": ";
   test::check_error(name + "the block is carried",
-                    std::abs(problem->last_statistics().get("Momentum " + axis +
-                                                            " (kg m/s)") /
-                               problem->last_statistics().get("Mass (kg)") -
-                             1),
+                    std::abs(
+                      test::get(*problem, "Momentum " + axis + " (kg m/s)") /
+                        test::get(*problem, "Mass (kg)") -
+                      1),
                     1e-9);
   double most = 0; // on one rank a grid that stays has no such column
-  if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1 &&
-      Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  if (test::n_ranks() > 1 && test::this_rank() == 0)
     most = test::largest_in_statistics("Imbalance of points");
-  most = Utilities::MPI::max(most, MPI_COMM_WORLD);
+  most = test::max_over_ranks(most);
   test::check_error(name + "no rank has 10 % more points than the mean",
                     most,
                     0.1);
@@ -48,7 +47,7 @@ test_balance(const std::string &type, const std::string &box)
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   for (const std::string type : {"adaptive", "box"})
     {
       test_balance<2>(type,

@@ -6,9 +6,7 @@
 // Textbook problems at small strains: a hole in a plate, what is left of the
 // stresses in a tube once its pressure is gone, earth pressures.
 
-#include <deal.II/base/numbers.h>
-
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -121,8 +119,8 @@ namespace
                       const double       friction,
                       const double       cohesion)
   {
-    const double s = std::sin(friction * numbers::PI / 180),
-                 K = (1 + s) / (1 - s), load = 1000;
+    const double s = std::sin(friction * test::pi / 180), K = (1 + s) / (1 - s),
+                 load = 1000;
     std::ostringstream soil;
     soil << "Material/Mohr-Coulomb/Friction angle = " << friction
          << "\nMaterial/Mohr-Coulomb/Cohesion = " << cohesion << '\n';
@@ -152,8 +150,8 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const std::string                cpdi = "Quadrature/Type = CPDI\n";
+  test::MPISession  mpi(argc, argv);
+  const std::string cpdi = "Quadrature/Type = CPDI\n";
   test_hole("hole", cpdi, 0.3, 2.4);
   test_hole("incompressible", cpdi, 0.5, 2.4);
   test_hole("u", cpdi + "Formulation/Type = u\n", 0.3, 3.2);

@@ -185,7 +185,7 @@ test_sphere()
 
 namespace
 {
-  std::unique_ptr<MaterialPointMethod<3>>
+  test::ProblemPointer<3>
   run_block(const std::string &top, const std::string &more = "")
   {
     return test::run_scene<3>(

@@ -10,7 +10,7 @@
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -67,9 +67,8 @@ test_displacements(const Variant                     &variant,
       const unsigned int n_cells = (n++)->second.get_value<unsigned int>();
       if (n_cells > 16)
         break;
-      const auto   problem = test::run_scene<2>(variant.scene(n_cells, 1e-10));
-      const double u =
-        problem->last_statistics().get("Displacement y of A (m)");
+      const auto   problem  = test::run_scene<2>(variant.scene(n_cells, 1e-10));
+      const double u        = test::get(*problem, "Displacement y of A (m)");
       const double expected = reference.second.get_value<double>();
       ok                    = ok && std::abs(u - expected) <= 1e-9 * expected;
       details.precision(12);
@@ -111,7 +110,7 @@ test_newton(const Variant &variant, const double tolerance)
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
 
   boost::property_tree::ptree reference;
   boost::property_tree::read_json(SOURCE_DIR

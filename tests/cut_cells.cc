@@ -8,11 +8,9 @@
 // load is carried, so that a vertical cut falls; and bodies thinner than a
 // cell.
 
-#include <deal.II/base/mpi.h>
-
 #include <cmath>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -22,51 +20,33 @@ namespace
                                                    "cell-filled + boundary",
                                                    "CPDI"};
 
-  /** The largest of the values of the columns over the steps of a scene. */
-  struct Largest
+  /** The largest value of a column over the steps of the scene run last; 0 if
+   * there is none. */
+  double
+  largest(const std::string &column)
   {
-    double tied = 0, share = 0;
-  };
-  Largest largest;
-  /** Of each step: its end and the size of the crest's displacement there. */
-  std::vector<std::pair<double, double>> crest;
+    double most = 0;
+    for (const double value : test::recorded().columns[column])
+      most = std::max(most, value);
+    return most;
+  }
 
-  template <int dim>
-  class ColumnProbe : public Postprocessor<dim>
+  double
+  most_tied()
   {
-  public:
-    static bool with_crest;
+    return largest("Tied nodes");
+  }
 
-    void
-    evaluate_points(const StepResult<dim> &result,
-                    Statistics            &statistics) override
-    {
-      if (with_crest)
-        crest.emplace_back(
-          result.step.time,
-          std::hypot(statistics.get("Displacement x of crest (m)"),
-                     statistics.get("Displacement y of crest (m)")));
-      try
-        {
-          largest.tied = std::max(largest.tied, statistics.get("Tied nodes"));
-          largest.share =
-            std::max(largest.share,
-                     statistics.get("Share of ties in internal work"));
-        }
-      catch (const std::exception &)
-        {} // there are none
-    }
-  };
-  template <int dim>
-  bool ColumnProbe<dim>::with_crest = false;
-  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, ColumnProbe, "Columns")
+  double
+  largest_share()
+  {
+    return largest("Share of ties in internal work");
+  }
 
   template <int dim>
-  std::unique_ptr<MaterialPointMethod<dim>>
+  test::ProblemPointer<dim>
   run(const std::string &settings)
   {
-    largest = {};
-    crest.clear();
     return test::run_scene<dim>("Postprocess/Write grid = false\n"
                                 "Postprocess/Write material points = false\n" +
                                 settings);
@@ -104,14 +84,13 @@ namespace
              "Grid reset/Steps between resets = " +
              std::to_string(steps_between_resets) +
              "\nPostprocess/Exact stress = yy: 42.0152039363\n");
-    const double error =
-      problem->last_statistics().get("L2 error of stress yy");
+    const double       error = test::get(*problem, "L2 error of stress yy");
     std::ostringstream details;
-    details << "error " << error << ", tied " << largest.tied << ", share "
-            << largest.share;
+    details << "error " << error << ", tied " << most_tied() << ", share "
+            << largest_share();
     test::check("linear field, " + formulation + ", reset after " +
                   std::to_string(steps_between_resets),
-                error < 1e-9 && largest.tied > 5 && largest.share < 1e-3,
+                error < 1e-9 && most_tied() > 5 && largest_share() < 1e-3,
                 details.str());
   }
 
@@ -134,18 +113,18 @@ namespace
       (push > 0 ? "" : "left: x=0; ") + (dim == 2 ? "" : "front: z=0; ") +
       "right: x<=0\nPostprocess/Reactions = left, right\n"
              "Boundary conditions/Gravity = " +
-      std::to_string(push) + ", -1" + (dim == 2 ? "" : ", 0") + '\n');
-    const Statistics  &values = problem->last_statistics();
+      test::in_short(push) + ", -1" + (dim == 2 ? "" : ", 0") + '\n');
+    const Statistics  &values = test::last_statistics(*problem);
     const double       wall   = values.get("Reaction x on right (N)");
     const double       left   = values.get("Reaction x on left (N)");
     const double       load   = push * values.get("Mass (kg)");
     std::ostringstream details;
     details << "wall " << wall << ", left " << left << ", load " << load
-            << ", tied " << largest.tied;
+            << ", tied " << most_tied();
     test::check("one-sided wall, " + quadrature + ", " + std::to_string(dim) +
-                  "D, push " + Utilities::to_string(push),
+                  "D, push " + test::in_short(push),
                 std::abs((push > 0 ? wall : left) + load) < 1e-7 &&
-                  (push > 0 || wall == 0) && largest.tied > 0,
+                  (push > 0 || wall == 0) && most_tied() > 0,
                 details.str());
   }
 
@@ -162,13 +141,12 @@ namespace
              "Material/Poisson ratio = 0\n"
              "Boundary conditions/Displacement = left: x=0; right: x=0.01*t; "
              "bottom: y=0\nPostprocess/Reactions = right\n");
-    const double force =
-      problem->last_statistics().get("Reaction x on right (N)");
+    const double       force = test::get(*problem, "Reaction x on right (N)");
     std::ostringstream details;
-    details << "force " << force << ", tied " << largest.tied;
+    details << "force " << force << ", tied " << most_tied();
     test::check("a body thinner than a cell",
                 std::abs(force - 0.995) < 0.02 &&
-                  has_warned(problem->all_warnings(),
+                  has_warned(test::all_warnings(*problem),
                              "unsupported nodes that could not be tied"),
                 details.str());
   }
@@ -180,7 +158,6 @@ namespace
   double
   collapse(const std::string &quadrature, const bool extends)
   {
-    ColumnProbe<2>::with_crest   = true;
     std::streambuf *const buffer = std::cerr.rdbuf(nullptr);
     try
       {
@@ -204,13 +181,17 @@ namespace
     catch (const std::exception &)
       {} // the end of the load
     std::cerr.rdbuf(buffer);
-    ColumnProbe<2>::with_crest = false;
-    const double speed         = crest[4].second / crest[4].first;
-    for (unsigned int i = 1; i < crest.size(); ++i)
-      if (crest[i].second - crest[i - 1].second >
-          10 * speed * (crest[i].first - crest[i - 1].first))
-        return crest[i].first;
-    return crest.back().first;
+    const std::vector<double> &times   = test::recorded().times;
+    auto                      &columns = test::recorded().columns;
+    const auto crest = [&](const unsigned int n) { // how far it has moved
+      return std::hypot(columns["Displacement x of crest (m)"].at(n),
+                        columns["Displacement y of crest (m)"].at(n));
+    };
+    const double speed = crest(4) / times.at(4);
+    for (unsigned int n = 1; n < times.size(); ++n)
+      if (crest(n) - crest(n - 1) > 10 * speed * (times[n] - times[n - 1]))
+        return times[n];
+    return times.back();
   }
 
   void
@@ -230,7 +211,11 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
+  test::record_columns({"Tied nodes",
+                        "Share of ties in internal work",
+                        "Displacement x of crest (m)",
+                        "Displacement y of crest (m)"});
   for (const std::string formulation : {"u-p"})
     for (const unsigned int steps : {1, 4})
       test_linear_field(formulation, steps);

@@ -11,7 +11,7 @@
 #include <functional>
 #include <map>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -19,40 +19,8 @@ using namespace isochor;
 std::map<std::string, std::vector<double>> &
 columns()
 {
-  static std::map<std::string, std::vector<double>> c;
-  return c;
+  return test::recorded().columns;
 }
-
-namespace isochor
-{
-  /** Fills columns(). */
-  template <int dim>
-  class Columns : public Postprocessor<dim>
-  {
-  public:
-    void
-    evaluate_points(const StepResult<dim> &result,
-                    Statistics            &statistics) override
-    {
-      if (result.time.step == 1)
-        columns().clear();
-      for (const std::string name :
-           {"Displacement y of P (m)",
-            "Momentum x (kg m/s)",
-            "Kinetic energy (J)",
-            "Share of ties in internal work",
-            "Tied nodes",
-            "Reaction y on all by boundary points (N)"})
-        try
-          {
-            columns()[name].push_back(statistics.get(name));
-          }
-        catch (const std::exception &)
-          {}
-    }
-  };
-  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Columns, "Z: after all others")
-} // namespace isochor
 
 const std::string cpdi = "Quadrature/Type = CPDI\n";
 
@@ -60,7 +28,7 @@ std::string
 subjects(const MaterialPointMethod<2> &problem)
 {
   std::string text;
-  for (const auto &warning : problem.all_warnings().all())
+  for (const auto &warning : test::all_warnings(problem).all())
     text += warning.subject + "; ";
   return text;
 }
@@ -90,7 +58,7 @@ test_slivers()
       what << "sliver of " << d;
       test::check_error(what.str(), std::abs(u / exact - 1), 1e-6 + 5 * d);
       test::check(what.str() + ", no warning",
-                  problem->all_warnings().all().empty(),
+                  test::all_warnings(*problem).all().empty(),
                   subjects(*problem));
     }
 }
@@ -173,7 +141,7 @@ test_rigid_motion()
     test::add_error(share, s);
   test::check_error("work of ties in a rigid motion", share, 0.01);
   test::check("rigid motion, no warning",
-              problem->all_warnings().all().empty(),
+              test::all_warnings(*problem).all().empty(),
               subjects(*problem));
 }
 
@@ -223,7 +191,7 @@ test_long_domains()
       "Boundary conditions/Surfaces of body = end: x > 0.9999\n"
       "Boundary conditions/Displacement of body = end: x = (" +
       stretch + " - 1)*t\nTime/Step size = 0.1\n" + settings);
-    for (const auto &warning : problem->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*problem).all())
       if (warning.subject == "domains longer than the cells")
         return true;
     return false;
@@ -244,7 +212,13 @@ test_long_domains()
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
+  test::record_columns({"Displacement y of P (m)",
+                        "Momentum x (kg m/s)",
+                        "Kinetic energy (J)",
+                        "Share of ties in internal work",
+                        "Tied nodes",
+                        "Reaction y on all by boundary points (N)"});
   test_slivers();
   test_tip();
   test_free_flight();

@@ -36,7 +36,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   std::filesystem::create_directory("scene_checks");
 
   const std::string cycles =

@@ -19,7 +19,7 @@ template <int dim>
 std::string
 warning(const MaterialPointMethod<dim> &problem)
 {
-  for (const auto &warning : problem.all_warnings().all())
+  for (const auto &warning : test::all_warnings(problem).all())
     if (warning.subject == subject)
       return test::one_line(warning.text);
   return {};
@@ -33,10 +33,10 @@ largest_share(const std::string &settings, std::string &text)
   const auto problem = test::run_scene<dim>(settings);
   text               = warning(*problem);
   const double mine =
-    Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0 ?
+    test::this_rank() == 0 ?
       test::largest_in_statistics("Share of gaps in contact") :
       0.;
-  return Utilities::MPI::max(mine, MPI_COMM_WORLD);
+  return test::max_over_ranks(mine);
 }
 
 void
@@ -47,7 +47,7 @@ test_seal()
   for (const double squeeze : {0.03, 0.12})
     {
       const std::string what =
-        "seal, squeezed by " + Utilities::to_string(50 * squeeze, 0) + " %";
+        "seal, squeezed by " + test::in_short(50 * squeeze) + " %";
       const auto problem =
         test::run_scene<2>(test::seal(20, squeeze, "Time/Step size = 0.1\n"));
       const double excess = 2 *
@@ -61,7 +61,7 @@ test_seal()
       test::check(what + ": the estimate of the error",
                   excess > 0.1 && 0.9 * s < excess && excess < 2.2 * s,
                   numbers.str());
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      if (test::this_rank() == 0)
         std::cout << what << ": share of gaps " << std::setprecision(3) << s
                   << std::endl; // on any number of ranks
       const std::string text = warning(*problem);
@@ -273,7 +273,7 @@ test_held()
   // pressed and pulled, by boundaries that the grid follows or not: what pulls
   // it out of a grid that stays loses it
   for (const std::string motion : {"-0.1*t", "0.1*t"})
-    for (const std::string grid : {"y: 0 -> 0, 2 -> " + motion, std::string()})
+    for (const std::string &grid : {"y: 0 -> 0, 2 -> " + motion, std::string()})
       {
         if (grid.empty() && motion[0] != '-')
           continue;
@@ -349,7 +349,7 @@ test_planes_of_symmetry()
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   test_seal();
   for (const std::string quadrature :
        {"points", "cell-filled", "cell-filled + boundary", "CPDI"})

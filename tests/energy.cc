@@ -9,8 +9,9 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <stdexcept>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -18,52 +19,15 @@ using namespace isochor;
 std::map<std::string, std::vector<double>> &
 columns()
 {
-  static std::map<std::string, std::vector<double>> c;
-  return c;
+  return test::recorded().columns;
 }
-
-namespace isochor
-{
-  /** Fills columns(). */
-  template <int dim>
-  class Columns : public Postprocessor<dim>
-  {
-  public:
-    void
-    evaluate_points(const StepResult<dim> &result,
-                    Statistics            &statistics) override
-    {
-      if (result.time.step == 1)
-        columns().clear();
-      for (const std::string name : {"Kinetic energy (J)",
-                                     "Strain energy (J)",
-                                     "Plastic work (J)",
-                                     "External work (J)",
-                                     "Energy lost by the scheme (J)",
-                                     "Momentum x (kg m/s)",
-                                     "Momentum y (kg m/s)",
-                                     "Angular momentum z (kg m^2/s)",
-                                     "Mass (kg)",
-                                     "Reaction y on top (N)",
-                                     "Reaction x on left (N)",
-                                     "Reaction x on right (N)",
-                                     "Reaction y on bottom (N)"})
-        try
-          {
-            columns()[name].push_back(statistics.get(name));
-          }
-        catch (const std::exception &)
-          {}
-    }
-  };
-  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Columns, "Z: after all others")
-} // namespace isochor
 
 /** One of them, which must be there. */
 const std::vector<double> &
 column(const std::string &name)
 {
-  AssertThrow(!columns()[name].empty(), ExcMessage("no column " + name));
+  if (columns()[name].empty())
+    throw std::runtime_error("no column " + name);
   return columns()[name];
 }
 
@@ -178,9 +142,9 @@ test_box(const std::string &quadrature, const std::string &stabilisation)
                            quadrature + ", " + stabilisation;
   test::check_error(what + ", reaction", error, 1e-8);
   test::check(what + ", no warning",
-              problem->all_warnings().all().size() ==
+              test::all_warnings(*problem).all().size() ==
                 (stabilisation == "none" ? 1 : 0), // that there is none
-              problem->all_warnings().summary());
+              test::all_warnings(*problem).summary());
 }
 
 /** Bodies in free fall, in which the stabilisation must not see a weight: under
@@ -390,7 +354,7 @@ test_losses(const std::string &what,
               lost > least && lost < most,
               std::to_string(lost));
   std::string warning;
-  for (const auto &w : problem->all_warnings().all())
+  for (const auto &w : test::all_warnings(*problem).all())
     if (w.subject.find("by the scheme") != std::string::npos)
       warning = test::one_line(w.text);
   const bool names_remedy =
@@ -430,14 +394,27 @@ test_pressures_that_no_node_feels()
                       largest,
                     0.01);
   test::check("bar of rubber, no warning",
-              problem->all_warnings().all().empty(),
-              problem->all_warnings().summary());
+              test::all_warnings(*problem).all().empty(),
+              test::all_warnings(*problem).summary());
 }
 
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
+  test::record_columns({"Kinetic energy (J)",
+                        "Strain energy (J)",
+                        "Plastic work (J)",
+                        "External work (J)",
+                        "Energy lost by the scheme (J)",
+                        "Momentum x (kg m/s)",
+                        "Momentum y (kg m/s)",
+                        "Angular momentum z (kg m^2/s)",
+                        "Mass (kg)",
+                        "Reaction y on top (N)",
+                        "Reaction x on left (N)",
+                        "Reaction x on right (N)",
+                        "Reaction y on bottom (N)"});
   // warnings are looked at by the tests, they are not part of the output
   std::ostringstream    printed;
   std::streambuf *const terminal = std::cerr.rdbuf(printed.rdbuf());

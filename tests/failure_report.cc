@@ -15,7 +15,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -195,7 +195,7 @@ namespace
             "stiffest step of this loading"});
     const double first = number_after("limit load between t = ", message),
                  last  = number_after("and t = ", message);
-    const double exact = 1 + (2 + numbers::PI) * 1e4 / 8e4;
+    const double exact = 1 + (2 + test::pi) * 1e4 / 8e4;
     test::check("a strip load after weight: the limit load is between",
                 first > 1.5 && first < exact && exact < last,
                 std::to_string(first) + " to " + std::to_string(last) +
@@ -437,7 +437,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   test_limit_loads();
   test_stages();
   test_false_alarms();

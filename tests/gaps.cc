@@ -8,11 +8,9 @@
 // integrated all the same, whether points are split or not. Counted as outside
 // of the body it closes, and load and volume are lost without a word.
 
-#include <isochor/step/material_point_method.h>
-
 #include <array>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -45,9 +43,9 @@ namespace
              "top: y=0.2*t" +
       (solid ? "; front: z=0; back: z=0" : "") +
       "\nPostprocess/Reactions = top\nTime/Step size = 0.25\n");
-    const Statistics &statistics = problem->last_statistics();
+    const Statistics &statistics = test::last_statistics(*problem);
     bool              cavity     = false;
-    for (const auto &warning : problem->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*problem).all())
       cavity = cavity || warning.subject == "a cavity has opened";
     return {statistics.get("Reaction y on top (N)"),
             statistics.get("Volume in the grid " +
@@ -89,7 +87,7 @@ namespace
           "Quadrature/Type = cell-filled\n"
           "Boundary conditions/Displacement = bottom: x=0, y=0; top: x=0, "
           "y=-0.02*t\nPostprocess/Reactions = top\nTime/Step size = 0.5\n");
-        force[split] = problem->last_statistics().get("Reaction y on top (N)");
+        force[split] = test::get(*problem, "Reaction y on top (N)");
       }
     test::check_error("the body's own cavity stays empty",
                       std::abs(force[1] / force[0] - 1),
@@ -111,7 +109,7 @@ namespace
       "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0; "
       "top: y=0\nTime/Step size = 0.25\n");
     bool told = false;
-    for (const auto &warning : problem->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*problem).all())
       told = told || warning.subject == "a cavity has opened";
     test::check("a cavity is warned of", told, "");
   }
@@ -134,7 +132,7 @@ namespace
           "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: "
           "y=0; top: y=0\nTime/Step size = 0.25\n");
         std::string told;
-        for (const auto &warning : problem->all_warnings().all())
+        for (const auto &warning : test::all_warnings(*problem).all())
           if (warning.subject == "a cavity has opened")
             told = warning.text;
         test::check(std::string("a body with a cavity: ") +
@@ -150,7 +148,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   for (const std::string split : {"0", "0.5"})
     {
       test_gap<2>("(x - 0.5)^2 + (y - 0.15)^2 > 0.12^2", split);

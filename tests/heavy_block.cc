@@ -8,7 +8,7 @@
 // the stabilisation that depended on accelerations they fed their own
 // vibrations, from 0.01 to 1e6 J in 0.1 s.
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -93,7 +93,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   test_rest("CPDI", "Time/Step size = 0.002\n");
   test_rest("points", "Quadrature/Type = points\nTime/Step size = 0.002\n");
   test_rest("on a one-sided wall",

@@ -240,7 +240,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   std::filesystem::create_directory("scene_checks");
   test_probes();
   test_formulas();

@@ -6,7 +6,7 @@
 // A grid that moves with the bodies is put back where they come near to each
 // other, to themselves or to a boundary: before, they went through it.
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -17,7 +17,7 @@ template <int dim>
 bool
 warns(const MaterialPointMethod<dim> &problem)
 {
-  for (const auto &warning : problem.all_warnings().all())
+  for (const auto &warning : test::all_warnings(problem).all())
     if (warning.subject == "contact on a grid that is kept")
       return true;
   return false;
@@ -47,9 +47,9 @@ test_collision(const std::string &discs, const std::string &grid)
                     1e-6);
   test::check(name + "warning",
               warns(*problem) && !warns(*reference),
-              problem->all_warnings().summary());
+              test::all_warnings(*problem).summary());
   test::check(name + "most steps before keep their grid",
-              problem->work().row("searches for all points").skipped > 4,
+              test::work(*problem).row("searches for all points").skipped > 4,
               "");
   // they meet when the grid is put back
   const auto often =
@@ -57,7 +57,9 @@ test_collision(const std::string &discs, const std::string &grid)
   test::check_error(name + "energy, resets now and then",
                     test::relative(test::get(*often, column), energy),
                     dim == 2 ? 0.02 : 0.05);
-  test::check(name + "warning", warns(*often), often->all_warnings().summary());
+  test::check(name + "warning",
+              warns(*often),
+              test::all_warnings(*often).summary());
 }
 
 /** A block falls from a @p height (m) above the ground, which holds it, and the
@@ -82,9 +84,9 @@ test_fall(const std::string &name,
                 test::get(*problem, "Displacement y of foot (m)")));
   test::check(name + ": it has reached the ground",
               test::largest_in_statistics("Reaction y on bottom (N)") > 1 ||
-                Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0,
+                test::this_rank() > 0,
               "");
-  const auto row = problem->work().row("searches for all points");
+  const auto row = test::work(*problem).row("searches for all points");
   test::check(name + ": the grid is put back a few times only",
               row.done > 1 && row.done < 8,
               std::to_string(row.done));
@@ -135,7 +137,7 @@ test_fork()
               std::to_string(gap));
   test::check("fork: warning",
               warns(*problem),
-              problem->all_warnings().summary());
+              test::all_warnings(*problem).summary());
 }
 
 /** A slab of one layer of cells slides along the ground into a wall. */
@@ -264,7 +266,7 @@ test_no_contact()
         (region == "y < 1" ? "0.999" : "0.499") +
         "\nBoundary conditions/Displacement of body = top: y=-0.4*t" +
         (region == "y < 1" ? "" : "/2") + "\nTime/Step size = 0.1\n" + kept);
-      const auto row = problem->work().row("searches for all points");
+      const auto row = test::work(*problem).row("searches for all points");
       test::check(region + " pressed: the grid stays",
                   row.done == 1 && !warns(*problem),
                   std::to_string(row.done));
@@ -274,7 +276,7 @@ test_no_contact()
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   test_collision<2>("((x+0.1)^2+(y-0.5)^2 < 0.09) || "
                     "((x-0.9)^2+(y-0.5)^2 < 0.09)\n",
                     "Grid/Lower corner = -1, 0\nGrid/Upper corner = 2, 1\n"

@@ -9,7 +9,7 @@
 
 #include <fstream>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -47,32 +47,32 @@ displacement(const double       P,
              const std::string &settings)
 {
   const std::string traction = std::to_string(P / 16);
-  return test::run_scene<2>(
-           "Grid/Lower corner = 0, -3\nGrid/Upper corner = 54, 78\n"
-           "Grid/Subdivisions = 36, 54\nMaterial points/Points per cell = 6\n"
-           "Material points/Body mesh = membrane.msh\n"
-           "Quadrature/Type = cell-filled + boundary\n"
-           "Material/Young modulus = 70\nMaterial/Poisson ratio = " +
-           poisson_ratio +
-           "\nBoundary conditions/Displacement = left: x = 0, y = 0\n"
-           "Boundary conditions/Mesh of body surfaces = membrane.msh\n"
-           "Boundary conditions/Surfaces of body = end: if(x > 47.999, 1, 0)\n"
-           "Boundary conditions/Traction on body = end: 0, " +
-           traction +
-           "*t\n"
-           "Postprocess/Point probes = A: 48, 60\nTime/Step size = 0.05\n" +
-           settings)
-    ->last_statistics()
-    .get("Displacement y of A (m)");
+  return test::get(
+    *test::run_scene<2>(
+      "Grid/Lower corner = 0, -3\nGrid/Upper corner = 54, 78\n"
+      "Grid/Subdivisions = 36, 54\nMaterial points/Points per cell = 6\n"
+      "Material points/Body mesh = membrane.msh\n"
+      "Quadrature/Type = cell-filled + boundary\n"
+      "Material/Young modulus = 70\nMaterial/Poisson ratio = " +
+      poisson_ratio +
+      "\nBoundary conditions/Displacement = left: x = 0, y = 0\n"
+      "Boundary conditions/Mesh of body surfaces = membrane.msh\n"
+      "Boundary conditions/Surfaces of body = end: if(x > 47.999, 1, 0)\n"
+      "Boundary conditions/Traction on body = end: 0, " +
+      traction +
+      "*t\n"
+      "Postprocess/Point probes = A: 48, 60\nTime/Step size = 0.05\n" +
+      settings),
+    "Displacement y of A (m)");
 }
 
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  test::MPISession mpi(argc, argv);
+  if (test::this_rank() == 0)
     write_membrane("membrane.msh", 32);
-  MPI_Barrier(MPI_COMM_WORLD);
+  test::wait_for_all_ranks();
 
   struct Case
   {

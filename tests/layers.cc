@@ -9,7 +9,7 @@
 // form has none. With CPDI each material has gradients and pressures of its
 // own, wherever the interface lies in its cells.
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -63,7 +63,7 @@ namespace
     Result     result{test::get(*problem, "Displacement y of middle (m)"),
                   test::get(*problem, "Displacement y of top (m)"),
                   ""};
-    for (const auto &warning : problem->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*problem).all())
       if (warning.subject == subject)
         result.told = warning.text;
     return result;
@@ -114,7 +114,7 @@ namespace
     Moved      result{test::get(*problem, "L2 error of stress yy"),
                  test::get(*problem, "Displacement y of I (m)"),
                  ""};
-    for (const auto &warning : problem->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*problem).all())
       if (warning.subject == "materials that meet within cells")
         result.told = warning.text;
     return result;
@@ -198,7 +198,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   // strains are below 1e-5
   test::check_error("u", std::abs(error("u", 8, false)), 2e-5);
   const double coarse = error("u-p", 8, true), fine = error("u-p", 32, true);

@@ -38,8 +38,8 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const std::vector<std::string>   filled = {"Material points/Region",
+  test::MPISession               mpi(argc, argv);
+  const std::vector<std::string> filled   = {"Material points/Region",
                                              "does not hold in places of",
                                              "a gap, a slit or a hole"},
                                  left_out = {"holds in places of",

@@ -6,7 +6,7 @@
 // Periodic cells: homogeneous states in closed form, and a cell with an
 // inclusion that is cut out of the periodic body elsewhere.
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -35,8 +35,7 @@ namespace
         const std::string              &axis,
         const std::string              &names)
   {
-    return problem.last_statistics().get("Force " + axis + " through " + names +
-                                         " (N)");
+    return test::get(problem, "Force " + axis + " through " + names + " (N)");
   }
 } // namespace
 
@@ -94,9 +93,9 @@ test_tension()
                              1),
                     1e-8);
   test::check_error("the jump",
-                    std::abs(problem->last_statistics().get(
-                               "Jump y between bottom and top (m)") -
-                             (1 / lambda - 1)),
+                    std::abs(
+                      test::get(*problem, "Jump y between bottom and top (m)") -
+                      (1 / lambda - 1)),
                     1e-8);
 }
 
@@ -121,8 +120,8 @@ test_shift()
             inclusion + '\n' + form);
           forces.push_back(force(*problem, "x", "left and right"));
           forces.push_back(force(*problem, "x", "bottom and top"));
-          forces.push_back(problem->last_statistics().get(
-            "Jump y between bottom and top (m)"));
+          forces.push_back(
+            test::get(*problem, "Jump y between bottom and top (m)"));
         }
       double worst = 0;
       for (unsigned int k = 3; k < forces.size(); ++k)
@@ -142,11 +141,9 @@ test_mismatch()
       test::run_scene<2>("Grid/Subdivisions = 4, 3\nBoundary "
                          "conditions/Periodic sides = left: top\n");
     }
-  catch (const ExceptionBase &exc)
+  catch (const std::exception &exc)
     {
-      std::ostringstream text;
-      exc.print_info(text);
-      message = test::one_line(text.str());
+      message = test::one_line(exc.what());
     }
   test::check("sides that don't match",
               message.find("the sides <left> and <top> of <Boundary "
@@ -158,7 +155,7 @@ test_mismatch()
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   test_shear();
   test_tension();
   test_shift();

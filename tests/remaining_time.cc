@@ -8,7 +8,7 @@
 
 #include <isochor/base/remaining_time.h>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -73,7 +73,7 @@ test_format()
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   test_estimate();
   test_format();
 }

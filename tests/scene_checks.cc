@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "hoarder.h"
+#include "scene.h"
 #include "scene_messages.h"
 
 using namespace isochor;

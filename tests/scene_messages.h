@@ -7,7 +7,7 @@
 
 // What the program says of a scene.
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -22,34 +22,7 @@ template <int dim>
 std::string
 messages(const std::string &settings,
          const bool         validate    = true,
-         const unsigned int n_materials = 1)
-{
-  ParameterHandler prm;
-  MaterialPointMethod<dim>::declare_parameters(prm, n_materials);
-  test::set_parameters(prm,
-                       "Output/Directory = scene_checks\n"
-                       "Output/Terminal = quiet\n"
-                       "Postprocess/Write grid = false\n"
-                       "Postprocess/Write material points = false\n" +
-                         settings);
-  MaterialPointMethod<dim> problem(MPI_COMM_WORLD);
-  std::string              text;
-  std::ostringstream       errors; // where warnings are printed, too
-  std::streambuf *const    original = std::cerr.rdbuf(errors.rdbuf());
-  try
-    {
-      problem.parse_parameters(prm);
-      validate ? problem.validate() : problem.run();
-    }
-  catch (const std::exception &exc)
-    {
-      text = std::string("ERROR ") + exc.what() + ' ';
-    }
-  std::cerr.rdbuf(original);
-  for (const auto &warning : problem.all_warnings().all())
-    text += "WARNING " + warning.subject + " | " + warning.text + ' ';
-  return test::one_line(text);
-}
+         const unsigned int n_materials = 1);
 
 /** The messages have all @p words, and there is none but this one, or so many
  * in all. */

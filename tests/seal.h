@@ -7,7 +7,7 @@
 
 // Round bodies between plates.
 
-#include "scene.h"
+#include "run_scene.h"
 
 namespace isochor
 {
@@ -24,9 +24,8 @@ namespace isochor
       for (unsigned int i = 0; i < 100; ++i)
         {
           const double P = 0.5 * (low + high),
-                       a = std::sqrt(4 * P / (numbers::PI * E_star));
-          (2 * P / (numbers::PI * E_star) * (2 * std::log(4 / a) - 1) <
-               squeeze ?
+                       a = std::sqrt(4 * P / (test::pi * E_star));
+          (2 * P / (test::pi * E_star) * (2 * std::log(4 / a) - 1) < squeeze ?
              low :
              high)       = P;
         }
@@ -58,7 +57,7 @@ namespace isochor
               if (k + 1 < i)
                 add(inner, outer + 1, inner + 1);
             }
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      if (test::this_rank() == 0)
         {
           std::ofstream file("disc.msh");
           file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
@@ -67,8 +66,7 @@ namespace isochor
             for (unsigned int k = 0; k <= 3 * i; ++k)
               {
                 const double r = double(i) / n,
-                             a =
-                               numbers::PI * (i == 0 ? 0. : k / (3. * i) - 0.5);
+                             a = test::pi * (i == 0 ? 0. : k / (3. * i) - 0.5);
                 file << first(i) + k << ' '
                      << (k == 0 || k == 3 * i ? 0. : r * std::cos(a)) << ' '
                      << 1 + r * std::sin(a) << " 0\n";
@@ -77,7 +75,7 @@ namespace isochor
                << n_triangles << '\n'
                << triangles.str() << "$EndElements\n";
         }
-      MPI_Barrier(MPI_COMM_WORLD);
+      test::wait_for_all_ranks();
     }
 
     /** A round seal between smooth plates that the grid follows, of which half

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -33,7 +33,7 @@ numbers_of(const MaterialPointMethod<2> &problem)
                            "Displacement x of P (m)",
                            "Displacement y of P (m)",
                            "Material volume (m^2)"})
-    numbers.push_back(problem.last_statistics().get(name));
+    numbers.push_back(test::get(problem, name));
   return numbers;
 }
 
@@ -69,19 +69,19 @@ test_cut_steps()
     "Postprocess/Reactions = bottom\n"
     "Postprocess/Point probes = P: 0.4, 0.5\n";
   const auto         cut = test::run_scene<2>(scene + "Time/Step size = 1\n");
-  const double       n_cuts = cut->last_statistics().get("Step cuts");
-  const double       size   = cut->last_statistics().get("Step size (s)");
+  const double       n_cuts = test::get(*cut, "Step cuts");
+  const double       size   = test::get(*cut, "Step size (s)");
   std::ostringstream small;
   small.precision(17);
   small << scene << "Time/Step size = " << size << '\n';
   const auto uncut = test::run_scene<2>(small.str());
-  const auto done  = cut->work().row("searches for all points");
+  const auto done  = test::work(*cut).row("searches for all points");
   test::check("after a step that failed nothing is set up again",
               n_cuts > 0 && done.skipped == n_cuts &&
-                done.done == cut->last_statistics().get("Step"),
-              written(cut->work()));
+                done.done == test::get(*cut, "Step"),
+              written(test::work(*cut)));
   test::check("which changes nothing, bitwise",
-              uncut->last_statistics().get("Step cuts") == 0 &&
+              test::get(*uncut, "Step cuts") == 0 &&
                 difference(numbers_of(*uncut), numbers_of(*cut)) == 0,
               "");
 }
@@ -91,7 +91,7 @@ test_kept_grid()
 {
   const auto kept =
     test::run_scene<2>(block + "Grid reset/Steps between resets = 1000\n");
-  const WorkTally &work = kept->work();
+  const WorkTally &work = test::work(*kept);
   test::check(
     "a kept grid: one search for the points, one pattern, one analysis",
     work.row("searches for all points").done == 1 &&
@@ -109,10 +109,10 @@ test_analysis()
   const auto once  = test::run_scene<2>(block);
   const auto again = test::run_scene<2>(block + "Checkpoint/Interval = 1\n");
   test::check("the pattern and its analysis serve as long as the nodes do",
-              once->work().row("analyses of the matrix").done == 1 &&
-                once->work().row("patterns of the matrix").skipped == 7 &&
-                again->work().row("analyses of the matrix").done > 4,
-              written(once->work()) + written(again->work()));
+              test::work(*once).row("analyses of the matrix").done == 1 &&
+                test::work(*once).row("patterns of the matrix").skipped == 7 &&
+                test::work(*again).row("analyses of the matrix").done > 4,
+              written(test::work(*once)) + written(test::work(*again)));
   test::check("which changes nothing, bitwise",
               difference(numbers_of(*once), numbers_of(*again)) == 0,
               "");
@@ -124,11 +124,11 @@ test_factorisations()
   const auto each = test::run_scene<2>(block + "Newton/Tolerance = 1e-11\n");
   const auto kept = test::run_scene<2>(
     block + "Newton/Tolerance = 1e-11\nNewton/Reuse factorisation = 0.1\n");
-  const auto row = kept->work().row("factorisations");
+  const auto row = test::work(*kept).row("factorisations");
   test::check("factorisations are kept",
               row.skipped > 0 &&
-                row.done < each->work().row("factorisations").done,
-              written(kept->work()));
+                row.done < test::work(*each).row("factorisations").done,
+              written(test::work(*kept)));
   test::check_error("with the same result",
                     difference(numbers_of(*each), numbers_of(*kept)),
                     1e-8);
@@ -140,10 +140,10 @@ test_output()
   const auto all  = test::run_scene<2>(block);
   const auto last = test::run_scene<2>(block + "Time/Output interval = 1\n");
   test::check("fields are written where asked for",
-              all->work().row("outputs of fields").done == 8 &&
-                last->work().row("outputs of fields").done == 1 &&
-                last->work().row("outputs of fields").skipped == 7,
-              written(last->work()));
+              test::work(*all).row("outputs of fields").done == 8 &&
+                test::work(*last).row("outputs of fields").done == 1 &&
+                test::work(*last).row("outputs of fields").skipped == 7,
+              written(test::work(*last)));
   test::check("which changes nothing, bitwise",
               difference(numbers_of(*all), numbers_of(*last)) == 0,
               "");
@@ -160,15 +160,15 @@ test_empty_cells()
     body + "Grid/Upper corner = 1, 2\nGrid/Subdivisions = 4, 8\n");
   const auto large = test::run_scene<2>(
     body + "Grid/Upper corner = 1, 16\nGrid/Subdivisions = 4, 64\n");
-  const auto cells = large->work().row("cells of the grid, at last");
-  const auto nodes = large->work().row("nodes of the grid, at last");
+  const auto cells = test::work(*large).row("cells of the grid, at last");
+  const auto nodes = test::work(*large).row("nodes of the grid, at last");
   test::check("cells and nodes without material are left out",
               cells.done ==
-                  small->work().row("cells of the grid, at last").done &&
+                  test::work(*small).row("cells of the grid, at last").done &&
                 cells.done + cells.skipped == 2 * 4 * 64 && cells.done < 50 &&
                 nodes.done ==
-                  small->work().row("nodes of the grid, at last").done,
-              written(large->work()));
+                  test::work(*small).row("nodes of the grid, at last").done,
+              written(test::work(*large)));
   test::check("the result is the same, bitwise",
               difference(numbers_of(*small), numbers_of(*large)) == 0,
               "");
@@ -177,7 +177,7 @@ test_empty_cells()
 bool
 lacks(const MaterialPointMethod<2> &problem, const std::string &phrase)
 {
-  const auto list = problem.not_needed();
+  const auto list = test::not_needed(problem);
   return std::find(list.begin(), list.end(), phrase) != list.end();
 }
 
@@ -193,8 +193,8 @@ test_features()
                 lacks(*displacements, "stabilisation of the pressure") &&
                 lacks(*displacements, "masses and inertia") &&
                 lacks(*displacements, "lower triangle of the matrix") &&
-                3 * displacements->last_statistics().get("Equations") <
-                  2.5 * mixed->last_statistics().get("Equations"),
+                3 * test::get(*displacements, "Equations") <
+                  2.5 * test::get(*mixed, "Equations"),
               "");
   const auto plain = test::run_scene<2>(
     block + "Formulation/Stabilisation = none\nFormulation/Type = u-p\n");
@@ -228,7 +228,7 @@ test_features()
 int
 main(int argc, char *argv[])
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   test_cut_steps();
   test_kept_grid();
   test_analysis();

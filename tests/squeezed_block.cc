@@ -8,12 +8,10 @@
 // sides move through adaptive cells. It stays homogeneous and presses with
 // λ^-3 - λ N (plane) or λ^-2 - λ N (space) until it loses its stability.
 
-#include <isochor/step/material_point_method.h>
-
 #include <algorithm>
 #include <sstream>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -39,15 +37,15 @@ struct Squeezed
   std::string
   warning(const std::string &subject) const
   {
-    for (const auto &warning : problem->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*problem).all())
       if (warning.subject == subject)
         return test::one_line(warning.text);
     return {};
   }
 
-  double                                    end_time;
-  std::string                               force;
-  std::unique_ptr<MaterialPointMethod<dim>> problem;
+  double                    end_time;
+  std::string               force;
+  test::ProblemPointer<dim> problem;
 };
 
 template <int dim>
@@ -191,7 +189,7 @@ test_stability()
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   for (const std::string quadrature : {"CPDI", "cell-filled + boundary"})
     {
       test_exact<2>(quadrature, "y");

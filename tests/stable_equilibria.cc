@@ -28,7 +28,7 @@ namespace
   time_of_buckling()
   {
     const double bending = 1e7 / (1 - 0.3 * 0.3) * std::pow(width, 3) / 12;
-    return numbers::PI * numbers::PI * bending / (4 * height * height) /
+    return test::pi * test::pi * bending / (4 * height * height) /
            (4e4 * width);
   }
 
@@ -106,7 +106,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   std::filesystem::create_directory("scene_checks");
   test_column("u");
   test_column("u-p");

@@ -5,9 +5,7 @@
 
 // Step sizes that follow the error of the steps (Time/Tolerated error).
 
-#include <deal.II/base/numbers.h>
-
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -15,7 +13,7 @@ template <int dim>
 bool
 warns(const MaterialPointMethod<dim> &problem, const std::string &subject)
 {
-  for (const auto &warning : problem.all_warnings().all())
+  for (const auto &warning : test::all_warnings(problem).all())
     if (warning.subject == subject)
       return true;
   return false;
@@ -23,8 +21,7 @@ warns(const MaterialPointMethod<dim> &problem, const std::string &subject)
 
 constexpr double density = 2, modulus = 2000, speed = 0.1, length = 1;
 /** Of the first natural vibration of a bar (1/s). */
-const double frequency =
-  numbers::PI / 2 / length * std::sqrt(modulus / density);
+const double frequency = test::pi / 2 / length * std::sqrt(modulus / density);
 
 /** A bar, held on the left, whose first natural vibration starts from where it
  * is fastest: the tip is at u = v_0 / ω sin(ω t). */
@@ -123,13 +120,13 @@ test_fall()
               std::to_string(test::recorded().times.size()));
   test::check("no step was too small for that",
               !warns(*impact, "error of the smallest step"),
-              impact->all_warnings().summary());
+              test::all_warnings(*impact).summary());
   const auto coarse = test::run_scene<2>(
     block + "Time/End time = 0.25\nTime/Minimum step size = 0.001\n"
             "Time/Tolerated error = 1e-7\n");
   test::check("steps that may not be smaller are told",
               warns(*coarse, "error of the smallest step"),
-              coarse->all_warnings().summary());
+              test::all_warnings(*coarse).summary());
 }
 
 /** A block on a grid that moves with it would be through the ground in one of
@@ -238,7 +235,7 @@ test_no_measure()
       test::check("error of steps, " + quadrature,
                   warns(*problem, "an error that isn't the step's") ==
                     (quadrature == "points"),
-                  problem->all_warnings().summary());
+                  test::all_warnings(*problem).summary());
     }
   std::string message;
   try
@@ -267,13 +264,13 @@ test_statics()
     "Boundary conditions/Displacement = bottom: x=0, y=0; top: y=0.1*t\n");
   test::check("statics: no effect",
               warns(*problem, "no effect of <Time/Tolerated error>"),
-              problem->all_warnings().summary());
+              test::all_warnings(*problem).summary());
 }
 
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   test_estimate();
   test_convergence();
   test_fall();

@@ -8,11 +8,9 @@
 // Forces are those of the motion from the next step on; without it they
 // alternate by a mass times the jump over a step.
 
-#include <isochor/postprocess/postprocessor.h>
-
 #include <map>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -23,32 +21,20 @@ namespace
   {
     double time, force, lost;
   };
-  std::vector<Row> rows;
-  std::string      column;
-} // namespace
 
-namespace isochor
-{
-  template <int dim>
-  class ForceHistory : public Postprocessor<dim>
+  /** Of the scene run last, with the reaction in @p column. */
+  std::vector<Row>
+  recorded_rows(const std::string &column)
   {
-  public:
-    void
-    evaluate_points(const StepResult<dim> &result,
-                    Statistics            &statistics) override
-    {
-      rows.push_back({result.step.time,
-                      statistics.get(column),
-                      statistics.get("Energy lost by the scheme (J)")});
-    }
-  };
-  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor,
-                                 ForceHistory,
-                                 "Z: force history")
-} // namespace isochor
+    test::Recorded  &recorded = test::recorded();
+    std::vector<Row> rows;
+    for (unsigned int n = 0; n < recorded.times.size(); ++n)
+      rows.push_back({recorded.times[n],
+                      recorded.columns[column].at(n),
+                      recorded.columns["Energy lost by the scheme (J)"].at(n)});
+    return rows;
+  }
 
-namespace
-{
   struct Motion
   {
     std::string what, place;
@@ -132,18 +118,20 @@ namespace
                (solid ? "z=0, rotation x=0, rotation y=0, rotation z=0" :
                         "rotation=0") +
                ", x=";
-    const std::string name = body               ? "surface of the body" :
-                             of == Of::boundary ? "boundary of the grid" :
-                                                  "rigid side";
-    column                 = body ? "Reaction x on tip by boundary points (N)" :
-                                    "Reaction x on right (N)";
-    rows.clear();
+    const std::string name   = body               ? "surface of the body" :
+                               of == Of::boundary ? "boundary of the grid" :
+                                                    "rigid side";
+    const std::string column = body ?
+                                 "Reaction x on tip by boundary points (N)" :
+                                 "Reaction x on right (N)";
+    test::record_columns({column, "Energy lost by the scheme (J)"});
     test::run_scene<dim>(
       size + is_moved + motion.place +
       "\nMaterial/Young modulus = 1e10\nMaterial/Density = 1\n"
       "Dynamics/Inertia = true\nTime/Step size = 0.005\n"
       "Time/End time = 0.08\n" +
       settings);
+    const std::vector<Row> rows = recorded_rows(column);
 
     const double mass  = solid ? 0.25 : 0.5;
     const double scale = mass / motion.shortest_step;
@@ -176,8 +164,6 @@ namespace
   std::map<std::string, double>
   two_bars(const std::string &motion)
   {
-    rows.clear();
-    column             = "Mass (kg)";
     const auto problem = test::run_scene<2>(
       "Grid/Upper corner = 3, 0.25\nGrid/Subdivisions = 24, 2\n" +
       std::string(test::keep_grid) +
@@ -188,11 +174,11 @@ namespace
       "Boundary conditions/Displacement = left: x=0; bottom: y=0; top: y=0; "
       "right: x=" +
       motion + "\nTime/Step size = 0.002\nTime/End time = 0.08\n");
-    const Statistics &statistics = problem->last_statistics();
+    const Statistics &statistics = test::last_statistics(*problem);
     return {{"kinetic", statistics.get("Kinetic energy (J)")},
             {"strain", statistics.get("Strain energy (J)")},
             {"external", statistics.get("External work (J)")},
-            {"steps", rows.size()}};
+            {"steps", test::recorded().times.size()}};
   }
 
   /** A held body is strained by a motion that starts suddenly: all of the work
@@ -207,11 +193,10 @@ namespace
       "Material/Density = 1\nMaterial/Poisson ratio = 0.3\n"
       "Dynamics/Inertia = true\nTime/End time = 0.08\n"
       "Boundary conditions/Displacement = bottom: y=0; top: y=0; ";
-    column       = "Mass (kg)";
     const auto a = test::run_scene<2>(
       block + "left: x=0; right: x=max(0, t - 0.0213)\n"
               "Material/Young modulus = 1e10\nTime/Step size = 0.005\n");
-    const Statistics &at_end = a->last_statistics();
+    const Statistics &at_end = test::last_statistics(*a);
     test::check_error("a strained body: external work",
                       test::relative(at_end.get("External work (J)"),
                                      at_end.get("Strain energy (J)") +
@@ -222,8 +207,8 @@ namespace
               "0.0191))\nMaterial/Young modulus = 1e3\n"
               "Time/Step size = 0.0005\n");
     test::check("a one-sided wall: to the end",
-                b->last_statistics().get("Time (s)") == 0.08,
-                std::to_string(b->last_statistics().get("Time (s)")));
+                test::get(*b, "Time (s)") == 0.08,
+                std::to_string(test::get(*b, "Time (s)")));
   }
 
   /** A body that nothing touches feels nothing of another one's jumps. */
@@ -257,7 +242,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   for (const Motion &motion : motions)
     for (const Of of : {Of::boundary, Of::rigid_side, Of::body})
       test_block<2>(motion, of, "");

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -51,10 +51,10 @@ widen_bore(const std::string &cells,
       "bore: x=1e-4*t*x, y=1e-4*t*y\nOutput/Terminal = quiet\n"
       "Postprocess/Write energies = always\n" +
     settings);
-  const auto &warnings = ring->all_warnings().all();
+  const auto &warnings = test::all_warnings(*ring).all();
   return {
     test::get(*ring, "Reaction x on bore by boundary points (N)") / force - 1,
-    test::get(*ring, "Strain energy (J)") / (force * w * numbers::PI / 4) - 1,
+    test::get(*ring, "Strain energy (J)") / (force * w * test::pi / 4) - 1,
     std::any_of(warnings.begin(), warnings.end(), [](const auto &warning) {
       return warning.subject == "springs that are too stiff for a surface";
     })};
@@ -98,7 +98,7 @@ run(const std::string &settings)
 {
   const auto block =
     test::run_scene<dim>("Output/Terminal = quiet\n" + settings);
-  const auto &warnings = block->all_warnings().all();
+  const auto &warnings = test::all_warnings(*block).all();
   return {
     test::get(*block,
               "Reaction " + std::string(1, "xyz"[dim - 1]) +
@@ -280,7 +280,7 @@ test_no_work()
     {
       const auto  problem = test::run_scene<2>(block + motion);
       std::string subjects;
-      for (const auto &warning : problem->all_warnings().all())
+      for (const auto &warning : test::all_warnings(*problem).all())
         if (warning.subject == "springs that are too stiff for a surface")
           subjects += warning.text;
       test::check("displacements without work", subjects.empty(), subjects);
@@ -290,7 +290,7 @@ test_no_work()
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   test_widened_bore();
   test_confined();
   test_large_strain<2>();

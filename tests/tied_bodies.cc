@@ -7,7 +7,7 @@
 // they share: told at the start, on any number of ranks, where points have
 // domains, which say what belongs together.
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -29,7 +29,7 @@ namespace
       "Dynamics/Inertia = true\nQuadrature/Type = CPDI\n"
       "Time/Step size = 0.01\nTime/End time = 0.01\n" +
       settings);
-    for (const auto &warning : problem->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*problem).all())
       if (warning.subject == "bodies that are one")
         return warning.text;
     return "";
@@ -52,8 +52,8 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const std::string                half = "y < 0.4 || (y > 0.425 && y < 0.8)";
+  test::MPISession  mpi(argc, argv);
+  const std::string half = "y < 0.4 || (y > 0.425 && y < 0.8)";
   test_message("half a cell between two", half, "has 2 parts");
   test_message("the nodes they share",
                half,

@@ -6,6 +6,8 @@
 // In statics with CPDI a one-sided wall acts where the surface of the body is,
 // not where the cells are that hold it.
 
+#include <array>
+
 #include "seal.h"
 
 using namespace isochor;
@@ -14,12 +16,12 @@ const std::string subject = "a wall that acts before the body reaches it",
                   cpdi    = "Quadrature/Type = CPDI\n";
 
 template <int dim>
-std::unique_ptr<MaterialPointMethod<dim>>
+test::ProblemPointer<dim>
 run_without_warning(const std::string &what, const std::string &settings)
 {
   auto problem = test::run_scene<dim>(cpdi + settings);
   bool warns   = false;
-  for (const auto &warning : problem->all_warnings().all())
+  for (const auto &warning : test::all_warnings(*problem).all())
     warns = warns || warning.subject == subject;
   test::check(what + ": no warning",
               !warns && test::get(*problem, "Share of gaps in contact") < 5e-3,
@@ -42,7 +44,7 @@ test_seal()
   for (const auto &[squeeze, reference, tolerance] : references)
     {
       const std::string what =
-        "seal, squeezed by " + Utilities::to_string(50 * squeeze, 1) + " %";
+        "seal, squeezed by " + test::in_short(50 * squeeze) + " %";
       const auto problem = run_without_warning<2>(
         what, test::seal(20, squeeze, "Time/Step size = 0.1\n"));
       test::check_error(what,
@@ -175,7 +177,7 @@ test_passage()
                           "Time/Step size = " + size +
                             "\nTime/Minimum step size = " + size + "\n"));
       bool told = false;
-      for (const auto &warning : problem->all_warnings().all())
+      for (const auto &warning : test::all_warnings(*problem).all())
         told = told || warning.subject == "a body that went through a wall";
       test::check("through the wall in steps of " + size,
                   told == (size == "0.5"),
@@ -264,7 +266,7 @@ test_ring()
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   test_seal();
   test_variants();
   test_block<2>();

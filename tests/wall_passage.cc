@@ -6,11 +6,10 @@
 // A body that would go through a one-sided wall within a step doesn't: the step
 // is cut, until the wall acts. Before, the force was zero, and nothing said so.
 
-#include <isochor/base/plain_message.h>
-
+#include <array>
 #include <fstream>
 
-#include "scene.h"
+#include "run_scene.h"
 
 using namespace isochor;
 
@@ -108,9 +107,9 @@ namespace
       {
         test::run_scene<dim>(settings);
       }
-    catch (const ExceptionBase &exc)
+    catch (const std::exception &exc)
       {
-        return plain_message(exc);
+        return test::one_line(exc.what());
       }
     return "";
   }
@@ -147,7 +146,7 @@ namespace
                 error);
     const auto before = test::run_scene<2>(inside + "Time/End time = 0.2\n");
     bool       told = false, pushes = false;
-    for (const auto &warning : before->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*before).all())
       {
         told =
           told || (warning.subject == "a wall inside of the grid" &&
@@ -157,15 +156,15 @@ namespace
       }
     test::check("it is told of at the start, and not said to push",
                 told && !pushes,
-                before->all_warnings().summary());
+                test::all_warnings(*before).summary());
     const auto problem =
       test::run_scene<2>(column<2>("0", "top: y=0; bottom: y>=0\n" + load));
     told = false;
-    for (const auto &warning : problem->all_warnings().all())
+    for (const auto &warning : test::all_warnings(*problem).all())
       told = told || warning.subject == "a wall inside of the grid";
     test::check("not one at the boundary of the grid",
                 !told && test::get(*problem, reaction) > 0,
-                problem->all_warnings().summary());
+                test::all_warnings(*problem).summary());
   }
 
   /** A column that falls has the ground in its way, however large the step. */
@@ -192,7 +191,7 @@ namespace
   subjects(const MaterialPointMethod<dim> &problem)
   {
     std::string all;
-    for (const auto &warning : problem.all_warnings().all())
+    for (const auto &warning : test::all_warnings(problem).all())
       all += warning.subject + "; ";
     return all;
   }
@@ -254,7 +253,7 @@ namespace
   void
   write_pit()
   {
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    if (test::this_rank() == 0)
       {
         constexpr unsigned int n = 5, width = 2 * n + 1;
         const auto node = [](const unsigned int i, const unsigned int j) {
@@ -295,7 +294,7 @@ namespace
           << n_elements << '\n'
           << elements.str() << "$EndElements\n";
       }
-    MPI_Barrier(MPI_COMM_WORLD);
+    test::wait_for_all_ranks();
   }
 
   /** A block falls into the pit beside a ledge, on a grid that is periodic: it
@@ -421,7 +420,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   for (const std::string steps : {"1", "0.5", "0.2"})
     {
       const std::string size = "Time/Step size = " + steps + "\n";
