@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/body_quadrature/interface_corners.h>
+#include <isochor/grid/nearest_cells.h>
 #include <isochor/grid/simplex_overlap.h>
 
 #include <algorithm>
@@ -150,8 +151,11 @@ namespace isochor
           // points are with the owner of their cell
           if (locator.geometry().owner(of_element) == received.first)
             {
-              here.most   = there.most;
-              here.filled = there.filled;
+              here.most              = there.most;
+              here.filled            = there.filled;
+              here.has_own_pressures = there.has_own_pressures;
+              here.is_own            = there.is_own;
+              here.is_thin           = there.is_thin;
             }
         }
   }
@@ -188,8 +192,55 @@ namespace isochor
         // beyond the interface.
         here.is_own =
           is_one && (around == here.groups || here.filled > well_filled);
-        // The nodes at an interface have the pressures of the stiffest.
-        here.has_own_pressures = is_one && around < 2 * here.groups;
+        here.has_own_pressures = is_one && (around & (here.groups - 1)) == 0;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::find_thin_layers()
+  {
+    const SimplexGeometry<dim> &geometry = locator.geometry();
+    const unsigned int          me =
+      Utilities::MPI::this_mpi_process(geometry.communicator());
+    for (auto &[of_element, here] : contents)
+      if (here.is_own && !here.has_own_pressures &&
+          geometry.owner(of_element) == me)
+        here.is_thin =
+          nearest(
+            cell_centroid(geometry, of_element),
+            of_element,
+            [&, own = here.groups](const unsigned int cell) {
+              const Content there = content(cell);
+              return there.has_own_pressures && there.groups == own;
+            },
+            reach_of_pressures) == no_cell;
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::give_pressures_to_thin_layers()
+  {
+    const auto &functions = occupancy.grid.shape_functions();
+    std::unordered_map<unsigned int, Groups> owner_at; // vertices; the stiffest
+    for (const auto &[of_element, here] : contents)
+      if (here.is_thin)
+        for (const unsigned int v : functions.nodes(of_element))
+          owner_at[v] = std::max(owner_at[v], here.groups);
+    if (owner_at.empty())
+      return;
+    for (const auto &[v, around] : groups_at_vertices())
+      owner_at.emplace(v, around & ~(around - 1)); // the softest
+    for (auto &[of_element, here] : contents)
+      {
+        here.has_own_pressures = true;
+        for (const unsigned int v : functions.nodes(of_element))
+          here.has_own_pressures =
+            here.has_own_pressures && owner_at.at(v) == here.groups;
       }
   }
 
@@ -211,6 +262,14 @@ namespace isochor
   InterfaceCorners<2>::exchange_contents();
   template void
   InterfaceCorners<3>::exchange_contents();
+  template void
+  InterfaceCorners<2>::find_thin_layers();
+  template void
+  InterfaceCorners<3>::find_thin_layers();
+  template void
+  InterfaceCorners<2>::give_pressures_to_thin_layers();
+  template void
+  InterfaceCorners<3>::give_pressures_to_thin_layers();
   template void
   InterfaceCorners<2>::find_own_functions();
   template void

@@ -17,10 +17,6 @@ namespace isochor
   {
     /** Below this, a barycentric coordinate is one of a point on a face. */
     constexpr double near_face = 1e-6;
-    /** How far away corners see cells of their own material, in sizes of
-     * cells. (Not distances that regular grids have.) */
-    constexpr double reach = 1.53, reach_of_pressures = 2.07;
-
     template <int dim>
     double
     depth(const LocateResult<dim> &place)
@@ -134,6 +130,11 @@ namespace isochor
     add_overlaps(points);
     exchange_contents();
     find_own_functions();
+    exchange_contents();
+    find_thin_layers();
+    exchange_contents();
+    give_pressures_to_thin_layers();
+    exchange_contents();
     find_owners(points);
   }
 
@@ -282,14 +283,16 @@ namespace isochor
       return stays_on_walls(geometry, cell, corner.x, walls);
     };
     unsigned int other = nearest(
-      corner,
+      corner.x,
+      corner.place.cell,
       [&](const unsigned int cell) {
         return is_own(cell, corner.group) && on_walls(cell);
       },
       reach);
     if (other == no_cell) // of a thin layer
       other = nearest(
-        corner,
+        corner.x,
+        corner.place.cell,
         [&](const unsigned int cell) {
           const Content there = content(cell);
           return ((there.groups >> corner.group) & 1) != 0 &&
@@ -307,19 +310,15 @@ namespace isochor
   template <int dim>
   unsigned int
   InterfaceCorners<dim>::nearest(
-    const Corner                                  &corner,
+    const Point<dim>                              &x,
+    const unsigned int                             start,
     const std::function<bool(const unsigned int)> &is_candidate,
     const double                                   reach) const
   {
     const SimplexGeometry<dim>     &geometry = locator.geometry();
-    const unsigned int              start    = corner.place.cell;
-    const std::vector<unsigned int> cells =
-      nearest_cells<dim>(geometry,
-                         corner.x,
-                         start,
-                         is_candidate,
-                         reach * cell_size(geometry, start));
-    return cells.empty() ? no_cell : cell_ahead(geometry, cells, corner.x);
+    const std::vector<unsigned int> cells    = nearest_cells<dim>(
+      geometry, x, start, is_candidate, reach * cell_size(geometry, start));
+    return cells.empty() ? no_cell : cell_ahead(geometry, cells, x);
   }
 
 
@@ -335,7 +334,8 @@ namespace isochor
         (here.has_own_pressures && here.groups == Groups(1) << group))
       return;
     const unsigned int other = nearest(
-      corner,
+      corner.x,
+      corner.place.cell,
       [&](const unsigned int cell) { return has_pressures_of(cell, group); },
       reach_of_pressures);
     if (other != no_cell)

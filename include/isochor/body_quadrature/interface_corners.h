@@ -106,6 +106,10 @@ namespace isochor
     static constexpr double same_stiffness = 1.5;
 
   private:
+    /** How far away corners see cells of their own material, in sizes of
+     * cells. (Not distances that regular grids have.) */
+    static constexpr double reach = 1.53, reach_of_pressures = 2.07;
+
     /** A set of groups of materials, one bit each. */
     using Groups = std::uint64_t;
 
@@ -117,13 +121,14 @@ namespace isochor
       /** Whether its functions are those of one group, the only one, for
        * displacements and for pressures. See find_own_functions(). */
       bool   has_own_pressures = false, is_own = false;
-      double filled = 0; ///< the part of it that points fill
+      bool   is_thin = false; ///< see find_thin_layers()
+      double filled  = 0;     ///< the part of it that points fill
 
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int /*version*/)
       {
-        archive &groups &most &filled;
+        archive &groups &most &filled &has_own_pressures &is_own &is_thin;
       }
     };
 
@@ -159,8 +164,17 @@ namespace isochor
     /** By vertex, the groups in elements around. */
     std::unordered_map<unsigned int, Groups>
     groups_at_vertices() const;
+    /** Which elements have functions of one group only, if the nodes that
+     * several share have the pressures of the softest: it resists changes of
+     * shape the least, so that it has to be held by its volume. */
     void
     find_own_functions();
+    /** Elements of groups that then have no pressures of their own nearby: they
+     * get those of their nodes, the softer group goes without. */
+    void
+    find_thin_layers();
+    void
+    give_pressures_to_thin_layers();
     void
     find_owners(const PointArrays<dim> &points);
     void
@@ -199,8 +213,11 @@ namespace isochor
     }
     void
     exchange_contents();
+    /** The cell nearest to @p x, which lies in @p start, that is a candidate,
+     * or no_cell; of several that one which the way from x leads into. */
     unsigned int
-    nearest(const Corner                                  &corner,
+    nearest(const Point<dim>                              &x,
+            const unsigned int                             start,
             const std::function<bool(const unsigned int)> &is_candidate,
             const double                                   reach) const;
     std::vector<unsigned int>
