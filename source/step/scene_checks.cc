@@ -206,8 +206,8 @@ namespace isochor
           "wrong where the mean stress does not jump, as of layers with the "
           "same Poisson's ratio under a load across them. With "
           "<Quadrature/Type = CPDI> each material has pressures of its own, if "
-          "the soft one is at least two cells thick, three between stiff ones: "
-          "use it, or take smaller cells.");
+          "they are two to three cells thick at least: use it, or take smaller "
+          "cells.");
   }
 
 
