@@ -240,9 +240,14 @@ namespace isochor
         groups[number] =
           std::max(groups[number], static_cast<unsigned int>(entry[dim]));
       }
+    // In dynamics not: pressures that are continued over two cells leave
+    // changes of volume along the interface to the points, and each time the
+    // grid is put back these would make energy.
+    const bool is_static = points.velocity.empty();
     for (unsigned int i = 0; i < corners.size(); ++i)
       {
-        find_pressure_cells(corners[i].group, i);
+        if (is_static)
+          find_pressure_cells(corners[i].group, i);
         const unsigned int number =
           table.size() > 0 ? table.find(corners[i].X) : PlaceTable<dim>::none;
         if (number != PlaceTable<dim>::none)
