@@ -11,7 +11,6 @@
 #include <fstream>
 
 #include "hoarder.h"
-#include "scene.h"
 #include "scene_messages.h"
 
 using namespace isochor;
@@ -389,10 +388,10 @@ namespace
           footing + "Material points/Physical groups = soil\nMaterial points/" +
           points + "\n");
         // soil is 12 m wide and 10 m high
-        test::check_error(
-          "the groups of " + points.substr(0, points.find('/')),
-          std::abs(problem->last_statistics().get("Mass (kg)") / 1000 - 120),
-          1e-6);
+        test::check_error("the groups of " + points.substr(0, points.find('/')),
+                          std::abs(test::get(*problem, "Mass (kg)") / 1000 -
+                                   120),
+                          1e-6);
       }
     expect("unknown group",
            messages<2>(footing + "Material points/Physical groups = clay\n"),
@@ -486,7 +485,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   std::filesystem::create_directory("scene_checks");
   test_validation();
   test_overflow();
