@@ -285,10 +285,9 @@ namespace
   test_formulas()
   {
     const auto top_reaction = [](const std::string &settings) {
-      return test::run_scene<2>(good + "Postprocess/Reactions = bottom\n" +
-                                settings)
-        ->last_statistics()
-        .get("Reaction y on bottom (N)");
+      return test::get(*test::run_scene<2>(
+                         good + "Postprocess/Reactions = bottom\n" + settings),
+                       "Reaction y on bottom (N)");
     };
     // weight of the unit square
     test::check_error("commas in a load",
@@ -305,11 +304,11 @@ namespace
                        "y = 0; top: y = -0.01*t\n") -
         1),
       1e-12);
-    const double half =
-      test::run_scene<2>(good + "Material points/Region=x<0.5&&y<0.5||x<0\n")
-        ->last_statistics()
-        .get("Mass (kg)");
-    test::check_error("conditions without blanks", std::abs(half - 250), 1e-9);
+    const auto half =
+      test::run_scene<2>(good + "Material points/Region=x<0.5&&y<0.5||x<0\n");
+    test::check_error("conditions without blanks",
+                      std::abs(test::get(*half, "Mass (kg)") - 250),
+                      1e-9);
     expect("a stretch with commas, without blanks",
            messages<2>(good + "Grid/Stretch=y:0->0,1->if(t>0,-0.1*t,0)\n"),
            {});
