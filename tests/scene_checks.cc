@@ -11,7 +11,6 @@
 #include <fstream>
 
 #include "hoarder.h"
-#include "scene.h"
 #include "scene_messages.h"
 
 using namespace isochor;
@@ -286,10 +285,9 @@ namespace
   test_formulas()
   {
     const auto top_reaction = [](const std::string &settings) {
-      return test::run_scene<2>(good + "Postprocess/Reactions = bottom\n" +
-                                settings)
-        ->last_statistics()
-        .get("Reaction y on bottom (N)");
+      return test::get(*test::run_scene<2>(
+                         good + "Postprocess/Reactions = bottom\n" + settings),
+                       "Reaction y on bottom (N)");
     };
     // weight of the unit square
     test::check_error("commas in a load",
@@ -306,11 +304,11 @@ namespace
                        "y = 0; top: y = -0.01*t\n") -
         1),
       1e-12);
-    const double half =
-      test::run_scene<2>(good + "Material points/Region=x<0.5&&y<0.5||x<0\n")
-        ->last_statistics()
-        .get("Mass (kg)");
-    test::check_error("conditions without blanks", std::abs(half - 250), 1e-9);
+    const auto half =
+      test::run_scene<2>(good + "Material points/Region=x<0.5&&y<0.5||x<0\n");
+    test::check_error("conditions without blanks",
+                      std::abs(test::get(*half, "Mass (kg)") - 250),
+                      1e-9);
     expect("a stretch with commas, without blanks",
            messages<2>(good + "Grid/Stretch=y:0->0,1->if(t>0,-0.1*t,0)\n"),
            {});
@@ -389,10 +387,10 @@ namespace
           footing + "Material points/Physical groups = soil\nMaterial points/" +
           points + "\n");
         // soil is 12 m wide and 10 m high
-        test::check_error(
-          "the groups of " + points.substr(0, points.find('/')),
-          std::abs(problem->last_statistics().get("Mass (kg)") / 1000 - 120),
-          1e-6);
+        test::check_error("the groups of " + points.substr(0, points.find('/')),
+                          std::abs(test::get(*problem, "Mass (kg)") / 1000 -
+                                   120),
+                          1e-6);
       }
     expect("unknown group",
            messages<2>(footing + "Material points/Physical groups = clay\n"),
@@ -486,7 +484,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test::MPISession mpi(argc, argv);
   std::filesystem::create_directory("scene_checks");
   test_validation();
   test_overflow();
