@@ -129,8 +129,8 @@ namespace
     const auto test_move = [&](const double       load,
                                const std::string &settings,
                                const double       tolerance) {
-      const Moved moved = settle_under(load, 10, settings),
-                  exact = settle_under(load, 10, settings + kept);
+      const Moved moved = settle_under(load, 10, settings + "\n"),
+                  exact = settle_under(load, 10, settings + "\n" + kept);
       test::check_error("stress, " + settings, moved.stress_error, tolerance);
       test::check_error("settlement, " + settings,
                         std::abs(moved.settlement / exact.settlement - 1),
