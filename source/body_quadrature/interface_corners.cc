@@ -246,13 +246,19 @@ namespace isochor
     const bool is_static = points.velocity.empty();
     for (unsigned int i = 0; i < corners.size(); ++i)
       {
+        const unsigned int own_group = corners[i].group;
         if (is_static)
-          find_pressure_cells(corners[i].group, i);
+          find_pressure_cells(own_group, i);
         const unsigned int number =
           table.size() > 0 ? table.find(corners[i].X) : PlaceTable<dim>::none;
         if (number != PlaceTable<dim>::none)
           corners[i].group = std::max(corners[i].group, groups[number]);
         find_cells(i);
+        // displacements of the stiff material, pressures of its own
+        if (const unsigned int cell = corners[i].place.cell;
+            is_static && others.count(i) > 0 &&
+            has_pressures_of(cell, own_group))
+          others_of_pressure.emplace(i, cell);
       }
   }
 
