@@ -301,18 +301,19 @@ namespace isochor
       },
       reach);
     if (other == no_cell) // of a thin layer
-      other = nearest(
-        corner.x,
-        corner.place.cell,
-        [&](const unsigned int cell) {
-          const Content there = content(cell);
-          return ((there.groups >> corner.group) & 1) != 0 &&
-                 there.most == corner.group && on_walls(cell);
-        },
-        reach);
-    if (other == no_cell)
-      remember(corner, here);
-    else
+      {
+        remember(corner, here);
+        other = nearest(
+          corner.x,
+          corner.place.cell,
+          [&](const unsigned int cell) {
+            const Content there = content(cell);
+            return ((there.groups >> corner.group) & 1) != 0 &&
+                   there.most == corner.group && on_walls(cell);
+          },
+          reach);
+      }
+    if (other != no_cell)
       others[i] = other;
   }
 
