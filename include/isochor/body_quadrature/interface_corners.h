@@ -29,6 +29,11 @@ namespace isochor
    * corner that domains of both share is one of the stiffest, for all of them,
    * so that the domains go on tiling the body.
    *
+   * In statics pressures do so as well, and also where the interface lies on
+   * faces of cells: nodes that materials share have the pressures of the
+   * softest, and corners of others see the nearest cell of their own without
+   * such nodes. See doc/method.md, Materials that meet.
+   *
    * Materials count as different if their shear or bulk moduli differ by more
    * than same_stiffness.
    */
