@@ -44,6 +44,45 @@ namespace isochor
 
 
   template <int dim>
+  typename InterfaceCorners<dim>::Volumes
+  InterfaceCorners<dim>::volumes_of_groups(const PointArrays<dim> &points) const
+  {
+    // cells of one element may belong to several ranks
+    Volumes volumes;
+    std::map<unsigned int,
+             std::vector<std::pair<unsigned int, std::vector<double>>>>
+      sent;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      {
+        const unsigned int   of_element = element(points.cell[k]);
+        std::vector<double> &here       = volumes[of_element];
+        here.resize(moduli.size());
+        for (unsigned int q = points.cell_start[k];
+             q < points.cell_start[k + 1];
+             ++q)
+          here[group_of_material[points.material[q]]] +=
+            determinant(points.F[q]) * points.volume[q];
+      }
+    const MPI_Comm comm = locator.geometry().communicator();
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return volumes;
+    for (const auto &of_element : volumes)
+      for (const unsigned int rank : ranks_near(of_element.first))
+        sent[rank].push_back(of_element);
+    for (const auto &received : Utilities::MPI::some_to_some(comm, sent))
+      for (const auto &[of_element, there] : received.second)
+        {
+          std::vector<double> &here = volumes[of_element];
+          here.resize(moduli.size());
+          for (unsigned int g = 0; g < moduli.size(); ++g)
+            here[g] += there[g];
+        }
+    return volumes;
+  }
+
+
+
+  template <int dim>
   void
   InterfaceCorners<dim>::collect_contents(const PointArrays<dim> &points)
   {
@@ -55,18 +94,7 @@ namespace isochor
       return sum;
     };
     const unsigned int n_groups = moduli.size();
-    std::unordered_map<unsigned int, std::vector<double>> volumes;
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
-      {
-        std::vector<double> &here = volumes[element(points.cell[k])];
-        here.resize(n_groups);
-        for (unsigned int q = points.cell_start[k];
-             q < points.cell_start[k + 1];
-             ++q)
-          here[group_of_material[points.material[q]]] +=
-            determinant(points.F[q]) * points.volume[q];
-      }
-    for (const auto &[of_element, volume] : volumes)
+    for (const auto &[of_element, volume] : volumes_of_groups(points))
       {
         Content &here = contents[of_element];
         here.filled   = std::accumulate(volume.begin(), volume.end(), 0.) /
@@ -148,11 +176,9 @@ namespace isochor
         {
           Content &here = contents[of_element];
           here.groups |= there.groups;
-          // points are with the owner of their cell
+          // what is around is best known to the owner
           if (locator.geometry().owner(of_element) == received.first)
             {
-              here.most              = there.most;
-              here.filled            = there.filled;
               here.has_own_pressures = there.has_own_pressures;
               here.is_own            = there.is_own;
               here.is_thin           = there.is_thin;
@@ -250,6 +276,10 @@ namespace isochor
   InterfaceCorners<2>::ranks_near(const unsigned int) const;
   template std::vector<unsigned int>
   InterfaceCorners<3>::ranks_near(const unsigned int) const;
+  template typename InterfaceCorners<2>::Volumes
+  InterfaceCorners<2>::volumes_of_groups(const PointArrays<2> &) const;
+  template typename InterfaceCorners<3>::Volumes
+  InterfaceCorners<3>::volumes_of_groups(const PointArrays<3> &) const;
   template void
   InterfaceCorners<2>::collect_contents(const PointArrays<2> &);
   template void

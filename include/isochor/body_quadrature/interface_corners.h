@@ -133,7 +133,7 @@ namespace isochor
       void
       serialize(Archive &archive, const unsigned int /*version*/)
       {
-        archive &groups &most &filled &has_own_pressures &is_own &is_thin;
+        archive &groups &has_own_pressures &is_own &is_thin;
       }
     };
 
@@ -158,6 +158,10 @@ namespace isochor
     sort_materials(const MixedKernel<dim> &kernel);
     void
     locate_corners(const PointArrays<dim> &points);
+    /** Of the points in each element, of all ranks; by group (m^dim). */
+    using Volumes = std::unordered_map<unsigned int, std::vector<double>>;
+    Volumes
+    volumes_of_groups(const PointArrays<dim> &points) const;
     void
     collect_contents(const PointArrays<dim> &points);
     void
