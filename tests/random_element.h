@@ -171,7 +171,8 @@ struct RandomElement
             return typename PointArrays<dim>::Stencil{dim + 1,
                                                       nullptr,
                                                       points.shape[q].data(),
-                                                      element.gradient.data()};
+                                                      element.gradient.data(),
+                                                      points.shape[q].data()};
           },
           with_matrix) :
         kernel.evaluate(
