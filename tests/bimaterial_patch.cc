@@ -134,7 +134,7 @@ main(int argc, char **argv)
   const auto       test_patch = [](const std::string &what,
                              const Place       &place,
                              const std::string &settings) {
-    // strains are below 1e-4; 0.5 to 3.8 without functions of their own
+    // strains are below 1e-4; 0.4 to 1.5 without functions of their own
     test::check_error(what, stress_error(place, settings), 1e-4);
   };
   test_patch("straight, u", straight, "Formulation/Type = u\n");

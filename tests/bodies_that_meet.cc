@@ -26,10 +26,7 @@ namespace
       "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0\n"
       "Quadrature/Type = CPDI\nTime/Step size = 0.1\nTime/End time = 1\n" +
       settings);
-    for (const auto &warning : test::all_warnings(*problem).all())
-      if (warning.subject == "bodies that meet")
-        return warning.text;
-    return "";
+    return test::warning_of(*problem, "bodies that meet");
   }
 
   void

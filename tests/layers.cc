@@ -63,9 +63,7 @@ namespace
     Result     result{test::get(*problem, "Displacement y of middle (m)"),
                   test::get(*problem, "Displacement y of top (m)"),
                   ""};
-    for (const auto &warning : test::all_warnings(*problem).all())
-      if (warning.subject == subject)
-        result.told = warning.text;
+    result.told = test::warning_of(*problem, subject);
     return result;
   }
 
@@ -114,9 +112,8 @@ namespace
     Moved      result{test::get(*problem, "L2 error of stress yy"),
                  test::get(*problem, "Displacement y of I (m)"),
                  ""};
-    for (const auto &warning : test::all_warnings(*problem).all())
-      if (warning.subject == "materials that meet within cells")
-        result.told = warning.text;
+    result.told =
+      test::warning_of(*problem, "materials that meet within cells");
     return result;
   }
 

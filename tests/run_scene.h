@@ -114,6 +114,18 @@ namespace isochor
     const Warnings &
     all_warnings(const MaterialPointMethod<dim> &problem);
 
+    /** The first warning of @p subject, empty if there is none. */
+    template <int dim>
+    std::string
+    warning_of(const MaterialPointMethod<dim> &problem,
+               const std::string              &subject)
+    {
+      for (const auto &warning : all_warnings(problem).all())
+        if (warning.subject == subject)
+          return warning.text;
+      return "";
+    }
+
     /** What was done and what was skipped. */
     template <int dim>
     const WorkTally &

@@ -29,10 +29,7 @@ namespace
       "Dynamics/Inertia = true\nQuadrature/Type = CPDI\n"
       "Time/Step size = 0.01\nTime/End time = 0.01\n" +
       settings);
-    for (const auto &warning : test::all_warnings(*problem).all())
-      if (warning.subject == "bodies that are one")
-        return warning.text;
-    return "";
+    return test::warning_of(*problem, "bodies that are one");
   }
 
   void

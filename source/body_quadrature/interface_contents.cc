@@ -29,21 +29,6 @@ namespace isochor
 
 
   template <int dim>
-  std::vector<unsigned int>
-  InterfaceCorners<dim>::ranks_near(const unsigned int cell) const
-  {
-    std::vector<unsigned int> ranks;
-    for (const unsigned int v : locator.geometry().vertex_indices(cell))
-      for (const unsigned int rank : occupancy.ranks_near(v))
-        ranks.push_back(rank);
-    std::sort(ranks.begin(), ranks.end());
-    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
-    return ranks;
-  }
-
-
-
-  template <int dim>
   typename InterfaceCorners<dim>::Volumes
   InterfaceCorners<dim>::volumes_of_groups(const PointArrays<dim> &points) const
   {
@@ -67,7 +52,8 @@ namespace isochor
     if (Utilities::MPI::n_mpi_processes(comm) == 1)
       return volumes;
     for (const auto &of_element : volumes)
-      for (const unsigned int rank : ranks_near(of_element.first))
+      for (const unsigned int rank :
+           occupancy.ranks_near_cell(of_element.first))
         sent[rank].push_back(of_element);
     for (const auto &received : Utilities::MPI::some_to_some(comm, sent))
       for (const auto &[of_element, there] : received.second)
@@ -169,7 +155,8 @@ namespace isochor
       return;
     std::map<unsigned int, std::vector<std::pair<unsigned int, Content>>> sent;
     for (const auto &of_element : contents)
-      for (const unsigned int rank : ranks_near(of_element.first))
+      for (const unsigned int rank :
+           occupancy.ranks_near_cell(of_element.first))
         sent[rank].push_back(of_element);
     for (const auto &received : Utilities::MPI::some_to_some(comm, sent))
       for (const auto &[of_element, there] : received.second)
@@ -272,10 +259,6 @@ namespace isochor
 
 
 
-  template std::vector<unsigned int>
-  InterfaceCorners<2>::ranks_near(const unsigned int) const;
-  template std::vector<unsigned int>
-  InterfaceCorners<3>::ranks_near(const unsigned int) const;
   template typename InterfaceCorners<2>::Volumes
   InterfaceCorners<2>::volumes_of_groups(const PointArrays<2> &) const;
   template typename InterfaceCorners<3>::Volumes

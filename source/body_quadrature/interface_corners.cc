@@ -17,6 +17,7 @@ namespace isochor
   {
     /** Below this, a barycentric coordinate is one of a point on a face. */
     constexpr double near_face = 1e-6;
+
     template <int dim>
     double
     depth(const LocateResult<dim> &place)
@@ -126,7 +127,6 @@ namespace isochor
       return;
     locate_corners(points);
     collect_contents(points);
-    exchange_contents();
     add_overlaps(points);
     exchange_contents();
     find_own_functions();
@@ -136,6 +136,16 @@ namespace isochor
     give_pressures_to_thin_layers();
     exchange_contents();
     find_owners(points);
+    // In dynamics not: pressures that are continued over two cells leave
+    // changes of volume along the interface to the points, and each time the
+    // grid is put back these would make energy.
+    const bool separates = kernel.has_pressures && points.velocity.empty();
+    for (unsigned int i = 0; i < corners.size(); ++i)
+      {
+        find_cell(i);
+        if (separates)
+          find_pressure_cell(i);
+      }
   }
 
 
@@ -189,6 +199,7 @@ namespace isochor
               corner.x     = x + r;
               corner.X     = x - points.displacement[q] + of_start;
               corner.group = group_of_material[points.material[q]];
+              corner.owner = corner.group;
               corners.push_back(corner);
             }
         }
@@ -200,7 +211,7 @@ namespace isochor
   void
   InterfaceCorners<dim>::find_owners(const PointArrays<dim> &points)
   {
-    // those of stiffer materials in cells that aren't of theirs only.
+    // those of all but the softest in cells that aren't of theirs only
     using Entry = std::array<double, dim + 1>; // X and the group
     std::vector<Entry>                         foreign;
     std::map<unsigned int, std::vector<Entry>> sent;
@@ -212,7 +223,8 @@ namespace isochor
             entry[d] = corner.X[d];
           entry[dim] = corner.group;
           foreign.push_back(entry);
-          for (const unsigned int rank : ranks_near(corner.place.cell))
+          for (const unsigned int rank :
+               occupancy.ranks_near_cell(corner.place.cell))
             sent[rank].push_back(entry);
         }
     const MPI_Comm comm = locator.geometry().communicator();
@@ -222,13 +234,14 @@ namespace isochor
                        received.second.begin(),
                        received.second.end());
 
-    PlaceScale<dim> scale;
-    double          length = std::numeric_limits<double>::max();
+    if (foreign.empty() || corners.empty())
+      return;
+    double length = std::numeric_limits<double>::max();
     for (const auto &domain : points.domain)
       for (unsigned int c = 1; c <= dim; ++c)
         length = std::min(length, (domain[c] - domain[0]).norm());
-    scale.quantum = 1e-4 * length;
-    PlaceTable<dim>           table(scale);
+    // the same place but for rounding
+    PlaceTable<dim>           table({corners.front().X, 1e-4 * length});
     std::vector<unsigned int> groups;
     for (const Entry &entry : foreign)
       {
@@ -240,37 +253,21 @@ namespace isochor
         groups[number] =
           std::max(groups[number], static_cast<unsigned int>(entry[dim]));
       }
-    // In dynamics not: pressures that are continued over two cells leave
-    // changes of volume along the interface to the points, and each time the
-    // grid is put back these would make energy.
-    const bool is_static = points.velocity.empty();
-    for (unsigned int i = 0; i < corners.size(); ++i)
-      {
-        const unsigned int own_group = corners[i].group;
-        if (is_static)
-          find_pressure_cells(own_group, i);
-        const unsigned int number =
-          table.size() > 0 ? table.find(corners[i].X) : PlaceTable<dim>::none;
-        if (number != PlaceTable<dim>::none)
-          corners[i].group = std::max(corners[i].group, groups[number]);
-        find_cells(i);
-        // displacements of the stiff material, pressures of its own
-        if (const unsigned int cell = corners[i].place.cell;
-            is_static && others.count(i) > 0 &&
-            has_pressures_of(cell, own_group))
-          others_of_pressure.emplace(i, cell);
-      }
+    for (Corner &corner : corners)
+      if (const unsigned int number = table.find(corner.X);
+          number != PlaceTable<dim>::none)
+        corner.owner = std::max(corner.owner, groups[number]);
   }
 
 
 
   template <int dim>
   void
-  InterfaceCorners<dim>::find_cells(const unsigned int i)
+  InterfaceCorners<dim>::find_cell(const unsigned int i)
   {
     const SimplexGeometry<dim> &geometry = locator.geometry();
     const Corner               &corner   = corners[i];
-    if (is_own(corner.place.cell, corner.group))
+    if (is_own(corner.place.cell, corner.owner))
       return;
     Groups                      here = content(corner.place.cell).groups;
     std::vector<Tensor<1, dim>> walls;
@@ -282,7 +279,7 @@ namespace isochor
              [](const unsigned int) { return true; },
              std::numeric_limits<double>::max()))
         {
-          if (is_own(cell, corner.group))
+          if (is_own(cell, corner.owner))
             return;
           here |= content(cell).groups;
           add_walls(geometry, cell, corner.x, walls);
@@ -297,7 +294,7 @@ namespace isochor
       corner.x,
       corner.place.cell,
       [&](const unsigned int cell) {
-        return is_own(cell, corner.group) && on_walls(cell);
+        return is_own(cell, corner.owner) && on_walls(cell);
       },
       reach);
     if (other == no_cell) // of a thin layer
@@ -308,8 +305,8 @@ namespace isochor
           corner.place.cell,
           [&](const unsigned int cell) {
             const Content there = content(cell);
-            return ((there.groups >> corner.group) & 1) != 0 &&
-                   there.most == corner.group && on_walls(cell);
+            return ((there.groups >> corner.owner) & 1) != 0 &&
+                   there.most == corner.owner && on_walls(cell);
           },
           reach);
       }
@@ -337,18 +334,25 @@ namespace isochor
 
   template <int dim>
   void
-  InterfaceCorners<dim>::find_pressure_cells(const unsigned int group,
-                                             const unsigned int i)
+  InterfaceCorners<dim>::find_pressure_cell(const unsigned int i)
   {
-    const Corner &corner = corners[i];
-    const Content here   = content(corner.place.cell);
-    if (here.groups == 0 ||
-        (here.has_own_pressures && here.groups == Groups(1) << group))
+    const Corner      &corner = corners[i];
+    const unsigned int cell   = corner.place.cell;
+    if (has_pressures_of(cell, corner.group))
+      {
+        // displacements of the stiffest, pressures of its own
+        if (others.count(i) > 0)
+          others_of_pressure[i] = cell;
+        return;
+      }
+    if (content(cell).groups == 0)
       return;
     const unsigned int other = nearest(
       corner.x,
-      corner.place.cell,
-      [&](const unsigned int cell) { return has_pressures_of(cell, group); },
+      cell,
+      [&](const unsigned int candidate) {
+        return has_pressures_of(candidate, corner.group);
+      },
       reach_of_pressures);
     if (other != no_cell)
       others_of_pressure[i] = other;
@@ -365,8 +369,8 @@ namespace isochor
         {
           const InterfaceCrossing crossing = {
             depth<dim>(corner.place),
-            std::max(ratio(moduli[g][0], moduli[corner.group][0]),
-                     ratio(moduli[g][1], moduli[corner.group][1]))};
+            std::max(ratio(moduli[g][0], moduli[corner.owner][0]),
+                     ratio(moduli[g][1], moduli[corner.owner][1]))};
           if (crossing.weight() > worst.weight())
             worst = crossing;
         }

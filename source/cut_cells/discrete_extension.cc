@@ -142,6 +142,7 @@ namespace isochor
         {
           const double volume  = determinant(points.F[q]) * points.weight[q];
           const auto   stencil = points.stencil(grid.geometry(), k, q);
+          // functions that are continued beyond their cell may be below 0
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             add(stencil.vertex[I], std::max(stencil.shape[I], 0.) * volume);
         }

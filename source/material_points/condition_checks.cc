@@ -29,12 +29,27 @@ namespace isochor
     if (!is_doubtful(parameters.material_zones) &&
         !is_doubtful(parameters.zones))
       return;
+    check_cells_of_body(grid, [&](const auto &geometry, const auto &group_ids) {
+      check_zones(geometry, group_ids, warnings);
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  BodySeeding<dim>::check_cells_of_body(
+    const BackgroundGrid<dim> &grid,
+    const std::function<void(const SimplexGeometry<dim> &,
+                             const std::map<std::string, types::material_id> &)>
+      &check) const
+  {
     if (parameters.body_mesh.empty())
-      return check_zones(grid.geometry(), grid.group_ids(), warnings);
+      return check(grid.geometry(), grid.group_ids());
     Triangulation<dim> body;
     const MeshGroups   names =
       read_mesh<dim>(parameters.body_mesh, "Material points/Body mesh", body);
-    check_zones(SimplexGeometry<dim>(body), names.cells, warnings);
+    check(SimplexGeometry<dim>(body), names.cells);
   }
 
 
@@ -101,4 +116,16 @@ namespace isochor
   BodySeeding<2>::check_conditions(const BackgroundGrid<2> &, Warnings &) const;
   template void
   BodySeeding<3>::check_conditions(const BackgroundGrid<3> &, Warnings &) const;
+  template void
+  BodySeeding<2>::check_cells_of_body(
+    const BackgroundGrid<2> &,
+    const std::function<void(const SimplexGeometry<2> &,
+                             const std::map<std::string, types::material_id> &)>
+      &) const;
+  template void
+  BodySeeding<3>::check_cells_of_body(
+    const BackgroundGrid<3> &,
+    const std::function<void(const SimplexGeometry<3> &,
+                             const std::map<std::string, types::material_id> &)>
+      &) const;
 } // namespace isochor

@@ -2,7 +2,6 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/grid/mesh_reader.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/body_seeding.h>
 
@@ -48,14 +47,9 @@ namespace isochor
   {
     if (parameters.zones.empty())
       return;
-    if (parameters.body_mesh.empty())
-      return check_domains_in_cells(grid.geometry(),
-                                    grid.group_ids(),
-                                    warnings);
-    Triangulation<dim> body;
-    const MeshGroups   names =
-      read_mesh<dim>(parameters.body_mesh, "Material points/Body mesh", body);
-    check_domains_in_cells(SimplexGeometry<dim>(body), names.cells, warnings);
+    check_cells_of_body(grid, [&](const auto &geometry, const auto &group_ids) {
+      check_domains_in_cells(geometry, group_ids, warnings);
+    });
   }
 
 

@@ -217,6 +217,7 @@ namespace isochor
   {
     prm.enter_subsection("Formulation");
     n_components           = prm.get("Type") == "u-p" ? dim + 1 : dim;
+    kernel.has_pressures   = mixed();
     kernel.ppp_coefficient = mixed() && prm.get("Stabilisation") == "PPP" ?
                                prm.get_double("PPP coefficient") :
                                0.;

@@ -205,9 +205,9 @@ namespace isochor
           "compression of a layer may be several times too large. Nothing is "
           "wrong where the mean stress does not jump, as of layers with the "
           "same Poisson's ratio under a load across them. In "
-          "statics, with <Quadrature/Type = CPDI>, each material has pressures of its own, if "
-          "they are two to three cells thick at least: use it, or take smaller "
-          "cells.");
+          "statics, with <Quadrature/Type = CPDI>, each material has pressures "
+          "of its own, if they are two to three cells thick at least: use it, "
+          "or take smaller cells.");
   }
 
 

@@ -84,8 +84,8 @@ namespace isochor
       return find(others_of_pressure, q * (dim + 1) + c);
     }
 
-    /** Whether the pressures of @p cell are those of @p material only: none of
-     * its nodes is one of cells with a stiffer one. */
+    /** Whether the pressures of @p cell are those of @p material only: see
+     * find_own_functions(). */
     bool
     has_own_pressures(const unsigned int  cell,
                       const unsigned char material) const
@@ -142,7 +142,9 @@ namespace isochor
       Point<dim>        x; ///< where it is
       Point<dim>        X; ///< where it was at t = 0
       LocateResult<dim> place;
-      unsigned int      group;
+      /** Of its domain's material, and the stiffest one of all domains that
+       * share the corner. */
+      unsigned int group, owner;
     };
 
     using CellsOfCorners = std::unordered_map<unsigned int, unsigned int>;
@@ -187,9 +189,9 @@ namespace isochor
     void
     find_owners(const PointArrays<dim> &points);
     void
-    find_cells(const unsigned int corner);
+    find_cell(const unsigned int corner);
     void
-    find_pressure_cells(const unsigned int group, const unsigned int corner);
+    find_pressure_cell(const unsigned int corner);
     bool
     is_own(const unsigned int cell, const unsigned int group) const
     {
@@ -229,8 +231,6 @@ namespace isochor
             const unsigned int                             start,
             const std::function<bool(const unsigned int)> &is_candidate,
             const double                                   reach) const;
-    std::vector<unsigned int>
-    ranks_near(const unsigned int cell) const;
 
     const PointLocator<dim>  &locator;
     const CellOccupancy<dim> &occupancy;

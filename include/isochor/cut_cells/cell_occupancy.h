@@ -172,6 +172,10 @@ namespace isochor
       return {near.data(), near.size()};
     }
 
+    /** The same for the vertices of @p cell, ascending. */
+    std::vector<unsigned int>
+    ranks_near_cell(const unsigned int cell) const;
+
     const BackgroundGrid<dim> &grid;
 
     /** The cells have other owners. Collective. */
@@ -205,8 +209,6 @@ namespace isochor
     add_own(const PointArrays<dim> &points, const MixedKernel<dim> &kernel);
     void
     exchange();
-    std::vector<unsigned int>
-    ranks_near_cell(const unsigned int cell) const;
     void
     add_received(const std::vector<double> &message);
     void

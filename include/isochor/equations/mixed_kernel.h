@@ -86,6 +86,9 @@ namespace isochor
      * distance from the axis. All materials are AxisymmetricMaterials then. */
     bool axisymmetric = false;
 
+    /** Whether pressures are unknowns: the u-p form. */
+    bool has_pressures = false;
+
     /** α of the Polynomial Pressure Projection (Dohrmann & Bochev 2004), P(26);
      * 0 for none. */
     double ppp_coefficient = 0;

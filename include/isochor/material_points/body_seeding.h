@@ -12,6 +12,7 @@
 #include <isochor/grid/background_grid.h>
 #include <isochor/material_points/seeding.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -98,6 +99,14 @@ namespace isochor
                    const std::vector<Zone>    &zones);
     void
     check_region(const BackgroundGrid<dim> &grid, Warnings &warnings) const;
+    /** Call @p check with the cells that the body is seeded in, those of its
+     * mesh or of the @p grid, and the names of their groups. */
+    void
+    check_cells_of_body(
+      const BackgroundGrid<dim> &grid,
+      const std::function<
+        void(const SimplexGeometry<dim> &,
+             const std::map<std::string, types::material_id> &)> &check) const;
     void
     check_zones(const SimplexGeometry<dim>                      &geometry,
                 const std::map<std::string, types::material_id> &group_ids,
