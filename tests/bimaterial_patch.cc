@@ -144,6 +144,17 @@ main(int argc, char **argv)
   test_patch("slanted, 10^4 to 1",
              slanted,
              "Formulation/Type = u-p\nMaterial 2/Young modulus = 1e10\n");
+  // places of which cells at the body's sides hold a little next to the
+  // interface; 0.3 to 0.6 in an earlier version
+  test_patch("turned by 25 degrees",
+             {24.664 * test::pi / 180, 0.93839, 1.01822},
+             "Formulation/Type = u\n");
+  test_patch("moved by a twelfth of a cell",
+             {0, 1.04, 0.9825},
+             "Formulation/Type = u-p\n");
+  test_patch("materials that hardly differ",
+             {test::pi / 6, 1.01, 0.99},
+             "Formulation/Type = u\nMaterial 2/Young modulus = 1.4e6\n");
   test_patch("slanted, Q1",
              slanted,
              "Formulation/Type = u\nGrid/Shape functions = Q1\n");

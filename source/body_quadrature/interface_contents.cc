@@ -24,6 +24,8 @@ namespace isochor
 
     /** The part of a cell that a material fills whose gradient it then is. */
     constexpr double well_filled = 0.3;
+
+    const auto all_groups = [](const auto &here) { return here.groups; };
   } // namespace
 
 
@@ -41,11 +43,11 @@ namespace isochor
       {
         const unsigned int   of_element = element(points.cell[k]);
         std::vector<double> &here       = volumes[of_element];
-        here.resize(moduli.size());
+        here.resize(materials.size());
         for (unsigned int q = points.cell_start[k];
              q < points.cell_start[k + 1];
              ++q)
-          here[group_of_material[points.material[q]]] +=
+          here[materials.of_material[points.material[q]]] +=
             determinant(points.F[q]) * points.volume[q];
       }
     const MPI_Comm comm = locator.geometry().communicator();
@@ -59,8 +61,8 @@ namespace isochor
       for (const auto &[of_element, there] : received.second)
         {
           std::vector<double> &here = volumes[of_element];
-          here.resize(moduli.size());
-          for (unsigned int g = 0; g < moduli.size(); ++g)
+          here.resize(materials.size());
+          for (unsigned int g = 0; g < materials.size(); ++g)
             here[g] += there[g];
         }
     return volumes;
@@ -79,7 +81,9 @@ namespace isochor
         sum += locator.geometry().measure(cell);
       return sum;
     };
-    const unsigned int n_groups = moduli.size();
+    const unsigned int n_groups = materials.size();
+    for (const Corner &corner : corners) // of a group or, so far, of none
+      contents[element(corner.place.cell)];
     for (const auto &[of_element, volume] : volumes_of_groups(points))
       {
         Content &here = contents[of_element];
@@ -93,6 +97,7 @@ namespace isochor
               if (volume[g] >= (1 - 1e-6) * volume[here.most])
                 here.most = g;
             }
+        here.filled_by_most = volume[here.most] / measure(of_element);
       }
   }
 
@@ -103,7 +108,7 @@ namespace isochor
   InterfaceCorners<dim>::add_overlaps(const PointArrays<dim> &points)
   {
     // Corners don't tell: a domain may reach into a cell in which it has none.
-    const auto groups_at    = groups_at_vertices();
+    const auto groups_at    = groups_at_vertices(all_groups);
     const auto is_at_others = [&](const unsigned int cell, const Groups own) {
       for (const unsigned int v : locator.geometry().vertex_indices(cell))
         if (const auto found = groups_at.find(v);
@@ -169,6 +174,9 @@ namespace isochor
               here.has_own_pressures = there.has_own_pressures;
               here.is_own            = there.is_own;
               here.is_thin           = there.is_thin;
+              here.keeps_nodes       = there.keeps_nodes;
+              here.is_of_stiffest    = there.is_of_stiffest;
+              here.meets_others      = there.meets_others;
             }
         }
   }
@@ -176,14 +184,16 @@ namespace isochor
 
 
   template <int dim>
-  std::unordered_map<unsigned int, typename InterfaceCorners<dim>::Groups>
-  InterfaceCorners<dim>::groups_at_vertices() const
+  typename InterfaceCorners<dim>::GroupsAtVertices
+  InterfaceCorners<dim>::groups_at_vertices(
+    const std::function<Groups(const Content &)> &groups) const
   {
-    std::unordered_map<unsigned int, Groups> groups_at;
+    GroupsAtVertices groups_at;
     for (const auto &[of_element, here] : contents)
-      for (const unsigned int v :
-           occupancy.grid.shape_functions().nodes(of_element))
-        groups_at[v] |= here.groups;
+      if (const Groups of_here = groups(here); of_here != 0)
+        for (const unsigned int v :
+             occupancy.grid.shape_functions().nodes(of_element))
+          groups_at[v] |= of_here;
     return groups_at;
   }
 
@@ -193,14 +203,16 @@ namespace isochor
   void
   InterfaceCorners<dim>::find_own_functions()
   {
-    const auto groups_at = groups_at_vertices();
+    const auto groups_at = groups_at_vertices(all_groups);
     for (auto &[of_element, here] : contents)
       {
         Groups around = here.groups;
         for (const unsigned int v :
              occupancy.grid.shape_functions().nodes(of_element))
-          around |= groups_at.at(v);
+          if (const auto found = groups_at.find(v); found != groups_at.end())
+            around |= found->second;
         const bool is_one = (here.groups & (here.groups - 1)) == 0;
+        here.meets_others = (around & (around - 1)) != 0;
         // A cell at the end of the body that is hardly filled may have nodes
         // beyond the interface.
         here.is_own =
@@ -229,7 +241,7 @@ namespace isochor
               const Content there = content(cell);
               return there.has_own_pressures && there.groups == own;
             },
-            reach_of_pressures) == no_cell;
+            reach_without_nodes) == no_cell;
   }
 
 
@@ -246,11 +258,11 @@ namespace isochor
           owner_at[v] = std::max(owner_at[v], here.groups);
     if (owner_at.empty())
       return;
-    for (const auto &[v, around] : groups_at_vertices())
+    for (const auto &[v, around] : groups_at_vertices(all_groups))
       owner_at.emplace(v, around & ~(around - 1)); // the softest
     for (auto &[of_element, here] : contents)
       {
-        here.has_own_pressures = true;
+        here.has_own_pressures = here.groups != 0;
         for (const unsigned int v : functions.nodes(of_element))
           here.has_own_pressures =
             here.has_own_pressures && owner_at.at(v) == here.groups;

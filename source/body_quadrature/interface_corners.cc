@@ -40,9 +40,11 @@ namespace isochor
       double           most  = std::numeric_limits<double>::lowest();
       for (const unsigned int cell : cells)
         {
-          const Tensor<1, dim> way     = way_to_cell(geometry, cell, x);
-          const auto           at_foot = geometry.barycentric(cell, x + way);
-          double into = std::numeric_limits<double>::max(), size = 0;
+          const Tensor<1, dim> way = way_to_cell(geometry, cell, x);
+          if (way.norm() < near_face * cell_size(geometry, cell)) // inside
+            return cell;
+          const auto at_foot = geometry.barycentric(cell, x + way);
+          double     into = std::numeric_limits<double>::max(), size = 0;
           for (unsigned int v = 0; v <= dim; ++v)
             {
               const double change = way * geometry.gradients(cell)[v];
@@ -50,8 +52,6 @@ namespace isochor
               if (at_foot[v] < on_face)
                 into = std::min(into, change);
             }
-          if (size == 0) // x is inside
-            return cell;
           into /= size;
           if (into > most + same)
             {
@@ -104,12 +104,6 @@ namespace isochor
               return false;
       return true;
     }
-
-    double
-    ratio(const double a, const double b)
-    {
-      return a == b ? 1. : std::max(a / b, b / a);
-    }
   } // namespace
 
 
@@ -121,9 +115,9 @@ namespace isochor
                                           const MixedKernel<dim>   &kernel)
     : locator(locator)
     , occupancy(occupancy)
+    , materials(kernel, same_stiffness)
   {
-    sort_materials(kernel);
-    if (moduli.size() < 2)
+    if (!is_needed())
       return;
     locate_corners(points);
     collect_contents(points);
@@ -135,6 +129,12 @@ namespace isochor
     exchange_contents();
     give_pressures_to_thin_layers();
     exchange_contents();
+    find_cells_that_keep_nodes();
+    exchange_contents();
+    give_cells_to_stiffest();
+    exchange_contents();
+    take_nodes_of_stiffest();
+    exchange_contents();
     find_owners(points);
     // In dynamics not: pressures that are continued over two cells leave
     // changes of volume along the interface to the points, and each time the
@@ -145,37 +145,6 @@ namespace isochor
         find_cell(i);
         if (separates)
           find_pressure_cell(i);
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  InterfaceCorners<dim>::sort_materials(const MixedKernel<dim> &kernel)
-  {
-    std::vector<std::pair<std::array<double, 2>, unsigned int>> sorted;
-    for (unsigned int m = 0; m < kernel.materials.size(); ++m)
-      if (kernel.materials[m] != nullptr)
-        {
-          const double K_inverse = kernel.materials[m]->inverse_bulk_modulus();
-          sorted.push_back(
-            {{{kernel.materials[m]->shear_modulus(),
-               K_inverse == 0 ? std::numeric_limits<double>::max() :
-                                1 / K_inverse}},
-             m});
-        }
-    std::sort(sorted.begin(), sorted.end());
-    group_of_material.assign(kernel.materials.size(), 0);
-    for (const auto &[of_material, m] : sorted)
-      {
-        const bool is_new =
-          moduli.empty() ||
-          ratio(of_material[0], moduli.back()[0]) > same_stiffness ||
-          ratio(of_material[1], moduli.back()[1]) > same_stiffness;
-        if (is_new && moduli.size() < std::numeric_limits<Groups>::digits)
-          moduli.push_back(of_material);
-        group_of_material[m] = moduli.size() - 1;
       }
   }
 
@@ -198,7 +167,7 @@ namespace isochor
               corner.place = locator.locate_towards(x, points.cell[k], r);
               corner.x     = x + r;
               corner.X     = x - points.displacement[q] + of_start;
-              corner.group = group_of_material[points.material[q]];
+              corner.group = materials.of_material[points.material[q]];
               corner.owner = corner.group;
               corners.push_back(corner);
             }
@@ -216,7 +185,7 @@ namespace isochor
     std::vector<Entry>                         foreign;
     std::map<unsigned int, std::vector<Entry>> sent;
     for (const Corner &corner : corners)
-      if (corner.group > 0 && !is_own(corner.place.cell, corner.group))
+      if (corner.group > 0 && content(corner.place.cell).meets_others)
         {
           Entry entry;
           for (unsigned int d = 0; d < dim; ++d)
@@ -284,19 +253,25 @@ namespace isochor
           here |= content(cell).groups;
           add_walls(geometry, cell, corner.x, walls);
         }
-    if (here == 0)
+    if (!content(corner.place.cell).meets_others)
       return;
 
     const auto on_walls = [&](const unsigned int cell) {
       return stays_on_walls(geometry, cell, corner.x, walls);
     };
-    unsigned int other = nearest(
-      corner.x,
-      corner.place.cell,
-      [&](const unsigned int cell) {
-        return is_own(cell, corner.owner) && on_walls(cell);
-      },
-      reach);
+    const auto is_own_here = [&](const unsigned int cell) {
+      return is_own(cell, corner.owner) && on_walls(cell);
+    };
+    const auto holds_one = [&](const unsigned int cell) {
+      return content(cell).groups == Groups(1) << corner.owner;
+    };
+    unsigned int other =
+      nearest(corner.x, corner.place.cell, is_own_here, reach);
+    // of others that have given their nodes to the stiffest
+    if (other == no_cell &&
+        nearest(corner.x, corner.place.cell, holds_one, reach) != no_cell)
+      other =
+        nearest(corner.x, corner.place.cell, is_own_here, reach_without_nodes);
     if (other == no_cell) // of a thin layer
       {
         remember(corner, here);
@@ -345,15 +320,23 @@ namespace isochor
           others_of_pressure[i] = cell;
         return;
       }
-    if (content(cell).groups == 0)
+    if (!content(cell).meets_others)
       return;
-    const unsigned int other = nearest(
+    unsigned int other = nearest(
       corner.x,
       cell,
       [&](const unsigned int candidate) {
         return has_pressures_of(candidate, corner.group);
       },
-      reach_of_pressures);
+      reach_without_nodes);
+    if (other == no_cell)
+      other = nearest(
+        corner.x,
+        cell,
+        [&](const unsigned int candidate) {
+          return content(candidate).groups == Groups(1) << corner.group;
+        },
+        reach);
     if (other != no_cell)
       others_of_pressure[i] = other;
   }
@@ -364,13 +347,11 @@ namespace isochor
   void
   InterfaceCorners<dim>::remember(const Corner &corner, const Groups groups)
   {
-    for (unsigned int g = 0; g < moduli.size(); ++g)
+    for (unsigned int g = 0; g < materials.size(); ++g)
       if ((groups >> g) & 1)
         {
-          const InterfaceCrossing crossing = {
-            depth<dim>(corner.place),
-            std::max(ratio(moduli[g][0], moduli[corner.owner][0]),
-                     ratio(moduli[g][1], moduli[corner.owner][1]))};
+          const InterfaceCrossing crossing = {depth<dim>(corner.place),
+                                              materials.ratio(g, corner.owner)};
           if (crossing.weight() > worst.weight())
             worst = crossing;
         }

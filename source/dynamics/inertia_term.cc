@@ -178,10 +178,7 @@ namespace isochor
   {
     const auto solve = [&](const bool by_domains) {
       solution.zero_out_ghost_values();
-      for (unsigned int i = 0; i < step.nodes.n_owned() * dim; ++i)
-        if (const double m = mass.lumped.local_element(i / dim);
-            !held[i] && m > 0)
-          solution.local_element(i) = load.local_element(i) / m;
+      mass.set_lumped_solution(load, held, solution);
       return mass.solve(
         step, load, held, followers, given, solution, by_domains);
     };

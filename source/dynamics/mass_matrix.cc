@@ -344,6 +344,20 @@ namespace isochor
 
 
   template <int dim>
+  void
+  MassMatrix<dim>::set_lumped_solution(const NodalField                 &load,
+                                       const std::vector<unsigned char> &held,
+                                       NodalField &solution) const
+  {
+    for (unsigned int i = 0; i < solution.locally_owned_size(); ++i)
+      if (const double m = lumped.local_element(i / n_components);
+          !held[i] && m > 0 && m >= diagonal.local_element(i / n_components))
+        solution.local_element(i) = load.local_element(i) / m;
+  }
+
+
+
+  template <int dim>
   double
   MassMatrix<dim>::solve(const StepContext<dim>           &step,
                          const NodalField                 &load,

@@ -29,7 +29,7 @@ namespace isochor
     double sum = 0, mass_sum = 0;
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       {
-        const double m = mass.lumped.local_element(node);
+        const double m = std::max(mass.lumped.local_element(node), 0.);
         mass_sum += m;
         for (unsigned int d = 0; d < dim; ++d)
           {

@@ -32,16 +32,11 @@ namespace isochor
     volume.reinit(step, weight, 1);
     volume.collect(step, points.pressure.values(), load);
     step.nodes.initialize(pressure, 1);
-    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
-      if (const double V = volume.lumped.local_element(node); V > 0)
-        pressure.local_element(node) = load.local_element(node) / V;
+    const std::vector<unsigned char> none_held(step.nodes.n_local(), 0);
+    volume.set_lumped_solution(load, none_held, pressure);
     // where the iteration ends too early, nodes can represent the result, too
-    volume.solve(step,
-                 load,
-                 std::vector<unsigned char>(step.nodes.n_local(), 0),
-                 pressure_followers(constraints),
-                 {},
-                 pressure);
+    volume.solve(
+      step, load, none_held, pressure_followers(constraints), {}, pressure);
 
     NodalField unfelt;
     step.nodes.initialize(unfelt, dim);

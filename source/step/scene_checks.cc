@@ -7,6 +7,7 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/wall_passage.h>
+#include <isochor/equations/material_groups.h>
 #include <isochor/step/free_motions.h>
 #include <isochor/step/scene.h>
 #include <isochor/step/scene_checks.h>
@@ -146,54 +147,48 @@ namespace isochor
 
 
 
-  /** In the mixed form warn of materials that meet at nodes, where the mean
-   * stress may jump, but not p: by their shear moduli, or by their volume
-   * stiffnesses, also if both are nearly incompressible. Whether it jumps
-   * depends on the loads. At the start. Collective. */
+  /** In the mixed form warn of materials of different groups that meet at
+   * nodes, where the mean stress may jump, but not p. Whether it jumps depends
+   * on the loads. At the start. Collective. */
   template <int dim>
   static void
   check_interfaces(const StepContext<dim> &step)
   {
-    constexpr double much      = 1.5;
-    const auto      &materials = step.kernel.materials;
-    if (!step.mixed() || materials.size() < 2)
+    constexpr double     much = 1.5;
+    const MaterialGroups groups(step.kernel, much);
+    if (!step.mixed() || groups.size() < 2)
       return;
-    // of each vertex the largest G, 1/G, 1/K and K of what is around it
-    constexpr unsigned int      n_values = 4;
+    // of each vertex the last and, from the end, the first group around it
     const PointArrays<dim>     &points   = step.points;
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
-    std::vector<double> largest(n_values * geometry.vertices().size(), 0.);
+    std::vector<unsigned int>   largest(2 * geometry.vertices().size(), 0);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const auto  &material = *materials[points.material[q]];
-          const double G        = material.shear_modulus(),
-                       iK       = material.inverse_bulk_modulus();
-          const std::array<double, n_values> values = {
-            {G, 1 / G, iK, iK > 0 ? 1 / iK : 1e300}};
-          const auto stencil = points.stencil(geometry, k, q);
+          const unsigned int group   = groups.of_material[points.material[q]];
+          const auto         stencil = points.stencil(geometry, k, q);
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             if (stencil.pressure_shape[I] != 0)
-              for (unsigned int i = 0; i < n_values; ++i)
-                {
-                  double &here = largest[n_values * stencil.vertex[I] + i];
-                  here         = std::max(here, values[i]);
-                }
+              {
+                unsigned int *const here = &largest[2 * stencil.vertex[I]];
+                here[0]                  = std::max(here[0], group + 1);
+                here[1] = std::max(here[1], groups.size() - group);
+              }
         }
     Utilities::MPI::max(largest, step.grid.communicator(), largest);
     unsigned int n_between = 0, n_all = 0;
     for (std::size_t v = 0; v < geometry.vertices().size(); ++v)
       {
-        const double *const l = largest.data() + n_values * v;
-        n_all += l[0] > 0 ? 1 : 0;
-        n_between += l[0] * l[1] > much || l[2] * l[3] > much ? 1 : 0;
+        n_all += largest[2 * v] > 0 ? 1 : 0;
+        n_between +=
+          largest[2 * v] + largest[2 * v + 1] > groups.size() + 1 ? 1 : 0;
       }
     if (n_between > 0)
       step.warnings.add(
         "materials that share pressures",
         "Materials of other stiffness (shear or bulk moduli that differ by "
-        "more than half) meet at " +
+        "more than half, or laws that yield) meet at " +
           rounded(100. * n_between / n_all) +
           " % of the nodes of the body. The mean stress may jump there, but "
           "the pressure of <Formulation/Type = u-p> can't. Where it does, it "

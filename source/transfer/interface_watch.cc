@@ -26,9 +26,11 @@ namespace isochor
       "materials that meet within cells",
       "At t = " + rounded(time) +
         " s materials whose stiffnesses differ by up to " +
-        rounded(weight / depth) + " to 1 meet within cells, " + rounded(depth) +
+        rounded(1 + weight / depth) +
+        " to 1, or whose strengths differ, meet within cells, " +
+        rounded(depth) +
         " of a cell away from its faces, and no cell nearby holds the one "
-        "only, as where layers or grains are few cells thick. Both are "
+        "only, as where layers or grains are hardly a cell thick. Both are "
         "strained alike there: stresses are wrong, the more the larger both "
         "numbers are (100 to 1, 0.006 and 0.06 of a cell: by 9 and 74 % in the "
         "stiff material), and neither more points nor smaller steps help. Take "

@@ -6,7 +6,7 @@
 #define isochor_interface_corners_h
 
 #include <isochor/cut_cells/cell_occupancy.h>
-#include <isochor/equations/mixed_kernel.h>
+#include <isochor/equations/material_groups.h>
 #include <isochor/material_points/point_locator.h>
 
 #include <algorithm>
@@ -34,8 +34,7 @@ namespace isochor
    * softest, and corners of others see the nearest cell of their own without
    * such nodes. See doc/method.md, Materials that meet.
    *
-   * Materials count as different if their shear or bulk moduli differ by more
-   * than same_stiffness.
+   * What counts as another material says MaterialGroups.
    */
   template <int dim>
   class InterfaceCorners
@@ -53,7 +52,7 @@ namespace isochor
     bool
     is_needed() const
     {
-      return moduli.size() > 1;
+      return materials.size() > 1;
     }
 
     /** Where corner @p c of point @p q is, if is_needed(): @p r from the point
@@ -90,7 +89,7 @@ namespace isochor
     has_own_pressures(const unsigned int  cell,
                       const unsigned char material) const
     {
-      return has_pressures_of(cell, group_of_material[material]);
+      return has_pressures_of(cell, materials.of_material[material]);
     }
 
     /** Whether pressures see other cells anywhere. */
@@ -108,32 +107,37 @@ namespace isochor
       return worst;
     }
 
-    static constexpr double same_stiffness = 1.5;
-
   private:
+    static constexpr double same_stiffness = 1.05;
     /** How far away corners see cells of their own material, in sizes of
-     * cells. (Not distances that regular grids have.) */
-    static constexpr double reach = 1.53, reach_of_pressures = 2.07;
+     * cells, and where it goes without the nodes at the interface. (Not
+     * distances that regular grids have.) */
+    static constexpr double reach = 1.53, reach_without_nodes = 2.07;
 
     /** A set of groups of materials, one bit each. */
     using Groups = std::uint64_t;
 
-    /** What an element holds. */
+    /** What an element holds, of those that hold points or corners. */
     struct Content
     {
       Groups       groups = 0;
       unsigned int most   = 0; ///< the group of most of the points' volume
       /** Whether its functions are those of one group, the only one, for
        * displacements and for pressures. See find_own_functions(). */
-      bool   has_own_pressures = false, is_own = false;
-      bool   is_thin = false; ///< see find_thin_layers()
-      double filled  = 0;     ///< the part of it that points fill
+      bool has_own_pressures = false, is_own = false;
+      bool meets_others   = false; ///< whether a node sees several groups
+      bool is_thin        = false; ///< see find_thin_layers()
+      bool keeps_nodes    = false; ///< see find_cells_that_keep_nodes()
+      bool is_of_stiffest = false; ///< see give_cells_to_stiffest()
+      /** The part of it that points fill, and those of the group of most. */
+      double filled = 0, filled_by_most = 0;
 
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int /*version*/)
       {
-        archive &groups &has_own_pressures &is_own &is_thin;
+        archive &groups &has_own_pressures &is_own &meets_others;
+        archive &is_thin &keeps_nodes              &is_of_stiffest;
       }
     };
 
@@ -157,8 +161,6 @@ namespace isochor
     }
 
     void
-    sort_materials(const MixedKernel<dim> &kernel);
-    void
     locate_corners(const PointArrays<dim> &points);
     /** Of the points in each element, of all ranks; by group (m^dim). */
     using Volumes = std::unordered_map<unsigned int, std::vector<double>>;
@@ -172,9 +174,11 @@ namespace isochor
      * overlap, by more than a little. */
     bool
     reaches_into(const Corner *const of_domain, const unsigned int cell) const;
-    /** By vertex, the groups in elements around. */
-    std::unordered_map<unsigned int, Groups>
-    groups_at_vertices() const;
+    /** By vertex, the @p groups of elements around. */
+    using GroupsAtVertices = std::unordered_map<unsigned int, Groups>;
+    GroupsAtVertices
+    groups_at_vertices(
+      const std::function<Groups(const Content &)> &groups) const;
     /** Which elements have functions of one group only, if the nodes that
      * several share have the pressures of the softest: it resists changes of
      * shape the least, so that it has to be held by its volume. */
@@ -186,6 +190,23 @@ namespace isochor
     find_thin_layers();
     void
     give_pressures_to_thin_layers();
+    /** Elements of several groups that the stiffest fills by half are to have
+     * its functions, so that layers which bend lose no row of cells. Elements
+     * next to them then have nodes of the stiffest. They keep their nodes if
+     * their group is stiffer yet, or has no other element nearby. */
+    void
+    find_cells_that_keep_nodes();
+    void
+    give_cells_to_stiffest();
+    void
+    take_nodes_of_stiffest();
+    /** Its group if an element wants the functions of several, else none. */
+    static Groups
+    group_that_wants(const Content &here);
+    /** Whether @p element, of one group, has a node of another one. */
+    bool
+    has_foreign_node(const unsigned int      element,
+                     const GroupsAtVertices &groups) const;
     void
     find_owners(const PointArrays<dim> &points);
     void
@@ -196,7 +217,9 @@ namespace isochor
     is_own(const unsigned int cell, const unsigned int group) const
     {
       const Content here = content(cell);
-      return here.is_own && here.groups == Groups(1) << group;
+      return here.is_own &&
+             (here.is_of_stiffest ? here.most == group :
+                                    here.groups == Groups(1) << group);
     }
     bool
     has_pressures_of(const unsigned int cell, const unsigned int group) const
@@ -235,9 +258,7 @@ namespace isochor
     const PointLocator<dim>  &locator;
     const CellOccupancy<dim> &occupancy;
 
-    /** Moduli G and K of the groups of materials, the softest first. */
-    std::vector<std::array<double, 2>>        moduli;
-    std::vector<unsigned int>                 group_of_material;
+    const MaterialGroups                      materials;
     std::vector<Corner>                       corners;
     std::unordered_map<unsigned int, Content> contents; ///< by element
     CellsOfCorners                            others, others_of_pressure;

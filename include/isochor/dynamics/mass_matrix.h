@@ -111,6 +111,15 @@ namespace isochor
           NodalField                       &solution,
           const bool                        with_domains = false) const;
 
+    /** Set the entries of @p solution that are not @p held to @p load over the
+     * lumped mass, where that is one of functions between 0 and 1. Others, of
+     * functions that are continued beyond their cells, may be as small as
+     * rounding errors, and stay as they are. */
+    void
+    set_lumped_solution(const NodalField                 &load,
+                        const std::vector<unsigned char> &held,
+                        NodalField                       &solution) const;
+
     /** Σ_p m_p N_I, by node. */
     NodalField lumped;
 

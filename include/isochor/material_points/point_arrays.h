@@ -67,12 +67,12 @@ namespace isochor
    * stiffnesses. */
   struct InterfaceCrossing
   {
-    double depth = 0, ratio = 0;
+    double depth = 0, ratio = 1;
 
     double
     weight() const
     {
-      return depth * ratio;
+      return depth * (ratio - 1);
     }
   };
 

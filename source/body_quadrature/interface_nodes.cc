@@ -1,0 +1,143 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/body_quadrature/interface_corners.h>
+#include <isochor/grid/nearest_cells.h>
+
+#include <algorithm>
+
+// Whose functions cells have that materials share.
+
+namespace isochor
+{
+  template <int dim>
+  typename InterfaceCorners<dim>::Groups
+  InterfaceCorners<dim>::group_that_wants(const Content &here)
+  {
+    constexpr double half       = 0.47;
+    const bool       is_shared  = (here.groups & (here.groups - 1)) != 0,
+               most_is_stiffest = here.groups >> here.most == 1;
+    return is_shared && most_is_stiffest && here.filled_by_most > half ?
+             Groups(1) << here.most :
+             0;
+  }
+
+
+
+  template <int dim>
+  bool
+  InterfaceCorners<dim>::has_foreign_node(const unsigned int      of_element,
+                                          const GroupsAtVertices &groups) const
+  {
+    const Groups own = content(of_element).groups;
+    for (const unsigned int v :
+         occupancy.grid.shape_functions().nodes(of_element))
+      if (const auto found = groups.find(v);
+          found != groups.end() && (found->second & ~own) != 0)
+        return true;
+    return false;
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::find_cells_that_keep_nodes()
+  {
+    const SimplexGeometry<dim> &geometry = locator.geometry();
+    const unsigned int          me =
+      Utilities::MPI::this_mpi_process(geometry.communicator());
+    const auto wanted = groups_at_vertices(group_that_wants);
+    for (auto &[of_element, here] : contents)
+      if (here.is_own && geometry.owner(of_element) == me &&
+          has_foreign_node(of_element, wanted))
+        {
+          here.keeps_nodes =
+            nearest(
+              cell_centroid(geometry, of_element),
+              of_element,
+              [&, own = here.groups](const unsigned int cell) {
+                const Content there = content(cell);
+                return there.is_own && there.groups == own &&
+                       !has_foreign_node(element(cell), wanted);
+              },
+              reach) == no_cell;
+          for (const unsigned int v :
+               occupancy.grid.shape_functions().nodes(of_element))
+            if (const auto found = wanted.find(v);
+                found != wanted.end() && (found->second & ~here.groups) != 0 &&
+                (found->second & ~here.groups) < here.groups)
+              here.keeps_nodes = true;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::give_cells_to_stiffest()
+  {
+    const auto wanted      = groups_at_vertices(group_that_wants);
+    const auto others_keep = [&](const unsigned int v, const Groups own) {
+      for (const unsigned int cell : occupancy.cells_at(v))
+        if (const Content there = content(cell);
+            there.keeps_nodes && there.groups != own)
+          return true;
+      return false;
+    };
+    for (auto &[of_element, here] : contents)
+      if (const Groups own = group_that_wants(here); own != 0)
+        {
+          const auto &nodes =
+            occupancy.grid.shape_functions().nodes(of_element);
+          here.is_of_stiffest =
+            std::none_of(nodes.begin(), nodes.end(), [&](const unsigned int v) {
+              return wanted.at(v) > 2 * own - 1 || others_keep(v, own);
+            });
+          here.is_own = here.is_of_stiffest;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::take_nodes_of_stiffest()
+  {
+    const auto given = groups_at_vertices([](const Content &here) {
+      return here.is_of_stiffest ? Groups(1) << here.most : 0;
+    });
+    for (auto &[of_element, here] : contents)
+      if (here.is_own && !here.is_of_stiffest &&
+          has_foreign_node(of_element, given))
+        here.is_own = false;
+  }
+
+
+
+  template typename InterfaceCorners<2>::Groups
+  InterfaceCorners<2>::group_that_wants(const Content &);
+  template typename InterfaceCorners<3>::Groups
+  InterfaceCorners<3>::group_that_wants(const Content &);
+  template bool
+  InterfaceCorners<2>::has_foreign_node(const unsigned int,
+                                        const GroupsAtVertices &) const;
+  template bool
+  InterfaceCorners<3>::has_foreign_node(const unsigned int,
+                                        const GroupsAtVertices &) const;
+  template void
+  InterfaceCorners<2>::find_cells_that_keep_nodes();
+  template void
+  InterfaceCorners<3>::find_cells_that_keep_nodes();
+  template void
+  InterfaceCorners<2>::give_cells_to_stiffest();
+  template void
+  InterfaceCorners<3>::give_cells_to_stiffest();
+  template void
+  InterfaceCorners<2>::take_nodes_of_stiffest();
+  template void
+  InterfaceCorners<3>::take_nodes_of_stiffest();
+} // namespace isochor
