@@ -238,6 +238,7 @@ namespace isochor
   BodySurfaceConditions<dim>::check_scene(const StepContext<dim> &step) const
   {
     warn_of_places_without_comparison(step, conditions);
+    warn_of_doubled_loads(step, conditions, points.get());
     for (const auto &surface : conditions.surfaces)
       if (surface.traction.empty() && surface.pressure.empty() &&
           !surface.is_fixed())
@@ -245,8 +246,8 @@ namespace isochor
           "no condition on <" + surface.place.name + "> of <Surfaces of body>",
           "The surface <" + surface.place.name + "> of the parameter <" +
             this->parameter("Surfaces of body") +
-            "> has no effect: name it in <Traction on body>, <Pressure on body> or <Displacement of "
-            "body> of that section, or leave it out.");
+            "> has no effect: name it in <Traction on body>, <Pressure on "
+            "body> or <Displacement of body> of that section, or leave it out.");
   }
 
 

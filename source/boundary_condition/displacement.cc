@@ -47,8 +47,8 @@ namespace isochor
         "",
         Patterns::Anything(),
         "Prescribed displacements (m) since t = 0 on boundaries of the grid, "
-        "formulas in x, y(, z), t: 'boundary: x = formula, y = formula; "
-        "boundary: ...'. What a formula gives at the first step is applied in "
+        "formulas in x, y(, z), t (angles in radians): 'boundary: x = formula, "
+        "y = formula; boundary: ...'. What a formula gives at the first step is applied in "
         "that step, a constant, too. Components not named are free. A later "
         "entry overrides an earlier one at common nodes. 'everywhere' names "
         "all nodes of the boundary. With 'x >= formula' or 'x <= formula' the "

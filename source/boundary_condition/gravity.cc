@@ -21,7 +21,9 @@ namespace isochor
                         "",
                         Patterns::Anything(),
                         "Acceleration of gravity (m/s^2), formulas in t: "
-                        "'g_x, g_y(, g_z)'. Empty: none.");
+                        "'g_x, g_y(, g_z)'. As in all formulas, angles of "
+                        "sin, cos and tan are in radians: '9.81*sin(0.349)' "
+                        "for 20 degrees. Empty: none.");
     }
 
     void

@@ -64,7 +64,10 @@ namespace isochor
           "and 'moment x = formula' (N m, about the reference point, along the "
           "axes of space) act on it then. 'centre = (x, y, z)' is the "
           "reference point, else the centroid of the side. Force, moment, "
-          "translation and rotation go into the statistics. "
+          "translation and rotation go into the statistics. A side that "
+          "moves by more than 1 % of the body needs a grid that is kept "
+          "(<Grid reset/Steps between resets = 0>, <Smallest element quality "
+          "= 0>). "
           "<Displacement> and <Walls> override rigid sides at common nodes.");
     }
 

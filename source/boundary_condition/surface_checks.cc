@@ -11,6 +11,7 @@
 #include <isochor/boundary_condition/surface_checks.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace isochor
@@ -26,8 +27,9 @@ namespace isochor
     const std::string unit = dim == 2 ? " m" : " m^2";
     for (unsigned int s = 0; s < covered_area.size(); ++s)
       {
-        const BodySurface<dim> &place = conditions.surfaces[s].place;
-        const double            share = covered_area[s] / candidate_area[s];
+        const SurfaceCondition<dim> &surface = conditions.surfaces[s];
+        const BodySurface<dim>      &place   = surface.place;
+        const double share = covered_area[s] / candidate_area[s];
         if (place.on_grid_boundary || share > 0.99)
           continue;
         step.warnings.add(
@@ -36,10 +38,15 @@ namespace isochor
             " % of the faces of cells that the surface <" + place.name +
             "> of <" + place.parameter + "> consists of, " +
             rounded(covered_area[s]) + " of " + rounded(candidate_area[s]) +
-            unit +
-            "; what it does acts on this part. If the body's "
-            "surface does not lie on faces of the grid there, give the body's "
-            "mesh in <" +
+            unit + ". " +
+            (surface.traction.empty() && surface.pressure.empty() ?
+               "What it does acts on this part." :
+               "Its load acts on this part, and is too small by the rest, if "
+               "all of these faces are meant: smaller cells do not cure that, "
+               "as steps of cells along an inclined or curved surface stay "
+               "steps.") +
+            " If the body's surface does not lie on faces of the grid there, "
+            "give the body's mesh in <Material points/Body mesh> and <" +
             mesh_parameter + ">.");
       }
   }
@@ -127,6 +134,65 @@ namespace isochor
 
   template <int dim>
   void
+  warn_of_doubled_loads(const StepContext<dim>       &step,
+                        const SurfaceConditions<dim> &conditions,
+                        const BoundaryPoints<dim>    *points)
+  {
+    if (points == nullptr)
+      return;
+    const unsigned int n = conditions.surfaces.size();
+    // by surface: where its points are, and which loads act there: tractions by
+    // component, and at last a pressure
+    std::vector<std::vector<std::array<double, dim>>> places(n);
+    std::vector<unsigned int>                         acts(n * (dim + 1), 0);
+    for (unsigned int b = 0; b < points->size(); ++b)
+      {
+        const unsigned int           s       = points->surface(b);
+        const SurfaceCondition<dim> &surface = conditions.surfaces[s];
+        const Point<dim>             X       = points->reference_location(b);
+        places[s].emplace_back();
+        for (unsigned int a = 0; a < dim; ++a)
+          places[s].back()[a] = X[a];
+        for (unsigned int a = 0; a < surface.traction.size(); ++a)
+          if (surface.traction[a](X, step.time) != 0)
+            acts[s * (dim + 1) + a] = 1;
+        if (!surface.pressure.empty() &&
+            surface.pressure.front()(X, step.time) != 0)
+          acts[s * (dim + 1) + dim] = 1;
+      }
+    for (auto &of_surface : places)
+      std::sort(of_surface.begin(), of_surface.end());
+    std::vector<unsigned int> differ(n * n, 0);
+    for (unsigned int s = 0; s < n; ++s)
+      for (unsigned int r = 0; r < s; ++r)
+        differ[n * s + r] = places[s] != places[r] ? 1 : 0;
+    const MPI_Comm comm = step.grid.communicator();
+    Utilities::MPI::max(differ, comm, differ);
+    Utilities::MPI::max(acts, comm, acts);
+    for (unsigned int s = 0; s < n; ++s)
+      for (unsigned int r = 0; r < s; ++r)
+        {
+          bool doubled = false;
+          for (unsigned int a = 0; a <= dim; ++a)
+            doubled = doubled || (acts[s * (dim + 1) + a] != 0 &&
+                                  acts[r * (dim + 1) + a] != 0);
+          if (doubled && differ[n * s + r] == 0)
+            step.warnings.add(
+              "loads that count twice",
+              "The surfaces <" + conditions.surfaces[r].place.name + "> of <" +
+                conditions.surfaces[r].place.parameter + "> and <" +
+                conditions.surfaces[s].place.name + "> of <" +
+                conditions.surfaces[s].place.parameter +
+                "> are the same place, and each has a load of the same kind "
+                "there: their sum acts. If it is meant to act once, leave one "
+                "of them out, or change its place.");
+        }
+  }
+
+
+
+  template <int dim>
+  void
   warn_of_loads_on_supports(const StepContext<dim>       &step,
                             const NodalField             &unknowns,
                             const SurfaceConditions<dim> &conditions,
@@ -199,6 +265,14 @@ namespace isochor
   template void
   warn_of_places_without_comparison(const StepContext<3> &,
                                     const SurfaceConditions<3> &);
+  template void
+  warn_of_doubled_loads(const StepContext<2> &,
+                        const SurfaceConditions<2> &,
+                        const BoundaryPoints<2> *);
+  template void
+  warn_of_doubled_loads(const StepContext<3> &,
+                        const SurfaceConditions<3> &,
+                        const BoundaryPoints<3> *);
   template void
   warn_of_loads_on_supports(const StepContext<2> &,
                             const NodalField &,

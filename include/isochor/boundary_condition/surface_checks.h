@@ -43,6 +43,16 @@ namespace isochor
   warn_of_places_without_comparison(const StepContext<dim>       &step,
                                     const SurfaceConditions<dim> &conditions);
 
+  /** Warn of two surfaces that are the same place, where loads of the same
+   * kind, and tractions in the same component, act at the end of the step: they
+   * count twice. Surfaces that have only a part in common may be meant. At the
+   * start. @p points: nullptr without surfaces. Collective. */
+  template <int dim>
+  void
+  warn_of_doubled_loads(const StepContext<dim>       &step,
+                        const SurfaceConditions<dim> &conditions,
+                        const BoundaryPoints<dim>    *points);
+
   /** Warn of loads of surfaces that act, in a component, on nodes alone at
    * which
    * @p constraints prescribe this component: they go into the support, and the
