@@ -48,8 +48,9 @@ namespace isochor
                  size = std::max(largest, kinetic_change / 4);
     // before, a motion that begins smoothly has hardly any energy
     if (n_since_start == n_first_steps ||
-        (is_last && n_since_start < n_first_steps))
-      warn_of_starts(time, balance, warnings);
+        (is_last &&
+         n_since_start < (lost_at_starts > 0 ? n_between : n_first_steps)))
+      warn_of_starts(time, balance, is_last, warnings);
     if (std::abs(loss) <=
         std::max(threshold * size, rounding * balance.stiffness))
       return;
@@ -93,25 +94,38 @@ namespace isochor
 
 
   /** What steps lose at a start is what a sudden motion or an impact radiates
-   * into waves that they don't resolve. What they create isn't meant. */
+   * into waves that they don't resolve, but all there is to see of a run that
+   * has hardly more steps. What they create isn't meant. */
   void
   EnergyLoss::warn_of_starts(const double   time,
                              const Balance &balance,
+                             const bool     is_last,
                              Warnings      &warnings) const
   {
     constexpr double much = 0.1;
-    if (-lost_at_starts <=
-        std::max(much * largest, rounding * balance.stiffness))
+    const double     size = std::abs(lost_at_starts);
+    if (size <= std::max(much * largest, rounding * balance.stiffness) ||
+        (lost_at_starts > 0 && (!is_last || told[0])))
       return;
     std::ostringstream text;
     text.precision(3);
-    text << "By t = " << time << " the steps at the start have created "
-         << -lost_at_starts << " J, " << -100 * lost_at_starts / largest
+    text << "By t = " << time << " the steps at the start have "
+         << (lost_at_starts > 0 ? "lost " : "created ") << size << " J, "
+         << 100 * size / largest
          << " % of the largest energy of the body: they don't resolve what "
-            "happens in them, an impact for example. Use smaller steps "
-            "(<Time/Step size>) that don't grow (<Time/Growth factor = 1>), or "
-            "let their error choose them (<Time/Tolerated error>).";
-    warnings.add("energy created at the start", text.str());
+            "happens in them, ";
+    if (lost_at_starts > 0)
+      text << "a load that acts at once or a vibration for example, which is "
+              "damped. Use smaller steps (<Time/Step size>), a tenth of the "
+              "shortest vibration that matters or less, and loads and motions "
+              "that begin smoothly.";
+    else
+      text << "an impact for example. Use smaller steps "
+              "(<Time/Step size>) that don't grow (<Time/Growth factor = 1>), "
+              "or let their error choose them (<Time/Tolerated error>).";
+    warnings.add(lost_at_starts > 0 ? "energy lost at the start" :
+                                      "energy created at the start",
+                 text.str());
   }
 
 

@@ -34,7 +34,8 @@ namespace isochor
      * are small beside what is to come, and what sudden motions do faster than
      * the steps is damped on purpose; but energy that is made there, more than
      * 10 % of the largest, is told of at their end or that of the run, the step
-     * that @p is_last. Energies at strains of 1e-7 are those of rounding and of
+     * that @p is_last, and then also what is lost there, if the run has hardly
+     * more steps. Energies at strains of 1e-7 are those of rounding and of
      * what Newton's method leaves.
      */
     void
@@ -72,6 +73,7 @@ namespace isochor
     void
     warn_of_starts(const double   time,
                    const Balance &balance,
+                   const bool     is_last,
                    Warnings      &warnings) const;
 
     double largest = 0, kinetic = 0, kinetic_change = 0;
