@@ -63,6 +63,15 @@ namespace isochor
     const double E =
       9 * elasticity.shear_modulus /
       (3 + elasticity.shear_modulus * elasticity.inverse_bulk_modulus);
+    // no material is so weak: the softest clays and metals have 1e-4
+    constexpr double least = 1e-5;
+    if (strength > 0 && strength < least * E)
+      return "<" + parameter + "> = " + rounded(strength) + " Pa is only " +
+             rounded(strength / E) + " of <Young modulus> = " + rounded(E) +
+             " Pa: the material yields under hardly any load. Are both in the "
+             "same unit, not one in MPa or kPa and the other in Pa? If it shall "
+             "be as good as rigid before it yields, " +
+             rounded(1 / least) + " times the strength are enough.";
     if (strength <= E)
       return "";
     return "<" + parameter + "> = " + rounded(strength) +

@@ -270,10 +270,10 @@ namespace isochor
       return "<Mohr-Coulomb/Friction angle> is " + rounded(phi) +
              " degrees. Angles are in degrees: if this one is in radians, write " +
              rounded(phi * 180 / numbers::PI) + ".";
-    return doubtful_strength("Mohr-Coulomb/Cohesion",
-                             surface.c_cos_phi /
-                               std::cos(phi * numbers::PI / 180),
-                             elasticity);
+    const double c = surface.c_cos_phi / std::cos(phi * numbers::PI / 180);
+    if (phi > 0 && c <= elasticity.shear_modulus)
+      return ""; // a small one is as it should be
+    return doubtful_strength("Mohr-Coulomb/Cohesion", c, elasticity);
   }
 
 
