@@ -24,7 +24,8 @@ namespace isochor
                       "A step is converged if the residual forces fall below "
                       "this fraction of the external forces and reactions, and "
                       "the residual of the pressure equation below this "
-                      "fraction of its largest value in the step.");
+                      "fraction of its largest value in the step. At most "
+                      "0.01.");
     prm.declare_entry(
       "Predictor",
       "extrapolation",
@@ -76,6 +77,15 @@ namespace isochor
     max_backtracks = prm.get_integer("Maximum backtracks");
     inexact        = prm.get_bool("Inexact");
     prm.leave_subsection();
+    constexpr double most = 0.01;
+    AssertThrow(tolerance <= most,
+                ExcMessage(
+                  "<Newton/Tolerance> is " + rounded(tolerance) +
+                  ", but must be at most " + rounded(most) +
+                  ": it is the part of the forces by which a step may be out "
+                  "of equilibrium. With so much a body may not even feel its "
+                  "loads. The default is 1e-8; if a step does not converge, "
+                  "smaller steps help, a larger tolerance hides it."));
   }
 
 
