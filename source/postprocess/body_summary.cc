@@ -71,16 +71,32 @@ namespace isochor
 
 
 
+  /** The law with its elasticity, as users give it. */
+  template <int dim>
+  static std::string
+  describe_law(const MaterialModel<dim> &material, const std::string &law)
+  {
+    const double G     = material.shear_modulus(),
+                 per_K = material.inverse_bulk_modulus();
+    std::ostringstream text;
+    text << law << ", E = " << 9 * G / (3 + G * per_K)
+         << " Pa, nu = " << (3 - 2 * G * per_K) / (6 + 2 * G * per_K);
+    return text.str();
+  }
+
+
+
   template <int dim>
   std::string
   material_summary(
     const MaterialPoints<dim>                              &points,
     const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
+    const std::vector<std::string>                         &laws,
     const MPI_Comm                                          comm)
   {
     const std::size_t n = materials.size();
-    if (n < 2)
-      return "";
+    if (n == 1)
+      return "  Material: " + describe_law(*materials[0], laws[0]);
     const PointLayout  &l = points.layout();
     std::vector<double> number(n, 0.), volume(n, 0.);
     for (const auto &point : points.handler())
@@ -100,7 +116,7 @@ namespace isochor
         if (number[m] > 0)
           text << static_cast<unsigned long long>(number[m]) << " points, "
                << volume[m] << unit_of_volume<dim>(l) << materials[m]->density()
-               << " kg/m^3";
+               << " kg/m^3, " << describe_law(*materials[m], laws[m]);
         else
           text << "no points";
       }
@@ -116,9 +132,11 @@ namespace isochor
   template std::string
   material_summary(const MaterialPoints<2> &,
                    const std::vector<std::unique_ptr<MaterialModel<2>>> &,
+                   const std::vector<std::string> &,
                    const MPI_Comm);
   template std::string
   material_summary(const MaterialPoints<3> &,
                    const std::vector<std::unique_ptr<MaterialModel<3>>> &,
+                   const std::vector<std::string> &,
                    const MPI_Comm);
 } // namespace isochor

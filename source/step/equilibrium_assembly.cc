@@ -29,9 +29,17 @@ namespace isochor
     if (with_matrix && !scene_checked)
       {
         scene_checked = true;
+        // what loads add for curved constraints would hide free rotations
         if (scene.time.step == 0) // resumed: said when it started
           check_first_step(scene, step, system.matrix(), may_let_go());
       }
+    if (with_matrix && !scene.inertia.in_trial())
+      for (unsigned int t = 0; t < terms.size(); ++t)
+        if (const auto *condition =
+              dynamic_cast<const BoundaryCondition<dim> *>(terms[t]);
+            condition && condition->relinearises())
+          condition->add_constraint_stiffness(
+            step, unknowns, constraints, setup.first_of_term()[t], system);
     return norms;
   }
 
@@ -198,13 +206,6 @@ namespace isochor
                                            with_matrix,
                                            system));
     system.finish_assembly(external_force);
-    const bool curved = with_matrix && !scene.inertia.in_trial();
-    for (unsigned int t = 0; curved && t < terms.size(); ++t)
-      if (const auto *condition =
-            dynamic_cast<const BoundaryCondition<dim> *>(terms[t]);
-          condition && condition->relinearises())
-        condition->add_constraint_stiffness(
-          step, unknowns, constraints, setup.first_of_term()[t], system);
     return status;
   }
 

@@ -227,10 +227,11 @@ namespace isochor
                                                              "u-p"))
                    << " form" << std::endl;
     terminal.out() << body_summary(scene.points, comm) << std::endl;
-    if (const std::string text =
-          material_summary(scene.points, scene.kernel.materials, comm);
-        !text.empty())
-      terminal.out() << text << std::endl;
+    terminal.out() << material_summary(scene.points,
+                                       scene.kernel.materials,
+                                       scene.laws,
+                                       comm)
+                   << std::endl;
     if (scene.has_inertia() && scene.quadrature->forces_jump())
       if (const std::string text = setup.reset().describe(); !text.empty())
         terminal.out() << text << std::endl;

@@ -150,10 +150,12 @@ namespace isochor
       "PPP coefficient",
       "1",
       Patterns::Double(0),
-      "The factor alpha of alpha/G in the stabilisation. Useful are 1 to 8, "
-      "and less where pressures are far above the shear modulus G. A larger "
-      "one makes the pressure smoother, and the body softer where the "
-      "pressure varies much within a cell.");
+      "The factor alpha of alpha/G in the stabilisation. Useful is 1, and "
+      "less where pressures are far above the shear modulus G. A larger one "
+      "makes the pressure smoother, and the body softer where the pressure "
+      "varies much within a cell: a beam with 4 cells over its height bends "
+      "20 % too much with 8 (8 cells: 6 %). 8 is for grids that resolve the "
+      "pressure with many cells.");
     prm.declare_entry("PPP leaves out weight",
                       "true",
                       Patterns::Bool(),
@@ -245,6 +247,7 @@ namespace isochor
         prm.enter_subsection(material_section(m));
         const std::string model = prm.get("Model");
         kernel.materials.push_back(create_material(model));
+        laws.push_back(model);
         MaterialModel<dim> &material = *kernel.materials.back();
         material.parse_parameters(prm);
         if (rescales)

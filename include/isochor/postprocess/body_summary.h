@@ -19,14 +19,16 @@ namespace isochor
   std::string
   body_summary(const MaterialPoints<dim> &points, const MPI_Comm comm);
 
-  /** Of a body of several @p materials: points, volume at t = 0 and density of
-   * each, a line of its own. A zone or a density that was forgotten shows
-   * there. Empty for one material. Collective. */
+  /** Of each of the @p materials of a body, a line of its own: points, volume
+   * at t = 0, density, the name of its law (@p laws) and its elasticity. A zone
+   * or a parameter that was forgotten shows there. Of one material points,
+   * volume and density stand with the body. Collective. */
   template <int dim>
   std::string
   material_summary(
     const MaterialPoints<dim>                              &points,
     const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
+    const std::vector<std::string>                         &laws,
     const MPI_Comm                                          comm);
 } // namespace isochor
 

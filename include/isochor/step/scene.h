@@ -122,6 +122,8 @@ namespace isochor
 
     /** The materials, and PPP's coefficient. */
     MixedKernel<dim> kernel;
+    /** The names of the laws of its materials. */
+    std::vector<std::string> laws;
     /** Whether there is a stabilisation, and it leaves out the pressure that
      * carries weight. */
     bool leaves_out_weight = true;
