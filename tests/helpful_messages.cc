@@ -132,17 +132,21 @@ namespace
     };
     const std::string three =
       printed("Material points/Materials in zones = 2: y < 0.5\n"
-              "Material 2/Density = 1800\n",
+              "Material 2/Density = 1800\nMaterial 2/Poisson ratio = 0.499\n"
+              "Material 2/Model = J2\n",
               3);
     test::check("the materials are listed",
-                three.find("  Material: 64 points, 0.5 m^2, 1000 kg/m^3\n"
-                           "  Material 2: 64 points, 0.5 m^2, 1800 kg/m^3\n"
+                three.find("  Material: 64 points, 0.5 m^2, 1000 kg/m^3, "
+                           "Neo-Hookean, E = 1e+06 Pa, nu = 0.3\n"
+                           "  Material 2: 64 points, 0.5 m^2, 1800 kg/m^3, "
+                           "J2, E = 1e+06 Pa, nu = 0.499\n"
                            "  Material 3: no points\n") != std::string::npos,
                 three);
-    const std::string one = printed("", 1);
-    test::check("... not a single one",
+    const std::string one = printed("Material/Poisson ratio = 0.5\n", 1);
+    test::check("... a single one, too",
                 one.find("Body: 1 m^2") != std::string::npos &&
-                  one.find("  Material:") == std::string::npos,
+                  one.find("  Material: Neo-Hookean, E = 1e+06 Pa, nu = "
+                           "0.5\n") != std::string::npos,
                 one);
   }
 
@@ -176,6 +180,48 @@ namespace
   }
 
   void
+  test_doubled_loads()
+  {
+    const auto two = [](const std::string &second, const std::string &loads) {
+      return messages<2>(good +
+                         "Boundary conditions/Surfaces of body = a: y > "
+                         "0.99; b: " +
+                         second + "\nBoundary conditions/" + loads + "\n");
+    };
+    const std::string twice = "Pressure on body = a: t; b: 2*t";
+    expect("two pressures on the same place",
+           two("top", twice),
+           {"WARNING loads that count twice", "<a>", "<b>", "their sum acts"});
+    expect("... of which one has a part only",
+           two("y > 0.99 && x < 0.5", twice),
+           {});
+    expect("... of which one begins later",
+           two("top", "Pressure on body = a: t; b: max(0, t-1)"),
+           {});
+    expect("two tractions in the same direction",
+           two("top", "Traction on body = a: 0, -t; b: t, -t"),
+           {"WARNING loads that count twice"});
+    expect("... in others",
+           two("top", "Traction on body = a: 0, -t; b: t, 0"),
+           {});
+  }
+
+  void
+  test_hinge()
+  {
+    expect("a rigid side that is a hinge, under a load",
+           messages<2>("Grid/Subdivisions = 4, 4\n"
+                       "Boundary conditions/Rigid sides = left: x=0, y=0\n"
+                       "Boundary conditions/Gravity = 0, -0.1\n"),
+           {"against: rotation about (0, 0.5) (the one"});
+    expect("... that is held",
+           messages<2>("Grid/Subdivisions = 4, 4\n"
+                       "Boundary conditions/Rigid sides = left: x=0, y=0, "
+                       "rotation=0\nBoundary conditions/Gravity = 0, -0.1\n"),
+           {});
+  }
+
+  void
   test_materials()
   {
     const auto law = [](const std::string &settings) {
@@ -187,6 +233,21 @@ namespace
     expect("a high one",
            law("Material/Model = J2\nMaterial/J2/Yield stress = 0.99e6\n"),
            {});
+    expect("a yield stress in MPa",
+           law("Material/Model = J2\nMaterial/J2/Yield stress = 9\n"),
+           {"WARNING a parameter that is hardly meant",
+            "<J2/Yield stress> = 9 Pa is only 9e-06 of <Young modulus>",
+            "MPa"});
+    expect("a low one",
+           law("Material/Model = J2\nMaterial/J2/Yield stress = 11\n"),
+           {});
+    const std::string clay = "Material/Model = Mohr-Coulomb\n"
+                             "Material/Mohr-Coulomb/Cohesion = 1\n"
+                             "Material/Mohr-Coulomb/Friction angle = ";
+    expect("a cohesion in other units",
+           law(clay + "0\n"),
+           {"WARNING", "<Mohr-Coulomb/Cohesion> = 1 Pa is only 1e-06 of"});
+    expect("a small one beside friction", law(clay + "30\n"), {});
     const std::string soil = "Material/Model = Mohr-Coulomb\n"
                              "Material/Mohr-Coulomb/Cohesion = 1e3\n"
                              "Material/Mohr-Coulomb/Friction angle = ";
@@ -194,6 +255,17 @@ namespace
            law(soil + "0.52\n"),
            {"WARNING", "in degrees", "29.79"});
     expect("one in degrees", law(soil + "20\n"), {});
+    expect("a tolerance that is too large",
+           messages<2>(good + "Newton/Tolerance = 0.1\n"),
+           {"ERROR", "<Newton/Tolerance> is 0.1", "at most 0.01"});
+    expect("a stabilisation that softens",
+           messages<2>(good + "Formulation/PPP coefficient = 8.1\n"),
+           {"WARNING a stabilisation that softens",
+            "<Formulation/PPP coefficient> = 8.1",
+            "Take 1"});
+    expect("one as in the paper",
+           messages<2>(good + "Formulation/PPP coefficient = 8\n"),
+           {});
     const std::string plain = "Formulation/Type = u\n";
     expect("the form u near the incompressible limit",
            law(plain + "Material/Poisson ratio = 0.49\n"),
@@ -249,6 +321,8 @@ main(int argc, char **argv)
   test_list_of_materials();
   test_places_far_away();
   test_loads_on_supports();
+  test_doubled_loads();
+  test_hinge();
   test_materials();
   test_wandering_volumes();
 }

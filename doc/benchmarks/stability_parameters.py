@@ -12,7 +12,9 @@ from harness import HERE, PRM, output
 
 def alpha(bench):
     """The PPP coefficient from 0 to 1000, Cook's membrane: displacement and
-    pressure have a plateau."""
+    pressure have a plateau. A beam with few cells over its height is softer: its
+    tip goes down by 0.255 m in place of 0.2125 m with α = 8 and 4 cells (0.225 m
+    with 8), by 0.314 m with α = 20."""
     n = 32
     values = [0, 0.01, 0.1, 0.3, 1, 3, 8, 30, 100, 1000]
     with open(HERE / "references" / "cook_membrane.json") as stream:
