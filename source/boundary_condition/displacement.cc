@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/boundary_condition/material_at_nodes.h>
 #include <isochor/boundary_condition/prescribed_component.h>
 #include <isochor/grid/prescribed_motion.h>
 
@@ -17,12 +18,13 @@ namespace isochor
 {
   /**
    * Prescribed displacement of the grid nodes on named boundaries, component by
-   * component. A formula u(x, t) gives the displacement since t = 0, with x
-   * where the node was generated: Δu = u(x, t_{n+1}) - u(x, t_n), and in the
-   * first step u(x, t_1), as nothing has been displaced before. Material that
-   * reaches the boundary later takes part in what the boundary does from then
-   * on. With a grid that follows the motion (Grid/Stretch) this is an exact
-   * condition on a moving side of the body.
+   * component. A formula u(X, t) gives the displacement since t = 0 of the
+   * material that was at X: Δu = u(X, t_{n+1}) - u(X, t_n), and in the first
+   * step u(X, t_1), as nothing has been displaced before. X is that of the
+   * material at the node (MaterialAtNodes). Material that reaches the boundary
+   * later takes part in what the boundary does from then on. With a grid that
+   * follows the motion (Grid/Stretch) this is an exact condition on a moving
+   * side of the body.
    *
    * A one-sided condition, u >= or <= a formula, is contact with a frictionless
    * wall that stands in the distance u(x, t) from where the node was generated,
@@ -47,8 +49,9 @@ namespace isochor
         "",
         Patterns::Anything(),
         "Prescribed displacements (m) since t = 0 on boundaries of the grid, "
-        "formulas in x, y(, z), t (angles in radians): 'boundary: x = formula, "
-        "y = formula; boundary: ...'. What a formula gives at the first step is applied in "
+        "formulas in the place at t = 0 of the material, x, y(, z), and t "
+        "(angles in radians): 'boundary: x = formula, y = formula; boundary: "
+        "...'. What a formula gives at the first step is applied in "
         "that step, a constant, too. Components not named are free. A later "
         "entry overrides an earlier one at common nodes. 'everywhere' names "
         "all nodes of the boundary. With 'x >= formula' or 'x <= formula' the "
@@ -96,6 +99,7 @@ namespace isochor
           condition.find_inward(reference, grid.geometry(), faces);
         }
       leave_vertices_to_later(conditions);
+      material.set(conditions, reference);
       for (auto &condition : conditions)
         if (condition.side != 0)
           condition.place_walls(reference);
@@ -187,6 +191,7 @@ namespace isochor
         for (const auto &condition : conditions)
           if (condition.boundary != "everywhere")
             warn_if_body_is_lost(condition, step);
+      material.advance(step);
       for (auto &condition : conditions)
         if (condition.side != 0)
           {
@@ -241,6 +246,7 @@ namespace isochor
     {
       std::ostringstream state;
       state.precision(std::numeric_limits<double>::max_digits10);
+      state << material.reset_time << ' ';
       for (const auto &condition : conditions)
         for (const WallNode &node : condition.wall)
           node.save(state);
@@ -251,6 +257,7 @@ namespace isochor
     load_state(const std::string &text) override
     {
       std::istringstream state(text);
+      state >> material.reset_time;
       for (auto &condition : conditions)
         for (WallNode &node : condition.wall)
           node.load(state);
@@ -318,6 +325,9 @@ namespace isochor
                             Expression<dim>(item.substr(equals + 1), name),
                             {},
                             {}});
+      for (const std::string &word : names_in_formula(item.substr(equals + 1)))
+        if (axes.find(word) != std::string::npos)
+          conditions.back().depends_on_place = true;
     }
 
     /** The increment that vertex i of the condition is held at, or that its
@@ -327,13 +337,14 @@ namespace isochor
               const unsigned int      i,
               const StepContext<dim> &step) const
     {
-      const Point<dim> &x = reference[condition.vertices[i]];
+      const unsigned int vertex = condition.vertices[i];
       if (condition.side == 0)
         return prescribed_increment(condition.displacement,
-                                    x,
+                                    material.place(vertex, reference, step),
                                     step.old_time,
                                     step.time);
-      const double motion = condition.displacement(x, step.time) -
+      const Point<dim> &x      = reference[vertex];
+      const double      motion = condition.displacement(x, step.time) -
                             condition.displacement(x, step.old_time);
       return motion - condition.wall[i].gap_at_start(step.grid_is_kept);
     }
@@ -367,6 +378,7 @@ namespace isochor
 
     std::vector<Condition>  conditions;
     std::vector<Point<dim>> reference;
+    MaterialAtNodes<dim>    material;
     ContactSearch           search;
   };
 

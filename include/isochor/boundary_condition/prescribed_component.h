@@ -35,6 +35,8 @@ namespace isochor
     /** Of one that is held: the sign of the component of the normal into the
      * grid, if it stands across the component; else 0. */
     int inward = 0;
+    /** Whether the displacement depends on x, y or z. */
+    bool depends_on_place = false;
 
     /** The walls at t = 0, with the vertices of the grid at @p reference. A
      * node in one is pushed out by the first step. */
