@@ -71,6 +71,32 @@ test_impact(const std::string &what, const std::string &settings)
               std::to_string(all.back().momentum));
 }
 
+/** A rod between smooth sides that is flush with a wall and flies into it: the
+ * force is that of the wave that runs into it, ρ c v A. At t = 0 nothing acts
+ * but rounding errors. */
+void
+test_flush_rod(const std::string &form)
+{
+  test::run_scene<2>(
+    "Grid/Upper corner = 0.2, 2\nGrid/Subdivisions = 4, 40\n"
+    "Material points/Region = y < 1\nMaterial/Young modulus = 1e6\n"
+    "Material/Density = 1000\nDynamics/Inertia = true\n"
+    "Dynamics/Initial velocity = 0, -1\nTime/Step size = 0.002\n"
+    "Time/End time = 0.026\nPostprocess/Reactions = bottom\n"
+    "Boundary conditions/Displacement = bottom: y >= 0; left: x=0; right: x=0"
+    "\nFormulation/Type = " +
+    form + "\n");
+  const auto   all     = records();
+  const double modulus = 1e6 * 0.7 / (1.3 * 0.4),
+               exact   = std::sqrt(1000 * modulus) * 0.2;
+  double sum           = 0;
+  for (unsigned int n = 3; n < all.size(); ++n)
+    sum += all[n].force / (all.size() - 3);
+  test::check_error("force on a flush rod, " + form,
+                    test::relative(sum, exact),
+                    0.04);
+}
+
 /** A prescribed motion that begins smoothly gives the body hardly any energy in
  * its first steps: that they don't resolve it is nothing to be told. */
 void
@@ -112,4 +138,6 @@ main(int argc, char **argv)
                      "Time/Minimum step size = 1e-4\n");
   test_smooth_start("-0.01*(1-cos(20*t))");
   test_smooth_start("-0.05*t^2");
+  test_flush_rod("u");
+  test_flush_rod("u-p"); // did not start in an earlier version
 }

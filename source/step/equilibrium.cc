@@ -6,6 +6,7 @@
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/equations/constraint_conflicts.h>
+#include <isochor/equations/idle_pressures.h>
 #include <isochor/step/equilibrium.h>
 #include <isochor/step/scene_checks.h>
 #include <isochor/transfer/pressure_mapping.h>
@@ -298,8 +299,11 @@ namespace isochor
   Equilibrium<dim>::check_contact(const double force_scale,
                                   const bool   converged)
   {
+    // In a trial at t = 0 a body that flies has no forces yet but rounding.
+    const bool nothing_acts =
+      scene.inertia.in_trial() && force_scale < force_floor;
     const typename BoundaryCondition<dim>::ContactTolerance tolerance{
-      newton_solver.tolerance * force_scale,
+      nothing_acts ? force_floor : newton_solver.tolerance * force_scale,
       newton_solver.tolerance,
       converged};
     ContactChange change;
@@ -371,6 +375,7 @@ namespace isochor
         condition->constrain(step, constraints);
       }
     setup.constrain(step, constraints);
+    hold_idle_pressures(step, constraints);
     constraints.resolve(n_components);
     std::vector<int> any = {constraints.constrained != previous ||
                               !constraints.followers.same_structure(old),
