@@ -327,6 +327,21 @@ main(int argc, char **argv)
                 std::string::npos,
               upright.told);
 
+  // they meet a second time where the sides are one
+  const Result periodic =
+    settle("u-p",
+           8,
+           0.3,
+           0.499,
+           "Material points/Materials in zones = 2: x > 0.25\n"
+           "Quadrature/Type = CPDI\nGrid/Subdivisions = 8, 8\n"
+           "Boundary conditions/Displacement = "
+           "bottom: y=0\nBoundary conditions/Periodic sides = left: right\n");
+  test::check("told of periodic sides",
+              periodic.told.find("where the first and the second of") !=
+                std::string::npos,
+              periodic.told);
+
   // steel on the ground, which does not touch the rubber above
   const Result apart =
     settle("u-p",

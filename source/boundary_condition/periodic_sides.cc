@@ -7,6 +7,7 @@
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/periodic_vertices.h>
 #include <isochor/boundary_condition/wall_passage.h>
+#include <isochor/equations/pressure_groups.h>
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
@@ -129,6 +130,7 @@ namespace isochor
                           step.grid.boundary_id(pair.first, parameter()));
       if (hold_corner)
         warn_if_no_corner(step);
+      warn_of_shared_pressures(step);
     }
 
     std::string
@@ -322,6 +324,34 @@ namespace isochor
     }
 
   private:
+    /** In the mixed form tell of different materials on both sides, where the
+     * mean stress may jump, but not the pressure, which is one unknown. */
+    void
+    warn_of_shared_pressures(const StepContext<dim> &step) const
+    {
+      const MaterialGroups groups(step.kernel, much_stiffer);
+      if (!step.mixed() || groups.size() < 2)
+        return;
+      const PressureGroups pressures(step, groups);
+      for (const auto &image : vertices.images())
+        if (!pressures.has_several(image.vertex) &&
+            !pressures.has_several(image.root) &&
+            pressures.has_several(image.vertex, image.root))
+          {
+            step.warnings.add(
+              "materials that share pressures",
+              "Materials of other stiffness, or that yield, meet where the "
+              "first and the second of <" +
+                parameter() +
+                "> do. Both sides have the same pressures there, so that the "
+                "mean stress can't jump, as it may: it is wrong in the cells "
+                "along the sides (14 % in an example), and forces by as much "
+                "as these are of the body. Lay the sides through one "
+                "material.");
+            return;
+          }
+    }
+
     void
     warn_if_no_corner(const StepContext<dim> &step) const
     {

@@ -7,7 +7,7 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/wall_passage.h>
-#include <isochor/equations/material_groups.h>
+#include <isochor/equations/pressure_groups.h>
 #include <isochor/step/free_motions.h>
 #include <isochor/step/scene.h>
 #include <isochor/step/scene_checks.h>
@@ -154,35 +154,15 @@ namespace isochor
   static void
   check_interfaces(const StepContext<dim> &step)
   {
-    constexpr double     much = 1.5;
-    const MaterialGroups groups(step.kernel, much);
+    const MaterialGroups groups(step.kernel, much_stiffer);
     if (!step.mixed() || groups.size() < 2)
       return;
-    // of each vertex the last and, from the end, the first group around it
-    const PointArrays<dim>     &points   = step.points;
-    const SimplexGeometry<dim> &geometry = step.grid.geometry();
-    std::vector<unsigned int>   largest(2 * geometry.vertices().size(), 0);
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
-      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
-           ++q)
-        {
-          const unsigned int group   = groups.of_material[points.material[q]];
-          const auto         stencil = points.stencil(geometry, k, q);
-          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            if (stencil.pressure_shape[I] != 0)
-              {
-                unsigned int *const here = &largest[2 * stencil.vertex[I]];
-                here[0]                  = std::max(here[0], group + 1);
-                here[1] = std::max(here[1], groups.size() - group);
-              }
-        }
-    Utilities::MPI::max(largest, step.grid.communicator(), largest);
-    unsigned int n_between = 0, n_all = 0;
-    for (std::size_t v = 0; v < geometry.vertices().size(); ++v)
+    const PressureGroups pressures(step, groups);
+    unsigned int         n_between = 0, n_all = 0;
+    for (std::size_t v = 0; v < step.grid.geometry().vertices().size(); ++v)
       {
-        n_all += largest[2 * v] > 0 ? 1 : 0;
-        n_between +=
-          largest[2 * v] + largest[2 * v + 1] > groups.size() + 1 ? 1 : 0;
+        n_all += pressures.has_any(v) ? 1 : 0;
+        n_between += pressures.has_several(v) ? 1 : 0;
       }
     if (n_between > 0)
       step.warnings.add(
