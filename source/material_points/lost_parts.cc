@@ -2,7 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-// The member of BodySeeding that looks for parts of a region between points.
+// The member of BodySeeding that looks at what points make of a region.
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/expression.h>
@@ -114,37 +114,130 @@ namespace isochor
         }
       return result;
     }
+
+    /** What points make of a region where its surface goes through cells
+     * (m^dim). */
+    struct RoundedRegion
+    {
+      double body  = 0; ///< what the points stand for
+      double cut   = 0; ///< cells through which the surface goes
+      double added = 0; ///< what the points have there and the region hasn't
+      double steps = 0; ///< the same, by its size in each cell
+    };
+
+    /** In the @p cells, of which points in the region stand for the part @p
+     * filled. */
+    template <int dim>
+    RoundedRegion
+    measure_rounding(const SimplexGeometry<dim>      &geometry,
+                     const std::vector<unsigned int> &cells,
+                     const std::vector<double>       &filled,
+                     const std::vector<unsigned int> &surroundings,
+                     const Expression<dim>           &in_body)
+    {
+      const auto is_cut = [&](const unsigned int cell) {
+        unsigned int around = 0;
+        for (const unsigned int v : geometry.vertex_indices(cell))
+          around |= surroundings[v];
+        return (around & body) != 0 && (around & no_body) != 0;
+      };
+      // enough places for the sum, and for each cell
+      constexpr unsigned int in_all = 100000, least = 16, most = 256;
+      const unsigned int     n_cut =
+        std::count_if(cells.begin(), cells.end(), is_cut);
+      const unsigned int n_places =
+        std::min(most, std::max(least, in_all / std::max(1U, n_cut)));
+      RoundedRegion result;
+      for (unsigned int k = 0; k < cells.size(); ++k)
+        {
+          const double size = geometry.measure(cells[k]);
+          result.body += size * filled[k];
+          if (!is_cut(cells[k]))
+            continue;
+          const auto   corners = corners_of(geometry, cells[k]);
+          unsigned int n_in    = 0;
+          for (unsigned int i = 0; i < n_places; ++i)
+            n_in += in_body(sample<dim>(corners,
+                                        std::size_t(cells[k]) * n_places + i),
+                            0.) > 0;
+          const double added = size * (filled[k] - double(n_in) / n_places);
+          result.cut += size;
+          result.added += added;
+          result.steps += std::abs(added);
+        }
+      return result;
+    }
+
+    /** Warn if the points have another volume than the region. Returns whether
+     * the surface has steps. Collective. */
+    bool
+    warn_of_rounding(const RoundedRegion &own,
+                     const MPI_Comm       comm,
+                     Warnings            &warnings)
+    {
+      constexpr double much = 0.02, step = 0.05;
+      const double     body = Utilities::MPI::sum(own.body, comm),
+                   cut      = Utilities::MPI::sum(own.cut, comm),
+                   added    = Utilities::MPI::sum(own.added, comm),
+                   steps    = Utilities::MPI::sum(own.steps, comm);
+      if (std::abs(added) > much * body)
+        warnings.add(
+          "a region that is rounded to the points",
+          "The points that <Material points/Region> holds stand for " +
+            rounded(body) + " m^" + std::to_string(dim) + ", " +
+            rounded(100 * std::abs(added) / (body - added)) + " % " +
+            (added > 0 ? "more" : "less") +
+            " than the region in the grid: a point belongs to the body as a "
+            "whole or not at all, so that the surface of the body is made of "
+            "cells and the parts of them that points stand for. Put sides of "
+            "the region on lines of cells or of these parts, take smaller "
+            "cells or more points, or <Material points/Body mesh>, a mesh of "
+            "the body itself.");
+      return steps > step * cut;
+    }
   } // namespace
 
 
 
   template <int dim>
-  void
+  bool
   BodySeeding<dim>::check_fineness(const BackgroundGrid<dim> &grid,
                                    const bool                 with_domains,
                                    Warnings                  &warnings) const
   {
     if (names_in_formula(parameters.region).empty() ||
         !parameters.body_mesh.empty() || parameters.lattice_spacing > 0)
-      return;
+      return false;
     const SimplexGeometry<dim> &geometry = grid.geometry();
     const MPI_Comm              comm     = grid.communicator();
     const unsigned int          rank  = Utilities::MPI::this_mpi_process(comm);
     const std::vector<Zone>     zones = create_zones(with_domains);
     const Expression<dim> in_body(parameters.region, "Material points/Region");
     std::vector<unsigned int> own, surroundings(geometry.vertices().size(), 0);
+    std::vector<double>       filled; // the part of the cells
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       if (geometry.owner(cell) == rank)
         {
           own.push_back(cell);
           unsigned int here = 0;
+          double       part = 0;
           if (!in_groups(geometry.cell_iterator(cell)->material_id(),
                          parameters.groups,
                          grid.group_ids()))
             here = no_body;
           else
-            for (const Point<dim> &x : places_in_cell(geometry, cell, zones))
-              here |= in_body(x, 0.) > 0 ? body : no_body;
+            {
+              const auto places = places_in_cell(geometry, cell, zones);
+              for (const Point<dim> &x : places)
+                if (in_body(x, 0.) > 0)
+                  {
+                    here |= body;
+                    part += 1. / places.size();
+                  }
+                else
+                  here |= no_body;
+            }
+          filled.push_back(part);
           for (unsigned int v = 0; v <= dim; ++v)
             if (geometry.neighbours(cell)[v] == SimplexGeometry<dim>::no_cell)
               for (unsigned int w = 0; w <= dim; ++w)
@@ -163,9 +256,12 @@ namespace isochor
           surroundings[v] |= has_bit[v];
       }
     LostParts<dim> found;
+    RoundedRegion  rounding;
     try
       {
         found = look_between_points(geometry, own, surroundings, in_body);
+        rounding =
+          measure_rounding(geometry, own, filled, surroundings, in_body);
       }
     catch (const StandardExceptions::ExcMessage &)
       {} // the formula need have values at the points only
@@ -198,6 +294,7 @@ namespace isochor
             "points/Points per cell in zones>) or a <Body mesh>; what has no "
             "meaning leave out of the formula.");
       }
+    return warn_of_rounding(rounding, comm, warnings);
   }
 
 

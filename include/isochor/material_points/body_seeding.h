@@ -70,9 +70,11 @@ namespace isochor
     check_conditions(const BackgroundGrid<dim> &grid, Warnings &warnings) const;
 
     /** Warn of gaps and parts of the region that are narrower than the distance
-     * of the points, so that points don't show them; only of points that are
-     * seeded in the cells of the @p grid. Collective. */
-    void
+     * of the points, so that points don't show them, and if the points have
+     * another volume than the region; only of points that are seeded in the
+     * cells of the @p grid. Returns whether the surface has steps, as it goes
+     * through cells. Collective. */
+    bool
     check_fineness(const BackgroundGrid<dim> &grid,
                    const bool                 with_domains,
                    Warnings                  &warnings) const;

@@ -143,14 +143,15 @@ namespace isochor
     }
 
     /** See BodySeeding::check_conditions(), check_fineness() and
-     * check_domains(); before the grid changes. */
-    void
+     * check_domains(); before the grid changes. Returns whether the surface of
+     * the body has steps. */
+    bool
     check_seeding(const bool domains_are_integrated, Warnings &warnings) const
     {
       seeding.check_conditions(grid, warnings);
-      seeding.check_fineness(grid, point_layout.with_domains, warnings);
       if (domains_are_integrated && point_layout.with_domains)
         seeding.check_domains(grid, warnings);
+      return seeding.check_fineness(grid, point_layout.with_domains, warnings);
     }
 
     /** How many parts the body has as it was seeded, by parts_by_domains(); 0
