@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/adaptation/cell_size_criterion.h>
+#include <isochor/adaptation/stress_recovery.h>
 #include <isochor/base/mpi_sums.h>
 #include <isochor/material_model/material_model.h>
 
@@ -14,17 +15,8 @@
 namespace isochor
 {
   /**
-   * The error of the stresses by recovery (Zienkiewicz & Zhu, Int. J. Numer.
-   * Meth. Eng. 24 (1987) 337-357): stresses are compared with their means at
-   * the nodes, interpolated,
-   *
-   *   σ*(x) = Σ_I N_I(x) σ_I,  σ_I = Σ_p J_p V_p N_I σ_p / Σ_p J_p V_p N_I,
-   *
-   * per material, in the energy norm of the elastic law,
-   *
-   *   η² = Σ_p J_p V_p [ |dev(σ* - σ)|² / (4 G) + (p* - p)² / (2 K) ],
-   *
-   * and relative to the norm of σ. Errors of a leaf decrease with its size h as
+   * The error of the stresses, see recovered_error(), relative to their norm.
+   * Errors of a leaf decrease with its size h as
    * h^(1 + dim/2) if the solution is smooth. Sizes are such that all leaves get
    * the same error, and the sum of the squares the target, or the number of
    * leaves (Li & Bettess, Commun. Numer. Meth. Eng. 11 (1995) 857-863).
@@ -89,19 +81,6 @@ namespace isochor
                 Statistics           &statistics) const override;
 
   private:
-    /** Of a point: dev σ and p. */
-    static constexpr unsigned int n_entries = n_symmetric_components<dim> + 1;
-    using Entries                           = std::array<double, n_entries>;
-
-    static Entries
-    entries(const SymmetricTensor<2, 3> &stress);
-    /** The square of the energy norm per volume. */
-    static double
-    energy(const BodyState<dim> &state,
-           const unsigned int    q,
-           const Entries        &stress);
-    static std::vector<Entries>
-    recovered(const BodyState<dim> &state);
     /** How the size of leaf @p i is to change, times the constant that is to
      * be found. */
     static double
@@ -130,88 +109,6 @@ namespace isochor
     unsigned int target_number = 0;
     bool         estimates     = false;
   };
-
-
-
-  template <int dim>
-  typename ErrorIndicator<dim>::Entries
-  ErrorIndicator<dim>::entries(const SymmetricTensor<2, 3> &stress)
-  {
-    const double p = trace(stress) / 3;
-    Entries      values;
-    values[0] = stress[0][0] - p;
-    values[1] = stress[1][1] - p;
-    values[2] = stress[2][2] - p;
-    values[3] = stress[0][1];
-    if constexpr (dim == 3)
-      {
-        values[4] = stress[0][2];
-        values[5] = stress[1][2];
-      }
-    values[n_entries - 1] = p;
-    return values;
-  }
-
-
-
-  template <int dim>
-  double
-  ErrorIndicator<dim>::energy(const BodyState<dim> &state,
-                              const unsigned int    q,
-                              const Entries        &s)
-  {
-    double square = 0;
-    for (unsigned int i = 0; i + 1 < n_entries; ++i)
-      square += (i < 3 ? 1 : 2) * s[i] * s[i];
-    const double p = s[n_entries - 1];
-    return square / (4 * state.shear_modulus[q]) +
-           p * p * state.inverse_bulk_modulus[q] / 2;
-  }
-
-
-
-  template <int dim>
-  std::vector<typename ErrorIndicator<dim>::Entries>
-  ErrorIndicator<dim>::recovered(const BodyState<dim> &state)
-  {
-    const SimplexGeometry<dim> &geometry = state.grid.geometry();
-    const unsigned int          n        = n_entries + 1; // and the weights
-    std::vector<double> sums(geometry.vertices().size() * state.n_materials *
-                             n);
-    const auto          row = [&](const unsigned int q, const unsigned int v) {
-      return n * (geometry.vertex_indices(state.cell[q])[v] *
-                    std::size_t(state.n_materials) +
-                  state.material[q]);
-    };
-    for (unsigned int q = 0; q < state.size(); ++q)
-      {
-        const Entries stress = entries(state.stress[q]);
-        for (unsigned int v = 0; v <= dim; ++v)
-          {
-            const double weight = state.volume[q] * state.shape[q][v];
-            double      *sum    = &sums[row(q, v)];
-            for (unsigned int i = 0; i < n_entries; ++i)
-              sum[i] += weight * stress[i];
-            sum[n_entries] += weight;
-          }
-      }
-    Utilities::MPI::sum(sums, state.grid.communicator(), sums);
-
-    std::vector<Entries> stresses(state.size());
-    for (unsigned int q = 0; q < state.size(); ++q)
-      {
-        stresses[q].fill(0.);
-        for (unsigned int v = 0; v <= dim; ++v)
-          {
-            const double *sum = &sums[row(q, v)];
-            if (!(sum[n_entries] > 0))
-              continue; // N_I is zero or by rounding less
-            for (unsigned int i = 0; i < n_entries; ++i)
-              stresses[q][i] += state.shape[q][v] * sum[i] / sum[n_entries];
-          }
-      }
-    return stresses;
-  }
 
 
 
@@ -288,22 +185,14 @@ namespace isochor
                                    std::vector<double>  &sizes,
                                    Statistics           &statistics) const
   {
-    const AdaptiveGrid<dim>      &forest   = state.grid.adaptive_grid();
-    const std::vector<Leaf<dim>> &leaves   = forest.leaves();
-    const auto                    smoothed = recovered(state);
+    const AdaptiveGrid<dim>      &forest = state.grid.adaptive_grid();
+    const std::vector<Leaf<dim>> &leaves = forest.leaves();
+    const StressError             error  = recovered_error(state);
     std::vector<double>           squares(leaves.size(), 0.);
-    double                        norm_square = 0;
     for (unsigned int q = 0; q < state.size(); ++q)
-      {
-        Entries difference = entries(state.stress[q]);
-        norm_square += state.volume[q] * energy(state, q, difference);
-        for (unsigned int i = 0; i < n_entries; ++i)
-          difference[i] -= smoothed[q][i];
-        squares[forest.leaf_of_cell(state.cell[q])] +=
-          state.volume[q] * energy(state, q, difference);
-      }
-    const MPI_Comm comm = state.grid.communicator();
-    norm_square         = Utilities::MPI::sum(norm_square, comm);
+      squares[forest.leaf_of_cell(state.cell[q])] += error.squares[q];
+    const MPI_Comm comm        = state.grid.communicator();
+    const double   norm_square = Utilities::MPI::sum(error.norm_square, comm);
     Utilities::MPI::sum(squares, comm, squares);
     double error_square = 0;
     for (const double square : squares)

@@ -170,6 +170,7 @@ namespace isochor
 
     /** Warn if the points have another volume than the region. Returns whether
      * the surface has steps. Collective. */
+    template <int dim>
     bool
     warn_of_rounding(const RoundedRegion &own,
                      const MPI_Comm       comm,
@@ -294,7 +295,7 @@ namespace isochor
             "points/Points per cell in zones>) or a <Body mesh>; what has no "
             "meaning leave out of the formula.");
       }
-    return warn_of_rounding(rounding, comm, warnings);
+    return warn_of_rounding<dim>(rounding, comm, warnings);
   }
 
 
@@ -321,11 +322,11 @@ namespace isochor
 
 
 
-  template void
+  template bool
   BodySeeding<2>::check_fineness(const BackgroundGrid<2> &,
                                  const bool,
                                  Warnings &) const;
-  template void
+  template bool
   BodySeeding<3>::check_fineness(const BackgroundGrid<3> &,
                                  const bool,
                                  Warnings &) const;

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 // The algorithm. What surrounds it, parameters, files and what is written to
 // the terminal, is in material_point_method_interface.cc.
+#include <isochor/adaptation/stress_recovery.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/early_contact.h>
 #include <isochor/boundary_condition/wall_passage.h>
@@ -322,6 +323,10 @@ namespace isochor
       check_early_contact(step, unknowns, walls, statistics);
       if (scene.adaptation.needs_sizes())
         scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
+      constexpr double rounding = 1e-9;
+      if (!scene.has_inertia() &&
+          step.time >= (1 - rounding) * scene.time.end_time())
+        warn_of_coarse_grid(step, unknowns);
       setup.evaluate(statistics);
     }
     {
