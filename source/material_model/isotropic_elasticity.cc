@@ -63,8 +63,9 @@ namespace isochor
     const double E =
       9 * elasticity.shear_modulus /
       (3 + elasticity.shear_modulus * elasticity.inverse_bulk_modulus);
-    // no material is so weak: the softest clays and metals have 1e-4
-    constexpr double least = 1e-5;
+    // the weakest metals and clays have 1e-4, and such as are meant to be rigid
+    // before they yield some 1e-5
+    constexpr double least = 1e-6;
     if (strength > 0 && strength < least * E)
       return "<" + parameter + "> = " + rounded(strength) + " Pa is only " +
              rounded(strength / E) + " of <Young modulus> = " + rounded(E) +
