@@ -119,10 +119,10 @@ namespace isochor
      * (m^dim). */
     struct RoundedRegion
     {
-      double body  = 0; ///< what the points stand for
-      double cut   = 0; ///< cells through which the surface goes
-      double added = 0; ///< what the points have there and the region hasn't
-      double steps = 0; ///< the same, by its size in each cell
+      double body    = 0; ///< what the points stand for
+      double added   = 0; ///< what they have and the region hasn't
+      double n_cut   = 0; ///< cells through which the surface goes
+      double n_steps = 0; ///< those in which points and region differ much
     };
 
     /** In the @p cells, of which points in the region stand for the part @p
@@ -142,7 +142,7 @@ namespace isochor
         return (around & body) != 0 && (around & no_body) != 0;
       };
       // enough places for the sum, and for each cell
-      constexpr unsigned int in_all = 100000, least = 16, most = 256;
+      constexpr unsigned int in_all = 100000, least = 64, most = 256;
       const unsigned int     n_cut =
         std::count_if(cells.begin(), cells.end(), is_cut);
       const unsigned int n_places =
@@ -160,10 +160,14 @@ namespace isochor
             n_in += in_body(sample<dim>(corners,
                                         std::size_t(cells[k]) * n_places + i),
                             0.) > 0;
-          const double added = size * (filled[k] - double(n_in) / n_places);
-          result.cut += size;
-          result.added += added;
-          result.steps += std::abs(added);
+          const double part = double(n_in) / n_places;
+          result.added += size * (filled[k] - part);
+          if ((n_in == 0 || n_in == n_places) && filled[k] == part)
+            continue;
+          // more than the places tell wrongly
+          const double much = 0.05 + 4. / n_places;
+          result.n_cut += 1;
+          result.n_steps += std::abs(filled[k] - part) > much ? 1 : 0;
         }
       return result;
     }
@@ -176,11 +180,11 @@ namespace isochor
                      const MPI_Comm       comm,
                      Warnings            &warnings)
     {
-      constexpr double much = 0.02, step = 0.05;
+      constexpr double much = 0.02, few = 0.1;
       const double     body = Utilities::MPI::sum(own.body, comm),
-                   cut      = Utilities::MPI::sum(own.cut, comm),
+                   n_cut    = Utilities::MPI::sum(own.n_cut, comm),
                    added    = Utilities::MPI::sum(own.added, comm),
-                   steps    = Utilities::MPI::sum(own.steps, comm);
+                   n_steps  = Utilities::MPI::sum(own.n_steps, comm);
       if (std::abs(added) > much * body)
         warnings.add(
           "a region that is rounded to the points",
@@ -194,7 +198,7 @@ namespace isochor
             "the region on lines of cells or of these parts, take smaller "
             "cells or more points, or <Material points/Body mesh>, a mesh of "
             "the body itself.");
-      return steps > step * cut;
+      return n_steps > few * n_cut;
     }
   } // namespace
 
