@@ -130,15 +130,22 @@ namespace isochor
   void
   warn_of_coarse_grid(const StepContext<dim> &step, const NodalField &unknowns)
   {
-    constexpr double  much  = 0.45;
-    const StressError error = recovered_error(state_of_body(step, unknowns));
-    double            sum   = 0;
-    for (const double square : error.squares)
-      sum += square;
+    // strains as small as rounding errors of a body that is carried along
+    constexpr double     much = 0.45, no_strain = 1e-8;
+    const BodyState<dim> state = state_of_body(step, unknowns);
+    const StressError    error = recovered_error(state);
+    double               sum = 0, least = 0;
+    for (unsigned int q = 0; q < state.size(); ++q)
+      {
+        sum += error.squares[q];
+        least +=
+          state.volume[q] * state.shear_modulus[q] * no_strain * no_strain;
+      }
     const MPI_Comm comm      = step.grid.communicator();
     sum                      = Utilities::MPI::sum(sum, comm);
+    least                    = Utilities::MPI::sum(least, comm);
     const double norm_square = Utilities::MPI::sum(error.norm_square, comm);
-    if (!(sum > much * much * norm_square))
+    if (norm_square <= least || sum <= much * much * norm_square)
       return;
     step.warnings.add(
       "a grid that is too coarse",

@@ -21,10 +21,8 @@ namespace isochor
         for (const unsigned int v : condition.vertices)
           formulas[v];
     extent = 0;
-    for (const auto &of_vertex : formulas)
-      extent = std::max(extent,
-                        reference[of_vertex.first].distance(
-                          reference[formulas.begin()->first]));
+    for (const Point<dim> &x : reference)
+      extent = std::max(extent, x.distance(reference[0]));
     if (!formulas.empty())
       for (const auto &condition : conditions)
         if (condition.side == 0)
@@ -59,9 +57,10 @@ namespace isochor
   {
     // Newton's method with difference quotients
     constexpr unsigned int most_iterations = 50;
-    constexpr double       rounding = 1e-11, difference = 1e-6;
-    const auto             found = formulas.find(vertex);
-    const double           t = (step.grid_is_kept ? reset_time : step.old_time);
+    constexpr double       rounding = 1e-11, difference = 1e-6,
+                     rounding_of_numbers = 1e-15;
+    const auto   found                   = formulas.find(vertex);
+    const double t = (step.grid_is_kept ? reset_time : step.old_time);
     if (t == 0 || found == formulas.end())
       return reference[vertex];
     const Formulas   &u = found->second;
@@ -70,7 +69,7 @@ namespace isochor
     for (unsigned int k = 0; k < most_iterations; ++k)
       {
         const Tensor<1, dim> r = residual(u, X, x, t);
-        if (r.norm() <= rounding * extent)
+        if (r.norm() <= rounding * extent + rounding_of_numbers * x.norm())
           return X;
         Tensor<2, dim> J = unit_symmetric_tensor<dim>();
         for (unsigned int a = 0; a < dim; ++a)

@@ -62,7 +62,7 @@ namespace isochor
              const double      t);
 
     std::unordered_map<unsigned int, Formulas> formulas;   ///< by vertex
-    double                                     extent = 0; ///< of these (m)
+    double                                     extent = 0; ///< of the grid (m)
   };
 } // namespace isochor
 
