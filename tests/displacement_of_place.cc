@@ -34,6 +34,26 @@ namespace
     // put back, 0.60 in an earlier version
     test::check_error("base, put back", std::abs(end_of_base("") - 0.5), 0.005);
     test::check_error("base, kept", std::abs(end_of_base(kept) - 0.5), 1e-10);
+    // coordinates that are large beside the body
+    test::check_error("base, far from the origin",
+                      std::abs(
+                        end_of_base("Grid/Lower corner = 500000, 0\n"
+                                    "Grid/Upper corner = 500002, 0.4\n"
+                                    "Material points/Region = x < 500001 && "
+                                    "y < 0.2\n"
+                                    "Boundary conditions/Displacement = left: "
+                                    "x=0; bottom: x=0.5*(x-500000)*t, y=0\n"
+                                    "Postprocess/Point probes = end: 500001, "
+                                    "0\n") -
+                        0.5),
+                      0.005);
+    // of the formula's nodes one is left
+    test::check_error("base, one node",
+                      std::abs(
+                        end_of_base("Boundary conditions/Displacement = left: "
+                                    "x=0.1*t*y; bottom: x=0, y=0; top: x=0, "
+                                    "y=0\nGrid/Subdivisions = 20, 2\n")),
+                      1e-8);
   }
 
   /** A bar one end of which is turned by half a radian. */

@@ -58,7 +58,7 @@ namespace
             "<Material points/Region = y>",
             "'y < 0.5'"});
     for (const std::string formula :
-         {"0.3 - y", "if(x, y, x)", "x + y > 0", "2"})
+         {"0.25 - y", "if(x, y, x)", "x + y > 0", "2"})
       expect("the region " + formula, messages<2>(region + formula + '\n'), {});
   }
 

@@ -130,7 +130,7 @@ namespace
     expect("CPDI, cut cells",
            messages<2>(held + "y = 0\nQuadrature/Type = CPDI\n"
                               "Material points/Points per cell = 4\n"
-                              "Material points/Region = y < 0.55\n"),
+                              "Material points/Region = y < 0.625\n"),
            {"against: translation in x (the one"});
     expect("in 3D",
            messages<3>("Grid/Subdivisions = 2, 2, 2\n"

@@ -131,7 +131,7 @@ namespace isochor
   warn_of_coarse_grid(const StepContext<dim> &step, const NodalField &unknowns)
   {
     // strains as small as rounding errors of a body that is carried along
-    constexpr double     much = 0.45, no_strain = 1e-8;
+    constexpr double     much = 0.45, no_strain = 1e-6;
     const BodyState<dim> state = state_of_body(step, unknowns);
     const StressError    error = recovered_error(state);
     double               sum = 0, least = 0;

@@ -51,27 +51,60 @@ namespace isochor
     const unsigned int          me =
       Utilities::MPI::this_mpi_process(geometry.communicator());
     const auto wanted = groups_at_vertices(group_that_wants);
+    // at the grid's boundary one that has a face there
+    const auto has_wall = [&](const unsigned int cell) {
+      const auto &neighbours = geometry.neighbours(cell);
+      return std::find(neighbours.begin(),
+                       neighbours.end(),
+                       SimplexGeometry<dim>::no_cell) != neighbours.end();
+    };
+    const auto is_free = [&](const unsigned int cell, const Groups own) {
+      const Content there = content(cell);
+      return there.is_own && there.groups == own &&
+             !has_foreign_node(element(cell), wanted);
+    };
+    // with others around it: a layer has to keep three rows
+    const auto is_deep = [&](const unsigned int cell, const Groups own) {
+      if (!is_free(cell, own))
+        return false;
+      for (const unsigned int v :
+           occupancy.grid.shape_functions().nodes(element(cell)))
+        for (const unsigned int other : occupancy.cells_at(v))
+          if (content(other).groups != 0 && !is_free(other, own))
+            return false;
+      return true;
+    };
+    const auto has_another = [&](const unsigned int of_element,
+                                 const Groups       own) {
+      bool is_at_wall = false;
+      for (const unsigned int v : geometry.vertex_indices(of_element))
+        for (const unsigned int cell : occupancy.cells_at(v))
+          is_at_wall = is_at_wall || has_wall(cell);
+      return nearest(
+               cell_centroid(geometry, of_element),
+               of_element,
+               [&](const unsigned int cell) {
+                 return (!is_at_wall || has_wall(cell)) && is_deep(cell, own);
+               },
+               reach_without_nodes) != no_cell;
+    };
     for (auto &[of_element, here] : contents)
-      if (here.is_own && geometry.owner(of_element) == me &&
-          has_foreign_node(of_element, wanted))
-        {
-          here.keeps_nodes =
-            nearest(
-              cell_centroid(geometry, of_element),
-              of_element,
-              [&, own = here.groups](const unsigned int cell) {
-                const Content there = content(cell);
-                return there.is_own && there.groups == own &&
-                       !has_foreign_node(element(cell), wanted);
-              },
-              reach) == no_cell;
-          for (const unsigned int v :
-               occupancy.grid.shape_functions().nodes(of_element))
-            if (const auto found = wanted.find(v);
-                found != wanted.end() && (found->second & ~here.groups) != 0 &&
-                (found->second & ~here.groups) < here.groups)
-              here.keeps_nodes = true;
-        }
+      {
+        Groups takers = 0;
+        for (const unsigned int v :
+             occupancy.grid.shape_functions().nodes(of_element))
+          if (const auto found = wanted.find(v); found != wanted.end())
+            takers |= found->second;
+        const Groups losers    = here.groups & ~takers;
+        const bool   is_shared = (here.groups & (here.groups - 1)) != 0;
+        if (takers == 0 || losers == 0 || !(here.is_own || is_shared) ||
+            geometry.owner(of_element) != me)
+          continue;
+        here.keeps_nodes = here.is_own && (takers & ~here.groups) < here.groups;
+        for (Groups own = 1; own != 0 && own <= losers; own <<= 1)
+          if ((losers & own) != 0 && !has_another(of_element, own))
+            here.keeps_nodes = true;
+      }
   }
 
 
@@ -94,6 +127,7 @@ namespace isochor
           const auto &nodes =
             occupancy.grid.shape_functions().nodes(of_element);
           here.is_of_stiffest =
+            !here.keeps_nodes &&
             std::none_of(nodes.begin(), nodes.end(), [&](const unsigned int v) {
               return wanted.at(v) > 2 * own - 1 || others_keep(v, own);
             });

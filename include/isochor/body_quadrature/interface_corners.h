@@ -193,7 +193,8 @@ namespace isochor
     /** Elements of several groups that the stiffest fills by half are to have
      * its functions, so that layers which bend lose no row of cells. Elements
      * next to them then have nodes of the stiffest. They keep their nodes if
-     * their group is stiffer yet, or has no other element nearby. */
+     * their group is stiffer yet, or has no other element nearby, and so do
+     * shared ones if another of their groups has none. */
     void
     find_cells_that_keep_nodes();
     void

@@ -16,8 +16,9 @@ namespace isochor
    * The materials of a scene in groups, the softest first. Stresses and strains
    * jump where groups meet, so that they should not share the functions of a
    * cell. Elastic materials whose shear and bulk moduli differ by no more than
-   * the factor @p same_stiffness are one group; one that dissipates is a group
-   * of its own, as its stiffness may vanish.
+   * the factor @p same_stiffness are one group; those that dissipate are
+   * one only if they have the same stiffness and the same strengths, as their
+   * stiffness may vanish.
    */
   struct MaterialGroups
   {
