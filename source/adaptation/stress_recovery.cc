@@ -130,11 +130,20 @@ namespace isochor
   void
   warn_of_coarse_grid(const StepContext<dim> &step, const NodalField &unknowns)
   {
-    // strains as small as rounding errors of a body that is carried along
-    constexpr double     much = 0.45, no_strain = 1e-6;
-    const BodyState<dim> state = state_of_body(step, unknowns);
-    const StressError    error = recovered_error(state);
-    double               sum = 0, least = 0;
+    // Not strains as small as rounding errors of a body that is carried along,
+    // nor what is left when the load is gone.
+    constexpr double much = 0.45, no_strain = 1e-6, unloaded = 0.5;
+    NodalField       at_rest = unknowns;
+    for (unsigned int i = 0; i < step.nodes.n_local() * step.n_components; ++i)
+      if (i % step.n_components < dim)
+        at_rest.local_element(i) = 0;
+    const BodyState<dim> state = state_of_body(step, unknowns),
+                         start = state_of_body(step, at_rest);
+    const StressError error    = recovered_error(state);
+    double            sum = 0, least = 0;
+    for (unsigned int q = 0; q < start.size(); ++q)
+      least += unloaded * start.volume[q] *
+               energy<dim>(start, q, entries<dim>(start.stress[q]));
     for (unsigned int q = 0; q < state.size(); ++q)
       {
         sum += error.squares[q];

@@ -75,7 +75,8 @@ namespace isochor
       return true;
     };
     const auto has_another = [&](const unsigned int of_element,
-                                 const Groups       own) {
+                                 const Groups       own,
+                                 const double       within) {
       bool is_at_wall = false;
       for (const unsigned int v : geometry.vertex_indices(of_element))
         for (const unsigned int cell : occupancy.cells_at(v))
@@ -86,7 +87,7 @@ namespace isochor
                [&](const unsigned int cell) {
                  return (!is_at_wall || has_wall(cell)) && is_deep(cell, own);
                },
-               reach_without_nodes) != no_cell;
+               within) != no_cell;
     };
     for (auto &[of_element, here] : contents)
       {
@@ -102,7 +103,11 @@ namespace isochor
           continue;
         here.keeps_nodes = here.is_own && (takers & ~here.groups) < here.groups;
         for (Groups own = 1; own != 0 && own <= losers; own <<= 1)
-          if ((losers & own) != 0 && !has_another(of_element, own))
+          if ((losers & own) != 0 &&
+              !has_another(of_element,
+                           own,
+                           is_shared ? reach_without_nodes + 1 :
+                                       reach_without_nodes))
             here.keeps_nodes = true;
       }
   }

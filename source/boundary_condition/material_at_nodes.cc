@@ -66,29 +66,34 @@ namespace isochor
     const Formulas   &u = found->second;
     const Point<dim> &x = step.grid.geometry().vertices()[vertex];
     Point<dim>        X = reference[vertex];
-    for (unsigned int k = 0; k < most_iterations; ++k)
+    try
       {
-        const Tensor<1, dim> r = residual(u, X, x, t);
-        if (r.norm() <= rounding * extent + rounding_of_numbers * x.norm())
-          return X;
-        Tensor<2, dim> J = unit_symmetric_tensor<dim>();
-        for (unsigned int a = 0; a < dim; ++a)
-          if (u[a])
-            {
-              Point<dim> low = X, high = X;
-              low[a] -= difference * extent;
-              high[a] += difference * extent;
-              const Tensor<1, dim> change =
-                (residual(u, high, x, t) - residual(u, low, x, t)) /
-                (high[a] - low[a]);
-              for (unsigned int d = 0; d < dim; ++d)
-                if (u[d])
-                  J[d][a] = change[d];
-            }
-        if (std::abs(determinant(J)) < difference)
-          break;
-        X -= invert(J) * r;
+        for (unsigned int k = 0; k < most_iterations; ++k)
+          {
+            const Tensor<1, dim> r = residual(u, X, x, t);
+            if (r.norm() <= rounding * extent + rounding_of_numbers * x.norm())
+              return X;
+            Tensor<2, dim> J = unit_symmetric_tensor<dim>();
+            for (unsigned int a = 0; a < dim; ++a)
+              if (u[a])
+                {
+                  Point<dim> low = X, high = X;
+                  low[a] -= difference * extent;
+                  high[a] += difference * extent;
+                  const Tensor<1, dim> change =
+                    (residual(u, high, x, t) - residual(u, low, x, t)) /
+                    (high[a] - low[a]);
+                  for (unsigned int d = 0; d < dim; ++d)
+                    if (u[d])
+                      J[d][a] = change[d];
+                }
+            if (std::abs(determinant(J)) < difference)
+              break;
+            X -= invert(J) * r;
+          }
       }
+    catch (const StandardExceptions::ExcMessage &)
+      {} // the formula has no value where the search has come to
     std::string text;
     for (unsigned int d = 0; d < dim; ++d)
       text += (d > 0 ? ", " : "(") + rounded(reference[vertex][d]);

@@ -323,12 +323,9 @@ namespace isochor
       check_early_contact(step, unknowns, walls, statistics);
       if (scene.adaptation.needs_sizes())
         scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
-      // stresses that are left when the load is gone aren't what was computed
-      constexpr double rounding = 1e-9, unloaded = 0.1;
-      largest_forces = std::max(largest_forces, newton.force_scale);
+      constexpr double rounding = 1e-9;
       if (!scene.has_inertia() &&
-          step.time >= (1 - rounding) * scene.time.end_time() &&
-          newton.force_scale > unloaded * largest_forces)
+          step.time >= (1 - rounding) * scene.time.end_time())
         warn_of_coarse_grid(step, unknowns);
       setup.evaluate(statistics);
     }

@@ -141,11 +141,9 @@ namespace isochor
     Scene<dim>     scene;
     /** Steps in succession that begin with a jump, and when the last one did.
      */
-    unsigned int n_jumps      = 0;
-    double       time_of_jump = -1;
-    /** The largest forces of a step so far (N). */
-    double             largest_forces = 0;
-    bool               is_unstable = false; ///< as check_stability() has found
+    unsigned int       n_jumps      = 0;
+    double             time_of_jump = -1;
+    bool               is_unstable  = false; ///< as check_stability() has found
     StepSetup<dim>     setup;
     Equilibrium<dim>   equilibrium;
     GridToPoints<dim>  grid_to_points;
