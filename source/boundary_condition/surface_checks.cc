@@ -141,42 +141,51 @@ namespace isochor
     if (points == nullptr)
       return;
     const unsigned int n = conditions.surfaces.size();
-    // by surface: where its points are, and which loads act there: tractions by
-    // component, and at last a pressure
-    std::vector<std::vector<std::array<double, dim>>> places(n);
-    std::vector<unsigned int>                         acts(n * (dim + 1), 0);
+    // by surface: where its points are, and which loads act there, a bit each:
+    // tractions by component, and a pressure
+    using Place = std::pair<std::array<double, dim>, unsigned int>;
+    std::vector<std::vector<Place>> places(n);
     for (unsigned int b = 0; b < points->size(); ++b)
       {
         const unsigned int           s       = points->surface(b);
         const SurfaceCondition<dim> &surface = conditions.surfaces[s];
         const Point<dim>             X       = points->reference_location(b);
-        places[s].emplace_back();
+        Place                        place{{}, 0};
         for (unsigned int a = 0; a < dim; ++a)
-          places[s].back()[a] = X[a];
+          place.first[a] = X[a];
         for (unsigned int a = 0; a < surface.traction.size(); ++a)
           if (surface.traction[a](X, step.time) != 0)
-            acts[s * (dim + 1) + a] = 1;
+            place.second |= 1 << a;
         if (!surface.pressure.empty() &&
             surface.pressure.front()(X, step.time) != 0)
-          acts[s * (dim + 1) + dim] = 1;
+          place.second |= 1 << dim;
+        places[s].push_back(place);
       }
     for (auto &of_surface : places)
       std::sort(of_surface.begin(), of_surface.end());
-    std::vector<unsigned int> differ(n * n, 0);
-    for (unsigned int s = 0; s < n; ++s)
-      for (unsigned int r = 0; r < s; ++r)
-        differ[n * s + r] = places[s] != places[r] ? 1 : 0;
-    const MPI_Comm comm = step.grid.communicator();
-    Utilities::MPI::max(differ, comm, differ);
-    Utilities::MPI::max(acts, comm, acts);
+    std::vector<unsigned int> differ(n * n, 0), doubled(n * n, 0);
     for (unsigned int s = 0; s < n; ++s)
       for (unsigned int r = 0; r < s; ++r)
         {
-          bool doubled = false;
-          for (unsigned int a = 0; a <= dim; ++a)
-            doubled = doubled || (acts[s * (dim + 1) + a] != 0 &&
-                                  acts[r * (dim + 1) + a] != 0);
-          if (doubled && differ[n * s + r] == 0)
+          const bool same   = std::equal(places[s].begin(),
+                                       places[s].end(),
+                                       places[r].begin(),
+                                       places[r].end(),
+                                       [](const Place &a, const Place &b) {
+                                         return a.first == b.first;
+                                       });
+          differ[n * s + r] = same ? 0 : 1;
+          for (std::size_t i = 0; same && i < places[s].size(); ++i)
+            if ((places[s][i].second & places[r][i].second) != 0)
+              doubled[n * s + r] = 1;
+        }
+    const MPI_Comm comm = step.grid.communicator();
+    Utilities::MPI::max(differ, comm, differ);
+    Utilities::MPI::max(doubled, comm, doubled);
+    for (unsigned int s = 0; s < n; ++s)
+      for (unsigned int r = 0; r < s; ++r)
+        {
+          if (doubled[n * s + r] != 0 && differ[n * s + r] == 0)
             step.warnings.add(
               "loads that count twice",
               "The surfaces <" + conditions.surfaces[r].place.name + "> of <" +
