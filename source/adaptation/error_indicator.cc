@@ -7,7 +7,6 @@
 #include <isochor/adaptation/cell_size_criterion.h>
 #include <isochor/adaptation/stress_recovery.h>
 #include <isochor/base/mpi_sums.h>
-#include <isochor/material_model/material_model.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +15,10 @@ namespace isochor
 {
   /**
    * The error of the stresses, see recovered_error(), relative to their norm.
-   * Errors of a leaf decrease with its size h as
-   * h^(1 + dim/2) if the solution is smooth. Sizes are such that all leaves get
-   * the same error, and the sum of the squares the target, or the number of
-   * leaves (Li & Bettess, Commun. Numer. Meth. Eng. 11 (1995) 857-863).
+   * Errors of a leaf decrease with its size h as h^(1 + dim/2) if the solution
+   * is smooth. Sizes are such that all leaves get the same error, and the sum
+   * of the squares the target, or the number of leaves (Li & Bettess, Commun.
+   * Numer. Meth. Eng. 11 (1995) 857-863).
    */
   template <int dim>
   class ErrorIndicator : public CellSizeCriterion<dim>

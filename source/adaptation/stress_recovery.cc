@@ -162,7 +162,7 @@ namespace isochor
         " the stresses are wrong by an estimated " +
         rounded(100 * std::sqrt(sum / norm_square)) +
         " % (energy norm, by recovery): cells are too large for what the body "
-        "does. Displacements and forces are wrong by a tenth or more, as of a "
+        "does. Displacements and forces may be wrong by a tenth or more, as of a "
         "beam with one or two cells over its height (44 and 13 %; estimates of "
         "86 and 57 %). Use smaller cells, <Grid/Shape functions = Q1>, or let "
         "them adapt (<Adaptive grid/Target of relative error>).");

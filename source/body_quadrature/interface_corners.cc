@@ -236,7 +236,8 @@ namespace isochor
   {
     const SimplexGeometry<dim> &geometry = locator.geometry();
     const Corner               &corner   = corners[i];
-    if (is_own(corner.place.cell, corner.owner))
+    if (is_own(corner.place.cell, corner.owner) ||
+        !content(corner.place.cell).meets_others)
       return;
     Groups                      here = content(corner.place.cell).groups;
     std::vector<Tensor<1, dim>> walls;
@@ -253,9 +254,6 @@ namespace isochor
           here |= content(cell).groups;
           add_walls(geometry, cell, corner.x, walls);
         }
-    if (!content(corner.place.cell).meets_others)
-      return;
-
     const auto on_walls = [&](const unsigned int cell) {
       return stays_on_walls(geometry, cell, corner.x, walls);
     };

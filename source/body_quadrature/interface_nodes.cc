@@ -51,6 +51,8 @@ namespace isochor
     const unsigned int          me =
       Utilities::MPI::this_mpi_process(geometry.communicator());
     const auto wanted = groups_at_vertices(group_that_wants);
+    if (wanted.empty())
+      return;
     // at the grid's boundary one that has a face there
     const auto has_wall = [&](const unsigned int cell) {
       const auto &neighbours = geometry.neighbours(cell);

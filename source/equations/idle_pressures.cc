@@ -11,7 +11,7 @@ namespace isochor
   hold_idle_pressures(const StepContext<dim> &step,
                       NodalConstraints       &constraints)
   {
-    if (!step.mixed() || step.kernel.materials.size() < 2)
+    if (!step.mixed() || step.has_inertia || step.kernel.materials.size() < 2)
       return;
     const PointArrays<dim> &points = step.points;
     NodalField              felt;

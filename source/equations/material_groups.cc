@@ -24,15 +24,16 @@ namespace isochor
 
 
 
-  /** |dev τ| of @p material in simple shear by a hundredth and by one, at a
-   * pressure of its stiffness: what tells laws that yield from each other. */
+  /** |dev τ| and θ^e of @p material in simple shear by a hundredth and by one,
+   * at a pressure of its stiffness: what tells laws that yield from each other,
+   * also such as differ in how they dilate. */
   template <int dim>
-  static std::array<double, 2>
+  static std::array<double, 4>
   strengths(const MaterialModel<dim> &material)
   {
     const unsigned int    n = material.history_names().size();
     std::vector<double>   history_n(n + 1), history(n + 1);
-    std::array<double, 2> result{};
+    std::array<double, 4> result{};
     material.initialize_history(history_n.data());
     for (unsigned int i = 0; i < 2; ++i)
       {
@@ -50,7 +51,10 @@ namespace isochor
                               history_n.data(),
                               history.data(),
                               response) == StressStatus::success)
-          result[i] = response.deviatoric_stress.norm();
+          {
+            result[i]     = response.deviatoric_stress.norm();
+            result[i + 2] = response.volumetric_strain;
+          }
       }
     return result;
   }
@@ -63,7 +67,8 @@ namespace isochor
     : of_material(kernel.materials.size(), 0)
   {
     // G, K, and of those that yield strengths; of equals by number
-    using Sorted = std::pair<std::array<double, 4>, unsigned int>;
+    using Properties = std::array<double, 6>;
+    using Sorted     = std::pair<Properties, unsigned int>;
     std::vector<Sorted> sorted;
     for (unsigned int m = 0; m < kernel.materials.size(); ++m)
       if (kernel.materials[m] != nullptr)
@@ -71,7 +76,7 @@ namespace isochor
           const double K_inverse = kernel.materials[m]->inverse_bulk_modulus();
           const auto   strength  = kernel.materials[m]->dissipates() ?
                                      strengths<dim>(*kernel.materials[m]) :
-                                     std::array<double, 2>{};
+                                     std::array<double, 4>{};
           sorted.push_back(
             {{{kernel.materials[m]->shear_modulus(),
                K_inverse == 0 ? std::numeric_limits<double>::max() :
@@ -81,7 +86,7 @@ namespace isochor
              m});
         }
     std::sort(sorted.begin(), sorted.end());
-    std::array<double, 4> last{};
+    Properties last{};
     for (const auto &[of_this, m] : sorted)
       {
         const bool may_yield = kernel.materials[m]->dissipates();

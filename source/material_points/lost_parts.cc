@@ -126,7 +126,7 @@ namespace isochor
     };
 
     /** In the @p cells, of which points in the region stand for the part @p
-     * filled. */
+     * filled; below 0 in cells that no body is seeded in. */
     template <int dim>
     RoundedRegion
     measure_rounding(const SimplexGeometry<dim>      &geometry,
@@ -150,6 +150,8 @@ namespace isochor
       RoundedRegion result;
       for (unsigned int k = 0; k < cells.size(); ++k)
         {
+          if (filled[k] < 0)
+            continue;
           const double size = geometry.measure(cells[k]);
           result.body += size * filled[k];
           if (!is_cut(cells[k]))
@@ -229,7 +231,10 @@ namespace isochor
           if (!in_groups(geometry.cell_iterator(cell)->material_id(),
                          parameters.groups,
                          grid.group_ids()))
-            here = no_body;
+            {
+              here = no_body;
+              part = -1;
+            }
           else
             {
               const auto places = places_in_cell(geometry, cell, zones);

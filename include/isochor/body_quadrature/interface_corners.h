@@ -193,8 +193,8 @@ namespace isochor
     /** Elements of several groups that the stiffest fills by half are to have
      * its functions, so that layers which bend lose no row of cells. Elements
      * next to them then have nodes of the stiffest. They keep their nodes if
-     * their group is stiffer yet, or has no other element nearby, and so do
-     * shared ones if another of their groups has none. */
+     * their group is stiffer yet, or would not keep three rows of elements
+     * nearby, and so do shared ones if another of their groups would not. */
     void
     find_cells_that_keep_nodes();
     void
@@ -204,7 +204,8 @@ namespace isochor
     /** Its group if an element wants the functions of several, else none. */
     static Groups
     group_that_wants(const Content &here);
-    /** Whether @p element, of one group, has a node of another one. */
+    /** Whether @p element has a node of a group that it doesn't hold, of the
+     * @p groups at vertices. */
     bool
     has_foreign_node(const unsigned int      element,
                      const GroupsAtVertices &groups) const;

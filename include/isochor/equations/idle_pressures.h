@@ -12,9 +12,9 @@ namespace isochor
 {
   /**
    * Where points see pressures of other nodes than displacements
-   * (DomainCorners::pressure_shape), a node may have a pressure that no point
-   * and no stabilisation feels. Its equation is 0 = 0: @p constraints, which
-   * have the ties by now, hold it at zero. Collective.
+   * (DomainCorners::pressure_shape; in statics), a node may have a pressure
+   * that no point and no stabilisation feels. Its equation is 0 = 0: @p
+   * constraints, which have the ties by now, hold it at zero. Collective.
    */
   template <int dim>
   void
