@@ -25,11 +25,11 @@ namespace isochor
 
 
   /** |dev τ| and θ^e of @p material in simple shear by a hundredth and by one,
-   * at a pressure of its stiffness: what tells laws that yield from each other,
-   * also such as differ in how they dilate. */
+   * at a pressure of its stiffness: how much it resists, and what tells laws that
+   * yield from each other, also such as differ in how they dilate. */
   template <int dim>
   static std::array<double, 4>
-  strengths(const MaterialModel<dim> &material)
+  response_to_shear(const MaterialModel<dim> &material)
   {
     const unsigned int    n = material.history_names().size();
     std::vector<double>   history_n(n + 1), history(n + 1);
@@ -66,7 +66,9 @@ namespace isochor
                                  const double            same_stiffness)
     : of_material(kernel.materials.size(), 0)
   {
-    // G, K, and of those that yield strengths; of equals by number
+    // What resists shear by a hundredth the least is the softest, so that a weak
+    // joint is softer than an elastic body of its stiffness. Materials of the
+    // same strength differ there by rounding: compared in single precision.
     using Properties = std::array<double, 6>;
     using Sorted     = std::pair<Properties, unsigned int>;
     std::vector<Sorted> sorted;
@@ -74,35 +76,39 @@ namespace isochor
       if (kernel.materials[m] != nullptr)
         {
           const double K_inverse = kernel.materials[m]->inverse_bulk_modulus();
-          const auto   strength  = kernel.materials[m]->dissipates() ?
-                                     strengths<dim>(*kernel.materials[m]) :
-                                     std::array<double, 4>{};
-          sorted.push_back(
-            {{{kernel.materials[m]->shear_modulus(),
-               K_inverse == 0 ? std::numeric_limits<double>::max() :
+          const auto [small_shear, large_shear, small_theta, large_theta] =
+            response_to_shear<dim>(*kernel.materials[m]);
+          sorted.push_back({{{static_cast<float>(small_shear),
+                              kernel.materials[m]->shear_modulus(),
+                              K_inverse == 0 ?
+                                std::numeric_limits<double>::max() :
                                 1 / K_inverse,
-               strength[0],
-               strength[1]}},
-             m});
+                              large_shear,
+                              small_theta,
+                              large_theta}},
+                            m});
         }
     std::sort(sorted.begin(), sorted.end());
-    Properties last{};
+
+    std::vector<Properties> first; // of each group
     for (const auto &[of_this, m] : sorted)
       {
         const bool may_yield = kernel.materials[m]->dissipates();
-        const std::array<double, 2> stiffness = {{of_this[0], of_this[1]}};
-        const bool                  is_same =
-          !moduli.empty() && may_yield == dissipates.back() &&
-          (may_yield ?
-             of_this == last :
-             larger_ratio(stiffness, moduli.back()) <= same_stiffness);
-        last = of_this;
-        if (!is_same && moduli.size() < most)
+        const std::array<double, 2> stiffness = {{of_this[1], of_this[2]}};
+        unsigned int                group     = 0;
+        for (; group < size(); ++group)
+          if (may_yield == dissipates[group] &&
+              (may_yield ?
+                 of_this == first[group] :
+                 larger_ratio(stiffness, moduli[group]) <= same_stiffness))
+            break;
+        if (group == size() && group < most)
           {
+            first.push_back(of_this);
             moduli.push_back(stiffness);
             dissipates.push_back(may_yield);
           }
-        of_material[m] = moduli.size() - 1;
+        of_material[m] = std::min(group, size() - 1);
       }
   }
 
