@@ -177,6 +177,7 @@ namespace isochor
               here.keeps_nodes       = there.keeps_nodes;
               here.is_of_stiffest    = there.is_of_stiffest;
               here.meets_others      = there.meets_others;
+              here.is_at_seam        = there.is_at_seam;
             }
         }
   }
@@ -209,8 +210,12 @@ namespace isochor
         Groups around = here.groups;
         for (const unsigned int v :
              occupancy.grid.shape_functions().nodes(of_element))
-          if (const auto found = groups_at.find(v); found != groups_at.end())
-            around |= found->second;
+          {
+            if (const auto found = groups_at.find(v); found != groups_at.end())
+              around |= found->second;
+            here.is_at_seam =
+              here.is_at_seam || occupancy.is_near_periodic_side(v);
+          }
         const bool is_one = (here.groups & (here.groups - 1)) == 0;
         here.meets_others = (around & (around - 1)) != 0;
         // A cell at the end of the body that is hardly filled may have nodes

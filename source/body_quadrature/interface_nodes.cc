@@ -20,7 +20,8 @@ namespace isochor
     constexpr double half       = 0.47;
     const bool       is_shared  = (here.groups & (here.groups - 1)) != 0,
                most_is_stiffest = here.groups >> here.most == 1;
-    return is_shared && most_is_stiffest && here.filled_by_most > half ?
+    return is_shared && most_is_stiffest && here.filled_by_most > half &&
+               !here.is_at_seam ?
              Groups(1) << here.most :
              0;
   }

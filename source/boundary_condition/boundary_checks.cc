@@ -7,6 +7,7 @@
 #include <isochor/grid/extent.h>
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 namespace isochor
@@ -16,6 +17,28 @@ namespace isochor
     /** Of the body's length along a push, what the gap behind it may have: the
      * forces then lack about as much. */
     constexpr double strain_lost = 0.01;
+
+    /** Whether material points are in cells at the boundary @p id. Nodes may be
+     * active there by conditions only. Collective. */
+    template <int dim>
+    bool
+    has_points_at(const StepContext<dim> &step, const types::boundary_id id)
+    {
+      const SimplexGeometry<dim> &geometry = step.grid.geometry();
+      std::set<unsigned int>      vertices;
+      for (const BoundaryFace &face : step.grid.boundary_faces())
+        if (face.id == id)
+          for (unsigned int v = 0; v <= dim; ++v)
+            if (v != face.opposite_vertex)
+              vertices.insert(geometry.vertex_indices(face.cell)[v]);
+      bool found = false;
+      for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+        for (const unsigned int v :
+             geometry.vertex_indices(step.points.cell[k]))
+          found = found || vertices.count(v) > 0;
+      return Utilities::MPI::max(static_cast<int>(found),
+                                 step.grid.communicator()) != 0;
+    }
 
     /** Whether material is in cells at the boundary @p id, or at any if
      * @p everywhere. Collective. */
@@ -110,11 +133,12 @@ namespace isochor
                     const std::string       &parameter,
                     const std::string       &name,
                     const types::boundary_id id,
-                    const bool               everywhere)
+                    const bool               everywhere,
+                    const bool               by_points)
   {
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
     Extent<dim>                 boundary, body;
-    if (is_touched(step, id, everywhere))
+    if (by_points ? has_points_at(step, id) : is_touched(step, id, everywhere))
       return;
     for (const BoundaryFace &face : step.grid.boundary_faces())
       if (everywhere || face.id == id)
@@ -235,12 +259,14 @@ namespace isochor
                        const std::string &,
                        const std::string &,
                        const types::boundary_id,
+                       const bool,
                        const bool);
   template void
   warn_if_untouched<3>(const StepContext<3> &,
                        const std::string &,
                        const std::string &,
                        const types::boundary_id,
+                       const bool,
                        const bool);
   template void
   warn_of_wall_inside(const StepContext<2> &,

@@ -113,6 +113,12 @@ namespace isochor
             }
     }
 
+    std::vector<unsigned int>
+    periodic_vertices() const override
+    {
+      return vertices.all();
+    }
+
     void
     grid_changed(const BackgroundGrid<dim> &grid,
                  const bool /*at_start*/) override
@@ -124,10 +130,13 @@ namespace isochor
     check_scene(const StepContext<dim> &step) const override
     {
       for (const Pair &pair : pairs)
-        warn_if_untouched(step,
-                          parameter(),
-                          pair.first,
-                          step.grid.boundary_id(pair.first, parameter()));
+        for (const std::string &side : {pair.first, pair.second})
+          warn_if_untouched(step,
+                            parameter(),
+                            side,
+                            step.grid.boundary_id(side, parameter()),
+                            false,
+                            true);
       if (hold_corner)
         warn_if_no_corner(step);
       warn_of_shared_pressures(step);

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/keep_each_once.h>
+#include <isochor/boundary_condition/wall_passage.h>
 #include <isochor/equations/held_directions.h>
 #include <isochor/step/step_setup.h>
 #include <isochor/step/why_to_reset.h>
@@ -169,7 +170,8 @@ namespace isochor
         return directions.free_part(all_nodes.node(vertex), n);
       },
       scene.grid.is_adaptive() || scene.grid.is_moving() ||
-        refinement.splits_points());
+        refinement.splits_points(),
+      find_periodic_vertices<dim>(scene.boundary_conditions));
   }
 
 

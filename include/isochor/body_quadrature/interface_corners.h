@@ -129,6 +129,7 @@ namespace isochor
       bool is_thin        = false; ///< see find_thin_layers()
       bool keeps_nodes    = false; ///< see find_cells_that_keep_nodes()
       bool is_of_stiffest = false; ///< see give_cells_to_stiffest()
+      bool is_at_seam     = false; ///< see is_near_periodic_side()
       /** The part of it that points fill, and those of the group of most. */
       double filled = 0, filled_by_most = 0;
 
@@ -136,8 +137,8 @@ namespace isochor
       void
       serialize(Archive &archive, const unsigned int /*version*/)
       {
-        archive &groups &has_own_pressures &is_own &meets_others;
-        archive &is_thin &keeps_nodes              &is_of_stiffest;
+        archive &groups &has_own_pressures &is_own    &meets_others;
+        archive &is_thin &keeps_nodes &is_of_stiffest &is_at_seam;
       }
     };
 
@@ -191,10 +192,11 @@ namespace isochor
     void
     give_pressures_to_thin_layers();
     /** Elements of several groups that the stiffest fills by half are to have
-     * its functions, so that layers which bend lose no row of cells. Elements
-     * next to them then have nodes of the stiffest. They keep their nodes if
-     * their group is stiffer yet, or would not keep three rows of elements
-     * nearby, and so do shared ones if another of their groups would not. */
+     * its functions, so that layers which bend lose no row of cells; not at
+     * periodic sides, which have to decide alike. Elements next to
+     * them then have nodes of the stiffest. They keep their nodes if their
+     * group is stiffer yet, or would not keep three rows of elements nearby,
+     * and so do shared ones if another of their groups would not. */
     void
     find_cells_that_keep_nodes();
     void

@@ -32,8 +32,9 @@ namespace isochor
   /**
    * Warn if no active node is on the boundary called @p name, whose id is
    * @p id (any if @p everywhere), so that the entry of @p parameter for it has
-   * no effect now. A wall that the body reaches later is a case in which it may
-   * be meant. Collective.
+   * no effect now; if @p by_points, no material point in the cells there, as
+   * the condition itself makes nodes active. A wall that the body reaches later
+   * is a case in which it may be meant. Collective.
    */
   template <int dim>
   void
@@ -41,7 +42,8 @@ namespace isochor
                     const std::string       &parameter,
                     const std::string       &name,
                     const types::boundary_id id,
-                    const bool               everywhere = false);
+                    const bool               everywhere = false,
+                    const bool               by_points  = false);
 
   /** A wall stands outside of the grid and pushes inwards: warn of a one-sided
    * condition u >= ... (@p side 1) or u <= ... (-1) of @p parameter on

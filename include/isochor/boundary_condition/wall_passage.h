@@ -32,7 +32,25 @@ namespace isochor
     virtual void
     append_periods(const BackgroundGrid<dim> &grid,
                    std::vector<Period<dim>>  &periods) const = 0;
+
+    /** All that are the same place as others. */
+    virtual std::vector<unsigned int>
+    periodic_vertices() const = 0;
   };
+
+  /** Those of all @p conditions, a list of pointers to them. */
+  template <int dim, typename Conditions>
+  std::vector<unsigned int>
+  find_periodic_vertices(const Conditions &conditions)
+  {
+    std::vector<unsigned int> vertices;
+    for (const auto &condition : conditions)
+      if (const auto *const has_periods =
+            dynamic_cast<const HasPeriods<dim> *>(condition.get()))
+        for (const unsigned int v : has_periods->periodic_vertices())
+          vertices.push_back(v);
+    return vertices;
+  }
 
   /** A flat wall that only pushes; the same on all ranks. */
   template <int dim>

@@ -34,10 +34,13 @@ namespace isochor
     /** With a new grid. @p free_part(vertex, n) is the square of the part of
      * the unit vector n that displacements are free along at the vertex.
      * @p compares_with_seeding: points may come into cells that are smaller
-     * than those that they were seeded in. */
+     * than those that they were seeded in. @p periodic_vertices are all of
+     * those on periodic sides. */
     template <typename FreePart>
     void
-    initialize(const FreePart &free_part, const bool compares_with_seeding);
+    initialize(const FreePart                  &free_part,
+               const bool                       compares_with_seeding,
+               const std::vector<unsigned int> &periodic_vertices);
 
     /**
      * Take stock of @p points. If @p find_holes, a few empty cells in a row
@@ -130,6 +133,13 @@ namespace isochor
     is_at_open_boundary(const unsigned int vertex) const
     {
       return open_vertex[vertex] != 0;
+    }
+
+    /** Whether a cell at @p vertex has another one on a periodic side. */
+    bool
+    is_near_periodic_side(const unsigned int vertex) const
+    {
+      return !near_periodic.empty() && near_periodic[vertex] != 0;
     }
 
     /** Whether the body surely fills the occupied @p cell. */
@@ -256,7 +266,7 @@ namespace isochor
 
     std::vector<unsigned int>  cells_at_start, cells_at_vertices;
     std::vector<unsigned int>  n_cells_at;
-    std::vector<unsigned char> open_vertex;
+    std::vector<unsigned char> open_vertex, near_periodic;
     /** Lists of other ranks: first those of one rank only, in order. */
     std::vector<std::vector<unsigned int>> near_ranks;
     /** By vertex, the number from 1 of the list that has the other ranks with
@@ -277,8 +287,10 @@ namespace isochor
   template <int dim>
   template <typename FreePart>
   void
-  CellOccupancy<dim>::initialize(const FreePart &free_part,
-                                 const bool      compare_with_seeding)
+  CellOccupancy<dim>::initialize(
+    const FreePart                  &free_part,
+    const bool                       compare_with_seeding,
+    const std::vector<unsigned int> &periodic_vertices)
   {
     compares_with_seeding         = compare_with_seeding;
     const unsigned int n_vertices = grid.triangulation().n_vertices();
@@ -292,6 +304,12 @@ namespace isochor
     open_vertex.assign(n_vertices, 0);
     find_cells_at_vertices();
     find_near_ranks();
+
+    near_periodic.assign(periodic_vertices.empty() ? 0 : n_vertices, 0);
+    for (const unsigned int v : periodic_vertices)
+      for (const unsigned int cell : cells_at(v))
+        for (const unsigned int other : grid.geometry().vertex_indices(cell))
+          near_periodic[other] = 1;
 
     for (const BoundaryFace &face : grid.boundary_faces())
       {
