@@ -216,18 +216,15 @@ namespace isochor
       union_over_ranks(body->cell, grid.communicator());
     const auto found =
       seed_surfaces(grid, *shape, occupied, places, conditions.body_mesh);
-    const bool linear_on_domains = points->seed(found.faces, *body);
-    candidate_area               = found.candidate;
-    covered_area                 = found.covered;
-    description                  = describe_surfaces(found, places);
-    share_on_domains.clear();
-    if (linear_on_domains)
-      {
-        share_on_domains.assign(places.size(), 0.);
-        for (const SurfaceFace<dim> &face : points->faces_on_domains())
-          share_on_domains[face.surface] +=
-            face.area.norm() / found.covered[face.surface];
-      }
+    const bool linear_on_domains =
+      points->seed(found.faces, *body, conditions.are_held_at_centres());
+    candidate_area = found.candidate;
+    covered_area   = found.covered;
+    description    = describe_surfaces(found, places);
+    share_on_domains.assign(linear_on_domains ? places.size() : 0, 0.);
+    for (const SurfaceFace<dim> &face : points->faces_on_domains())
+      share_on_domains[face.surface] +=
+        face.area.norm() / found.covered[face.surface];
     seeded = true;
   }
 

@@ -114,7 +114,8 @@ namespace isochor
   template <int dim>
   bool
   BoundaryPoints<dim>::seed(const std::vector<SurfaceFace<dim>> &faces,
-                            const PointArrays<dim>              &body)
+                            const PointArrays<dim>              &body,
+                            const std::vector<bool> &held_at_centres)
   {
     // a rank may have no points
     const bool linear_on_domains =
@@ -130,7 +131,10 @@ namespace isochor
                              grid.communicator());
         others.clear();
         for (unsigned int f = 0; f < faces.size(); ++f)
-          (std::abs(shares[f] - 1) < whole ? of_domains : others)
+          (std::abs(shares[f] - 1) < whole &&
+               !held_at_centres[faces[f].surface] ?
+             of_domains :
+             others)
             .push_back(faces[f]);
       }
     on_domains        = SurfaceOnDomains<dim>(of_domains);

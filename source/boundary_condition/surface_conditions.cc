@@ -41,7 +41,9 @@ namespace isochor
       Patterns::Integer(1),
       "Number of boundary points on each face at t = 0, which are Gauss "
       "points: any number in 2D; 1, 3, 4, 6, 7, 9, 12, 15, 16, ... in 3D. "
-      "With CPDI the faces are those of the points' domains. "
+      "With CPDI the faces are those of the points' domains. With 1, a "
+      "surface that nothing but <Displacement of body> names is held at the "
+      "centre of each face of a cell: one face is a hinge there. "
       "From 2 (2D) or 3 (3D) on, a traction linear on a face is integrated "
       "exactly.");
     prm.declare_entry("Mesh of body surfaces",

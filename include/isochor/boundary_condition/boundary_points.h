@@ -57,11 +57,13 @@ namespace isochor
     }
 
     /** Begin with these faces, the same on all ranks, at t = 0, when @p body
-     * has been set up. Returns whether its points see functions linear on their
+     * has been set up. Those of surfaces that are @p held_at_centres stay faces
+     * of cells. Returns whether its points see functions linear on their
      * domains. Collective. */
     bool
     seed(const std::vector<SurfaceFace<dim>> &faces,
-         const PointArrays<dim>              &body);
+         const PointArrays<dim>              &body,
+         const std::vector<bool>             &held_at_centres);
 
     /** The faces that consist of faces of domains; see above. */
     const std::vector<SurfaceFace<dim>> &

@@ -69,6 +69,19 @@ namespace isochor
                          });
     }
 
+    /** By surface: whether each face of the cells is held at its centre only,
+     * also with domains that have several faces there. What is held at one
+     * point may turn around it. */
+    std::vector<bool>
+    are_held_at_centres() const
+    {
+      std::vector<bool> result;
+      for (const auto &surface : surfaces)
+        result.push_back(points_per_face == 1 && surface.is_fixed() &&
+                         surface.traction.empty() && surface.pressure.empty());
+      return result;
+    }
+
     /** Of the parameters, for messages. */
     std::string section = "Boundary conditions";
 
