@@ -62,45 +62,67 @@ namespace isochor
       return ahead;
     }
 
-    /** Add the normals of the grid's boundary faces of @p cell that @p x lies
-     * on. */
+    /** Faces of the grid's boundary at a corner of a domain. */
     template <int dim>
-    void
-    add_walls(const SimplexGeometry<dim>  &geometry,
-              const unsigned int           cell,
-              const Point<dim>            &x,
-              std::vector<Tensor<1, dim>> &normals)
+    struct WallsAt
     {
-      const auto lambda = geometry.barycentric(cell, x);
-      for (unsigned int v = 0; v <= dim; ++v)
-        if (std::abs(lambda[v]) < near_face &&
-            geometry.neighbours(cell)[v] == SimplexGeometry<dim>::no_cell)
-          {
-            const Tensor<1, dim> g = geometry.gradients(cell)[v];
-            normals.push_back(g / g.norm());
-          }
+      std::vector<Tensor<1, dim>> normals;
+      Point<dim>                  place; ///< the corner's, moved onto them
+    };
+
+    /** Those that @p x in @p cell lies on, or that it has left by a part of a
+     * cell: a wall moves with the body, and a grid that is put back does not.
+     */
+    template <int dim>
+    WallsAt<dim>
+    walls_at(const CellOccupancy<dim> &occupancy,
+             const unsigned int        cell,
+             const Point<dim>         &x)
+    {
+      constexpr double            most     = 0.3;
+      const SimplexGeometry<dim> &geometry = occupancy.grid.geometry();
+      WallsAt<dim>                walls;
+      walls.place = x;
+      for (const unsigned int v : geometry.vertex_indices(cell))
+        for (const unsigned int other : occupancy.cells_at(v))
+          for (unsigned int f = 0; f <= dim; ++f)
+            if (geometry.neighbours(other)[f] == SimplexGeometry<dim>::no_cell)
+              {
+                const Tensor<1, dim> g      = geometry.gradients(other)[f];
+                const auto           lambda = geometry.barycentric(other, x);
+                if (std::abs(lambda[f]) > most)
+                  continue;
+                const auto on_face =
+                  geometry.barycentric(other,
+                                       x - lambda[f] / g.norm_square() * g);
+                if (*std::min_element(on_face.begin(), on_face.end()) <
+                    -near_face)
+                  continue;
+                walls.normals.push_back(g / g.norm());
+                walls.place -= geometry.barycentric(other, walls.place)[f] /
+                               g.norm_square() * g;
+              }
+      return walls;
     }
 
-    /** Whether the functions of @p cell, continued to @p x, are there those of
-     * nodes on the same faces of the grid's boundary, with the @p normals: what
-     * holds these nodes has to hold the corner. */
+    /** Whether the functions of @p cell, continued to the @p walls, are there
+     * those of nodes on these: what holds the nodes has to hold the corner. */
     template <int dim>
     bool
-    stays_on_walls(const SimplexGeometry<dim>        &geometry,
-                   const unsigned int                 cell,
-                   const Point<dim>                  &x,
-                   const std::vector<Tensor<1, dim>> &normals)
+    stays_on_walls(const SimplexGeometry<dim> &geometry,
+                   const unsigned int          cell,
+                   const WallsAt<dim>         &walls)
     {
-      if (normals.empty())
+      if (walls.normals.empty())
         return true;
-      const auto   lambda = geometry.barycentric(cell, x);
+      const auto   lambda = geometry.barycentric(cell, walls.place);
       const double size   = cell_size(geometry, cell);
       for (unsigned int v = 0; v <= dim; ++v)
         if (std::abs(lambda[v]) > near_face)
-          for (const Tensor<1, dim> &n : normals)
+          for (const Tensor<1, dim> &n : walls.normals)
             if (std::abs(
                   n * (geometry.vertices()[geometry.vertex_indices(cell)[v]] -
-                       x)) > near_face * size)
+                       walls.place)) > near_face * size)
               return false;
       return true;
     }
@@ -239,8 +261,7 @@ namespace isochor
     if (is_own(corner.place.cell, corner.owner) ||
         !content(corner.place.cell).meets_others)
       return;
-    Groups                      here = content(corner.place.cell).groups;
-    std::vector<Tensor<1, dim>> walls;
+    Groups here = content(corner.place.cell).groups;
     if (depth<dim>(corner.place) < near_face)
       for (const unsigned int cell : nearest_cells<dim>(
              geometry,
@@ -252,10 +273,11 @@ namespace isochor
           if (is_own(cell, corner.owner))
             return;
           here |= content(cell).groups;
-          add_walls(geometry, cell, corner.x, walls);
         }
+    const WallsAt<dim> walls =
+      walls_at<dim>(occupancy, corner.place.cell, corner.x);
     const auto on_walls = [&](const unsigned int cell) {
-      return stays_on_walls(geometry, cell, corner.x, walls);
+      return stays_on_walls(geometry, cell, walls);
     };
     const auto is_own_here = [&](const unsigned int cell) {
       return is_own(cell, corner.owner) && on_walls(cell);
