@@ -26,6 +26,7 @@ from bench import Bench, shortened  # noqa: E402
 from fuzzer import fuzz  # noqa: E402
 from harness import output  # noqa: E402
 from stability_cuts import convergence  # noqa: E402
+from stability_cycles import ten_cycles  # noqa: E402
 from stability_faces import axes, on_faces  # noqa: E402
 from stability_parameters import alpha, load_steps, nu  # noqa: E402
 from stability_places import offsets, symmetry, turned, units  # noqa: E402
@@ -49,6 +50,7 @@ TESTS = {
         strain,
         shear,
         cycles,
+        ten_cycles,
         fuzz,
     )
 }

@@ -1,0 +1,68 @@
+# Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Stress test: energy and momentum of free motions over ten cycles."""
+
+import numpy as np
+from bench import SCENES, plt
+
+QUADRATURES = ("points", "cell-filled", "cell-filled + boundary", "CPDI")
+TIME, LOST = "Time (s)", "Energy lost by the scheme (J)"
+SPIN = "Angular momentum z (kg m^2/s)"
+
+
+def ten_cycles(bench):
+    """Free motions over ten cycles at 50 steps each, all parameters but the quadrature at
+    their defaults: what the scheme loses in a cycle, of the largest kinetic energy, and
+    what the turning square loses of its angular momentum in a turn and gets of linear
+    momentum. CPDI puts the grid back in each step, the others keep it."""
+    cycles = 10
+    figure, axes = plt.subplots(1, 4, figsize=(13, 3.2), constrained_layout=True)
+    for axis, scene in zip(
+        axes, ("beam_vibration", "pendulum", "spinning_square", "tube_ten_cycles")
+    ):
+        for quadrature in QUADRATURES:
+            numbers = bench.run(
+                SCENES / f"{scene}.prm",
+                {"Quadrature/Type": quadrature},
+                f"ten_cycles {scene} {quadrature}",
+            )
+            time, lost = numbers[TIME], numbers[LOST]
+            largest = numbers["Kinetic energy (J)"].max()
+            ends = np.linspace(0, time[-1], cycles + 1)
+            percent = 100 / largest * np.diff(np.interp(ends, [0, *time], [0, *lost]))
+            axis.plot(time, 100 * lost / largest, label=quadrature)
+            bench.check(
+                "ten_cycles",
+                f"{scene}, {quadrature}, {cycles} cycles: energy lost in each, % "
+                f"(mean {percent.mean():.2f})",
+                f"{percent.min():.2f} to {percent.max():.2f}",
+                "-0.1 to 1",
+                percent.min() > -0.1 and percent.max() <= 1,
+            )
+            if scene == "spinning_square":
+                check_momenta(bench, quadrature, numbers, ends)
+        axis.set(title=scene, xlabel="t (s)", ylabel="energy lost (%)")
+    axes[0].legend(fontsize=7)
+    bench.save(figure, "ten_cycles")
+
+
+def check_momenta(bench, quadrature, numbers, ends):
+    spin = np.interp(ends[1:], numbers[TIME], numbers[SPIN])
+    change = np.abs(np.diff(spin, prepend=numbers[SPIN][0])).max() / numbers[SPIN][0]
+    linear = max(np.abs(numbers[f"Momentum {d} (kg m/s)"]).max() for d in "xy")
+    bench.check(
+        "ten_cycles",
+        f"spinning_square, {quadrature}: angular momentum lost in the worst turn",
+        f"{change:.1e}",
+        "1e-3",
+        change < 1e-3,
+    )
+    # against that of half of the square
+    linear /= numbers["Mass (kg)"][0] * 0.25
+    bench.check(
+        "ten_cycles",
+        f"spinning_square, {quadrature}: linear momentum over that of half of it",
+        f"{linear:.0e}",
+        "1e-12",
+        linear < 1e-12,
+    )
