@@ -148,9 +148,30 @@ namespace
         const std::string sparse = warned("0.17", type);
         test::check("warning for a sparse lattice, " + type,
                     sparse.find("<Material points/Lattice spacing>") !=
-                      std::string::npos,
+                        std::string::npos &&
+                      sparse.find("At t = 0 ") == 0 &&
+                      // 0.17² over half of 0.25²
+                      sparse.find("has 0.925 times the volume of its cell") !=
+                        std::string::npos,
                     sparse);
       }
+    const auto pulled = test::run_scene<2>(
+      "Grid/Upper corner = 4, 1.5\nGrid/Subdivisions = 16, 6\n"
+      "Material points/Region = x < 2 && y < 1\n"
+      "Material points/Lattice spacing = 0.125\nQuadrature/Type = points\n"
+      "Material/Young modulus = 1000\nMaterial/Poisson ratio = 0\n"
+      "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
+      "Boundary conditions/Surfaces of body = end: x > 1.99\n"
+      "Boundary conditions/Displacement of body = end: x=1.5*t\n"
+      "Time/Step size = 0.05\n");
+    std::string later;
+    for (const auto &warning : pulled->all_warnings().all())
+      if (warning.subject == "material points too far apart for the grid")
+        later = warning.text;
+    test::check("the same at a reset",
+                later.find("At t = 0.") == 0 &&
+                  later.find("% of its volume, hold none") != std::string::npos,
+                later);
     std::string message;
     try
       {
