@@ -345,6 +345,79 @@ namespace
                 near.find("wander") == std::string::npos,
                 near);
   }
+
+  /** Conditions on boundaries that the body, in the lower half, doesn't touch,
+   * and formulas of a place where there is none. */
+  void
+  test_untouched()
+  {
+    const std::string low =
+      good + "Material points/Region = y < 0.5\nBoundary conditions/";
+    expect("a wall where no material is",
+           messages<2>(low + "Walls = top: n = 0\n"),
+           {"WARNING no material at <top>", "Boundary conditions/Walls"});
+    expect("a rigid side where no material is",
+           messages<2>(low + "Rigid sides = top: y = 0\n"),
+           {"WARNING no material at <top>", "Boundary conditions/Rigid sides"});
+    expect("a formula of x in rigid sides",
+           messages<2>(good + "Boundary conditions/Rigid sides = top: y = x\n"),
+           {"ERROR", "Boundary conditions/Rigid sides", "depends on x"});
+    const auto periodic = [](const std::string &region) {
+      return messages<2>(
+        "Grid/Subdivisions = 4, 4\n"
+        "Boundary conditions/Displacement = bottom: x = 0, y = 0\n"
+        "Boundary conditions/Gravity = 0, -1\n"
+        "Boundary conditions/Periodic sides = left: right\n"
+        "Material points/Region = " +
+        region + "\n");
+    };
+    for (const std::string side : {"left", "right"})
+      expect("periodic sides, none at the " + side,
+             periodic(side == "left" ? "x > 0.5" : "x < 0.5"),
+             {"WARNING no material at <" + side + ">",
+              "Boundary conditions/Periodic sides"});
+    expect("periodic sides, at both", periodic("y < 0.5"), {});
+  }
+
+  void
+  test_summary()
+  {
+    Warnings   warnings;
+    const auto test = [&](const std::string &what, const std::string &summary) {
+      test::check("the last line, " + what,
+                  warnings.summary() == summary,
+                  warnings.summary());
+    };
+    test("no warning", "No warnings.");
+    for (unsigned int i = 0; i < 7; ++i)
+      warnings.add("a", "of a");
+    test("one", "1 warning, see above: a (7 times).");
+    warnings.add("b", "of b");
+    test("two", "2 warnings, see above: a (7 times), b.");
+  }
+
+  void
+  test_volumes_that_differ()
+  {
+    const auto problem = test::run_scene<2>(
+      "Grid/Upper corner = 4, 1.5\nGrid/Subdivisions = 16, 6\n"
+      "Material points/Region = x < 2 && y < 1\n"
+      "Material points/Lattice spacing = 0.125\n"
+      "Quadrature/Type = cell-filled\nMaterial/Young modulus = 1000\n"
+      "Material/Poisson ratio = 0\n"
+      "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
+      "Boundary conditions/Surfaces of body = end: x > 1.99\n"
+      "Boundary conditions/Displacement of body = end: x=1.5*t\n"
+      "Time/Step size = 0.05\n");
+    const std::string told =
+      test::warning_of(*problem,
+                       "volume in the grid differs from the "
+                       "material's");
+    test::check("volumes that differ at five resets",
+                told.find("5 resets of the grid: the volumes differ by ") !=
+                  std::string::npos,
+                told);
+  }
 } // namespace
 
 
@@ -367,4 +440,7 @@ main(int argc, char **argv)
   test_hinge();
   test_materials();
   test_wandering_volumes();
+  test_untouched();
+  test_summary();
+  test_volumes_that_differ();
 }

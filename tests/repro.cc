@@ -37,6 +37,12 @@ namespace
     test::check_error("volume, cell-filled + boundary",
                       std::abs(grid / material - 1),
                       1e-3);
+    // at the ends of this body that flows
+    const std::string told =
+      test::warning_of(*problem, "nodes tied to the body carry load");
+    test::check("what ties carry",
+                told.find("% of the internal work") != std::string::npos,
+                told);
   }
 
   double
