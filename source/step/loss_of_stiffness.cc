@@ -291,8 +291,8 @@ namespace isochor
         " (a coarse one bears more than a fine one, often by a tenth); "
         "where the body yields bit by bit in small strains it may be "
         "above by a quarter, near the last equilibrium that is found. "
-        "Else more is carried only by the body as it has been deformed, "
-        "or by a grid that is too coarse.";
+        "Else more is carried only by a law that hardens, by the body as it "
+        "has been deformed, or by a grid that is too coarse.";
     step.warnings.add("the body gives way",
                       text +
                         " To follow the body beyond, use <Dynamics/Inertia "
