@@ -359,6 +359,21 @@ namespace
     expect("a rigid side where no material is",
            messages<2>(low + "Rigid sides = top: y = 0\n"),
            {"WARNING no material at <top>", "Boundary conditions/Rigid sides"});
+    const std::string hinged =
+      "Grid/Subdivisions = 4, 4\nMaterial points/Region = y < 0.5\n"
+      "Boundary conditions/Displacement = right: x = 0, y = 0\n"
+      "Boundary conditions/Gravity = 0, -1\n"
+      "Boundary conditions/Rigid sides = left: x = 0";
+    expect("a rigid side that turns about a point beside the body",
+           messages<2>(hinged + "\n"),
+           {"WARNING a rigid side that turns about a point beside the body",
+            "(0, 0.5)",
+            "[0, 0] x [0, 0.5]",
+            "<centre = (0, 0.25)>"});
+    for (const std::string centre : {", centre = (0, 0.5)", ", rotation = 0"})
+      expect("a rigid side with" + centre,
+             messages<2>(hinged + centre + "\n"),
+             {});
     expect("a formula of x in rigid sides",
            messages<2>(good + "Boundary conditions/Rigid sides = top: y = x\n"),
            {"ERROR", "Boundary conditions/Rigid sides", "depends on x"});

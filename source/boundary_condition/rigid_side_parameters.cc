@@ -6,11 +6,13 @@
 // What a parameter file says of a rigid side.
 
 #include <isochor/boundary_condition/rigid_side.h>
+#include <isochor/grid/extent.h>
 
 #include <algorithm>
 #include <cmath>
 #include <istream>
 #include <ostream>
+#include <sstream>
 
 namespace isochor
 {
@@ -117,6 +119,53 @@ namespace isochor
 
 
 
+  template <int dim>
+  void
+  RigidSide<dim>::warn_of_centre_beside_body(const StepContext<dim> &step) const
+  {
+    const auto is_given = [](const Formula &formula) {
+      return formula != nullptr;
+    };
+    if (has_centre || std::all_of(rotation.begin(), rotation.end(), is_given) ||
+        (std::none_of(translation.begin(), translation.end(), is_given) &&
+         std::none_of(force.begin(), force.end(), is_given)))
+      return;
+    Extent<dim> body;
+    for (const unsigned int v : side_vertices)
+      if (step.nodes.node(v) != numbers::invalid_unsigned_int)
+        body.include(step.grid.geometry().vertices()[v]);
+    body.merge(step.grid.communicator());
+    // where it is held at the end of a side that the body has half of
+    constexpr double beside = 0.25;
+    double           most = 0, size = 0;
+    Point<dim>       middle;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        middle[d] = (body.lower[d] + body.upper[d]) / 2;
+        most      = std::max(most, std::abs(centre[d] - middle[d]));
+        size      = std::max(size, body.upper[d] - body.lower[d]);
+      }
+    if (body.lower[0] > body.upper[0] || most <= beside * size)
+      return;
+    std::ostringstream is_at, would_be;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        is_at << (d > 0 ? ", " : "(") << centre[d];
+        would_be << (d > 0 ? ", " : "(") << middle[d];
+      }
+    step.warnings.add(
+      "a rigid side that turns about a point beside the body",
+      "The side <" + boundary + "> of the parameter <" + parameter +
+        "> may turn, and what it says of displacements and forces is of its "
+        "centroid, " +
+        is_at.str() + "), although the body only has " + body.text() +
+        " of it. If it is to be hinged or pushed in the middle of that, add "
+        "<centre = " +
+        would_be.str() + ")>.");
+  }
+
+
+
   template RigidSide<2>::RigidSide(const std::string &,
                                    const std::string &,
                                    const std::string &);
@@ -124,6 +173,8 @@ namespace isochor
   RigidSide<2>::parse_item(const std::string &);
   template void
   RigidSide<2>::set_centre(const std::string &);
+  template void
+  RigidSide<2>::warn_of_centre_beside_body(const StepContext<2> &) const;
 
   template RigidSide<3>::RigidSide(const std::string &,
                                    const std::string &,
@@ -132,4 +183,6 @@ namespace isochor
   RigidSide<3>::parse_item(const std::string &);
   template void
   RigidSide<3>::set_centre(const std::string &);
+  template void
+  RigidSide<3>::warn_of_centre_beside_body(const StepContext<3> &) const;
 } // namespace isochor

@@ -109,6 +109,8 @@ namespace isochor
                           parameter(),
                           side.name(),
                           step.grid.boundary_id(side.name(), parameter()));
+      for (const auto &side : sides)
+        side.warn_of_centre_beside_body(step);
     }
 
     std::vector<ControlNode<dim>>

@@ -77,6 +77,12 @@ namespace isochor
       return translation[0] && rotation[0];
     }
 
+    /** A side that may turn does so about its reference point: warn if that is
+     * by default the centroid of a side of which the body has another part.
+     * Collective. */
+    void
+    warn_of_centre_beside_body(const StepContext<dim> &step) const;
+
     /** Labels of its equations in the last constrain() begin here. */
     unsigned int
     first_label() const
