@@ -18,6 +18,10 @@ namespace isochor
     /** Below this, a barycentric coordinate is one of a point on a face. */
     constexpr double near_face = 1e-6;
 
+    /** The part of a cell by which a corner may have left the grid's boundary,
+     * with a wall that moves, and still is at it. */
+    constexpr double near_wall = 0.3;
+
     template <int dim>
     double
     depth(const LocateResult<dim> &place)
@@ -79,10 +83,15 @@ namespace isochor
              const unsigned int        cell,
              const Point<dim>         &x)
     {
-      constexpr double            most     = 0.3;
       const SimplexGeometry<dim> &geometry = occupancy.grid.geometry();
       WallsAt<dim>                walls;
       walls.place = x;
+      // what has left the grid through one wall is beside the face of the next
+      const auto   within = geometry.barycentric(cell, x);
+      const double beside =
+        *std::min_element(within.begin(), within.end()) < -near_face ?
+          near_wall :
+          near_face;
       for (const unsigned int v : geometry.vertex_indices(cell))
         for (const unsigned int other : occupancy.cells_at(v))
           for (unsigned int f = 0; f <= dim; ++f)
@@ -90,13 +99,12 @@ namespace isochor
               {
                 const Tensor<1, dim> g      = geometry.gradients(other)[f];
                 const auto           lambda = geometry.barycentric(other, x);
-                if (std::abs(lambda[f]) > most)
+                if (std::abs(lambda[f]) > near_wall)
                   continue;
                 const auto on_face =
                   geometry.barycentric(other,
                                        x - lambda[f] / g.norm_square() * g);
-                if (*std::min_element(on_face.begin(), on_face.end()) <
-                    -near_face)
+                if (*std::min_element(on_face.begin(), on_face.end()) < -beside)
                   continue;
                 walls.normals.push_back(g / g.norm());
                 walls.place -= geometry.barycentric(other, walls.place)[f] /
@@ -184,10 +192,22 @@ namespace isochor
           const Point<dim> x = points.location(locator.geometry(), k, q);
           for (const Tensor<1, dim> &of_start : points.domain[q])
             {
-              Tensor<1, dim> r = points.F[q] * of_start;
-              Corner         corner;
-              corner.place = locator.locate_towards(x, points.cell[k], r);
-              corner.x     = x + r;
+              const Tensor<1, dim> r      = points.F[q] * of_start;
+              Tensor<1, dim>       inside = r;
+              Corner               corner;
+              corner.place = locator.locate_towards(x, points.cell[k], inside);
+              corner.x     = x + inside;
+              // Domains move what is outside of the grid back to it, each along
+              // its own way; materials have to do so alike.
+              if (inside != r)
+                if (const auto lambda =
+                      locator.geometry().barycentric(corner.place.cell, x + r);
+                    *std::min_element(lambda.begin(), lambda.end()) >
+                    -near_wall)
+                  {
+                    corner.place.barycentric = lambda;
+                    corner.x                 = x + r;
+                  }
               corner.X     = x - points.displacement[q] + of_start;
               corner.group = materials.of_material[points.material[q]];
               corner.owner = corner.group;
@@ -271,7 +291,14 @@ namespace isochor
              std::numeric_limits<double>::max()))
         {
           if (is_own(cell, corner.owner))
-            return;
+            {
+              // the same functions on their face, but not outside of the grid
+              const auto lambda =
+                geometry.barycentric(corner.place.cell, corner.x);
+              if (*std::min_element(lambda.begin(), lambda.end()) < -near_face)
+                others[i] = cell;
+              return;
+            }
           here |= content(cell).groups;
         }
     const WallsAt<dim> walls =

@@ -42,7 +42,7 @@ namespace isochor
       "Number of boundary points on each face at t = 0, which are Gauss "
       "points: any number in 2D; 1, 3, 4, 6, 7, 9, 12, 15, 16, ... in 3D. "
       "With CPDI the faces are those of the points' domains. With 1, a "
-      "surface that nothing but <Displacement of body> names is held at the "
+      "surface that <Displacement of body> names is held at the "
       "centre of each face of a cell: it may turn about a face, in 3D about "
       "centres on a line (a row of cells has two such lines, as its faces are "
       "triangles). "

@@ -77,8 +77,7 @@ namespace isochor
     {
       std::vector<bool> result;
       for (const auto &surface : surfaces)
-        result.push_back(points_per_face == 1 && surface.is_fixed() &&
-                         surface.traction.empty() && surface.pressure.empty());
+        result.push_back(points_per_face == 1 && surface.is_fixed());
       return result;
     }
 
