@@ -381,10 +381,11 @@ test_loaded_area()
   std::cout.rdbuf(original);
   const bool is_first = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   test::check("the loaded area is told",
-              !is_first || printed.str().find(
-                             "Surface <tip> of <Boundary conditions/Surfaces "
-                             "of body>: 0.225 m in [0.9875, 1] x [0, 0.2]\n") !=
-                             std::string::npos,
+              !is_first ||
+                printed.str().find(
+                  "Surface <tip> of <Boundary conditions/Surfaces "
+                  "of body>: 18 faces, 0.225 m in [0.9875, 1] x [0, 0.2]\n") !=
+                  std::string::npos,
               printed.str());
   test::check_error("the load of a traction",
                     std::abs(test::get(*drawn, "Load x on tip (N)") - 225) +

@@ -121,7 +121,6 @@ namespace isochor
     // a penalty that is stiff against everything but the grid itself
     constexpr double enough  = 100;
     const double     largest = *std::max_element(moved.begin(), moved.end());
-    bool             soft    = false;
     for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
       for (unsigned int a = 0; a < dim; ++a)
         {
@@ -129,7 +128,6 @@ namespace isochor
             std::sqrt(sums[stride * s + 1 + a] / sums[stride * s]);
           if (!(gap > considerable * std::max(moved[a], sideways * largest)))
             continue;
-          soft = true;
           step.warnings.add(
             "a surface stays behind its displacement",
             "At t = " + rounded(step.time) + " s the surface <" +
@@ -150,11 +148,10 @@ namespace isochor
                  ". They are stiff enough: use smaller cells, whose nodes can "
                  "follow what is prescribed."));
         }
-    if (!soft)
-      check_work(step,
-                 find_work(step, unknowns, points, forces, conditions),
-                 conditions,
-                 penalty_parameter);
+    check_work(step,
+               find_work(step, unknowns, points, forces, conditions),
+               conditions,
+               penalty_parameter);
   }
 
 
@@ -170,23 +167,25 @@ namespace isochor
     // displacements that are rounding, as those of max(t - 1, 0) at t = 1, do
     // no work that could be compared with anything, nor do such along which
     // nothing resists the body
-    constexpr double    rounding       = 1e-6;
-    double              largest_target = 0, largest_gap = 0;
-    std::vector<double> sums(3 * conditions.surfaces.size());
+    constexpr double       rounding       = 1e-6;
+    double                 largest_target = 0, largest_gap = 0;
+    constexpr unsigned int stride = 3 + dim;
+    std::vector<double>    sums(stride * conditions.surfaces.size());
     for (unsigned int b = 0; b < points.size(); ++b)
       {
-        const unsigned int   s = points.surface(b);
+        double *const        of_surface = &sums[stride * points.surface(b)];
         const Tensor<1, dim> u = forces.displacement(step, unknowns, b),
                              t = forces.penalty_force(step, unknowns, b);
         for (unsigned int a = 0; a < dim; ++a)
-          if (!conditions.surfaces[s].displacement[a].empty())
+          if (!conditions.surfaces[points.surface(b)].displacement[a].empty())
             {
               const double target = forces.target(step, b, a);
               largest_target      = std::max(largest_target, std::abs(target));
               largest_gap = std::max(largest_gap, std::abs(target - u[a]));
-              sums[3 * s] += t[a] * target;
-              sums[3 * s + 1] += t[a] * (target - u[a]);
-              sums[3 * s + 2] += std::abs(t[a] * target);
+              of_surface[0] += t[a] * target;
+              of_surface[1] += t[a] * (target - u[a]);
+              of_surface[2] += std::abs(t[a] * target);
+              of_surface[3 + a] += t[a];
             }
       }
     Utilities::MPI::sum(sums, step.grid.communicator(), sums);
@@ -196,9 +195,22 @@ namespace isochor
     std::vector<Work> work(conditions.surfaces.size());
     if (largest_target <= rounding * largest_gap)
       return work;
+    // surfaces that are held do none, but if nothing else acts on the body what
+    // their springs take up is from the others
+    Tensor<1, dim> force;
+    double         size = 0;
     for (unsigned int s = 0; s < work.size(); ++s)
-      if (std::abs(sums[3 * s]) > rounding * sums[3 * s + 2])
-        work[s] = {sums[3 * s], sums[3 * s + 1]};
+      for (unsigned int a = 0; a < dim; ++a)
+        {
+          force[a] += sums[stride * s + 3 + a];
+          size += std::abs(sums[stride * s + 3 + a]);
+        }
+    constexpr double in_balance = 1e-3;
+    const bool       alone      = force.norm() < in_balance * size;
+    for (unsigned int s = 0; s < work.size(); ++s)
+      if (const double *const of_surface = &sums[stride * s];
+          alone || std::abs(of_surface[0]) > rounding * of_surface[2])
+        work[s] = {of_surface[0], of_surface[1]};
     return work;
   }
 
@@ -211,24 +223,47 @@ namespace isochor
                               const SurfaceConditions<dim> &conditions,
                               const std::string            &penalty_parameter)
   {
-    constexpr double considerable = 0.03;
-    double           all          = 0;
+    // up to this they do not lock
+    constexpr double considerable = 0.03, soft_penalty = 10;
+    double           all = 0;
     for (const Work &of_surface : work)
       all += of_surface.of_targets;
-    largest_work = std::max(largest_work, std::abs(all));
+    largest_work         = std::max(largest_work, std::abs(all));
+    double       of_gaps = 0;
+    unsigned int worst   = 0;
     for (unsigned int s = 0; s < work.size(); ++s)
-      if (largest_work > 0 && work[s].of_gaps > considerable * largest_work)
-        step.warnings.add(
-          "springs that are too stiff for a surface",
-          "At t = " + rounded(step.time) + " s the springs of the surface <" +
-            conditions.surfaces[s].place.name + "> take up " +
-            rounded(100 * work[s].of_gaps / largest_work) +
-            " % of the work of the displacements that are prescribed on the "
-            "body; its forces are too large by about as much. The surface "
-            "goes through cells in which the body can't follow what is "
-            "prescribed. Set <" +
-            penalty_parameter + "> to " +
-            rounded(conditions.penalty(false) / 5) + ", or use smaller cells.");
+      {
+        of_gaps += work[s].of_gaps;
+        if (work[s].of_gaps > work[worst].of_gaps)
+          worst = s;
+      }
+    if (!(largest_work > 0 && of_gaps > considerable * largest_work))
+      return;
+    const std::string taken =
+      "At t = " + rounded(step.time) +
+      " s the springs that prescribe displacements of the body, most of all "
+      "those of its surface <" +
+      conditions.surfaces[worst].place.name + ">, take up " +
+      rounded(100 * of_gaps / largest_work) +
+      " % of the work of these displacements: its forces are too ";
+    const std::string yielding =
+      "They yield to forces that differ from place to place, as of an "
+      "incompressible layer between two surfaces.";
+    const double penalty = conditions.penalty(false);
+    if (penalty > soft_penalty)
+      step.warnings.add(
+        "springs that are too stiff for a surface",
+        taken +
+          "large by about as much, if the surface goes through cells in which "
+          "the body can't follow what is prescribed; else too small: " +
+          yielding + " Compare a fifth of <" + penalty_parameter +
+          "> and five "
+          "times as much, or use smaller cells.");
+    else
+      step.warnings.add("springs that are too soft for a surface",
+                        taken + "small by about as much. " + yielding +
+                          " Set <" + penalty_parameter + "> to " +
+                          rounded(10 * penalty) + ", or use smaller cells.");
   }
 
 

@@ -25,8 +25,9 @@ namespace isochor
 
 
   /** |dev τ| and θ^e of @p material in simple shear by a hundredth and by one,
-   * at a pressure of its stiffness: how much it resists, and what tells laws that
-   * yield from each other, also such as differ in how they dilate. */
+   * at a pressure of these parts of G (of soil and rock under loads that shear
+   * it so): how much it resists, and what tells laws that yield from each
+   * other, also such as differ in how they dilate. */
   template <int dim>
   static std::array<double, 4>
   response_to_shear(const MaterialModel<dim> &material)
@@ -45,7 +46,7 @@ namespace isochor
         kinematics.J            = 1;
         kinematics.with_tangent = false;
         if (material.depends_on_pressure())
-          kinematics.pressure = -material.shear_modulus();
+          kinematics.pressure = -F[0][1] * material.shear_modulus();
         StressResponse<dim> response;
         if (material.evaluate(kinematics,
                               history_n.data(),
@@ -66,9 +67,9 @@ namespace isochor
                                  const double            same_stiffness)
     : of_material(kernel.materials.size(), 0)
   {
-    // What resists shear by a hundredth the least is the softest, so that a weak
-    // joint is softer than an elastic body of its stiffness. Materials of the
-    // same strength differ there by rounding: compared in single precision.
+    // What resists shear by a hundredth the least is the softest, so that a
+    // weak joint is softer than an elastic body of its stiffness. Materials of
+    // the same strength differ there by rounding: compared in single precision.
     using Properties = std::array<double, 6>;
     using Sorted     = std::pair<Properties, unsigned int>;
     std::vector<Sorted> sorted;
@@ -78,15 +79,15 @@ namespace isochor
           const double K_inverse = kernel.materials[m]->inverse_bulk_modulus();
           const auto [small_shear, large_shear, small_theta, large_theta] =
             response_to_shear<dim>(*kernel.materials[m]);
-          sorted.push_back({{{static_cast<float>(small_shear),
-                              kernel.materials[m]->shear_modulus(),
-                              K_inverse == 0 ?
-                                std::numeric_limits<double>::max() :
+          sorted.push_back(
+            {{{static_cast<float>(small_shear),
+               kernel.materials[m]->shear_modulus(),
+               K_inverse == 0 ? std::numeric_limits<double>::max() :
                                 1 / K_inverse,
-                              large_shear,
-                              small_theta,
-                              large_theta}},
-                            m});
+               large_shear,
+               small_theta,
+               large_theta}},
+             m});
         }
     std::sort(sorted.begin(), sorted.end());
 

@@ -360,11 +360,13 @@ namespace isochor
             corners.insert(corners.end(),
                            face.corners.begin(),
                            face.corners.end());
+        const unsigned int n_faces = corners.size() / dim;
         const auto ends = BoundingBox<dim>(corners).get_boundary_points();
         text += (s > 0 ? "\nSurface <" : "Surface <") + surfaces[s].name +
                 "> of <" + surfaces[s].parameter +
-                ">: " + rounded(seeded.covered[s]) +
-                (dim == 2 ? " m in " : " m^2 in ");
+                ">: " + std::to_string(n_faces) +
+                (n_faces == 1 ? " face, " : " faces, ") +
+                rounded(seeded.covered[s]) + (dim == 2 ? " m in " : " m^2 in ");
         for (unsigned int d = 0; d < dim; ++d)
           text += (d > 0 ? " x [" : "[") + rounded(ends.first[d]) + ", " +
                   rounded(ends.second[d]) + "]";
