@@ -18,8 +18,8 @@ namespace isochor
     /** Below this, a barycentric coordinate is one of a point on a face. */
     constexpr double near_face = 1e-6;
 
-    /** The part of a cell by which a corner may have left the grid's boundary,
-     * with a wall that moves, and still is at it. */
+    /** The part of a cell by which a corner may have left the grid's boundary
+     * inwards, with a wall that moves, and still is at it. */
     constexpr double near_wall = 0.3;
 
     template <int dim>
@@ -74,9 +74,8 @@ namespace isochor
       Point<dim>                  place; ///< the corner's, moved onto them
     };
 
-    /** Those that @p x in @p cell lies on, or that it has left by a part of a
-     * cell: a wall moves with the body, and a grid that is put back does not.
-     */
+    /** Those that @p x in @p cell lies on, or beside by a part of a cell: a
+     * wall moves with the body, and a grid that is put back does not. */
     template <int dim>
     WallsAt<dim>
     walls_at(const CellOccupancy<dim> &occupancy,
@@ -86,12 +85,6 @@ namespace isochor
       const SimplexGeometry<dim> &geometry = occupancy.grid.geometry();
       WallsAt<dim>                walls;
       walls.place = x;
-      // what has left the grid through one wall is beside the face of the next
-      const auto   within = geometry.barycentric(cell, x);
-      const double beside =
-        *std::min_element(within.begin(), within.end()) < -near_face ?
-          near_wall :
-          near_face;
       for (const unsigned int v : geometry.vertex_indices(cell))
         for (const unsigned int other : occupancy.cells_at(v))
           for (unsigned int f = 0; f <= dim; ++f)
@@ -104,7 +97,8 @@ namespace isochor
                 const auto on_face =
                   geometry.barycentric(other,
                                        x - lambda[f] / g.norm_square() * g);
-                if (*std::min_element(on_face.begin(), on_face.end()) < -beside)
+                if (*std::min_element(on_face.begin(), on_face.end()) <
+                    -near_face)
                   continue;
                 walls.normals.push_back(g / g.norm());
                 walls.place -= geometry.barycentric(other, walls.place)[f] /
@@ -197,23 +191,34 @@ namespace isochor
               Corner               corner;
               corner.place = locator.locate_towards(x, points.cell[k], inside);
               corner.x     = x + inside;
-              // Domains move what is outside of the grid back to it, each along
-              // its own way; materials have to do so alike.
               if (inside != r)
-                if (const auto lambda =
-                      locator.geometry().barycentric(corner.place.cell, x + r);
-                    *std::min_element(lambda.begin(), lambda.end()) >
-                    -near_wall)
-                  {
-                    corner.place.barycentric = lambda;
-                    corner.x                 = x + r;
-                  }
+                move_to_grid(locator.geometry(), x + r, corner);
               corner.X     = x - points.displacement[q] + of_start;
               corner.group = materials.of_material[points.material[q]];
               corner.owner = corner.group;
               corners.push_back(corner);
             }
         }
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::move_to_grid(const SimplexGeometry<dim> &geometry,
+                                      const Point<dim>           &x,
+                                      Corner                     &corner)
+  {
+    corner.place.cell = nearest_cells<dim>(
+                          geometry,
+                          x,
+                          corner.place.cell,
+                          [](const unsigned int) { return true; },
+                          std::numeric_limits<double>::max())
+                          .front();
+    corner.x = x + way_to_cell(geometry, corner.place.cell, x);
+    corner.place.barycentric =
+      geometry.barycentric(corner.place.cell, corner.x);
   }
 
 
@@ -291,14 +296,7 @@ namespace isochor
              std::numeric_limits<double>::max()))
         {
           if (is_own(cell, corner.owner))
-            {
-              // the same functions on their face, but not outside of the grid
-              const auto lambda =
-                geometry.barycentric(corner.place.cell, corner.x);
-              if (*std::min_element(lambda.begin(), lambda.end()) < -near_face)
-                others[i] = cell;
-              return;
-            }
+            return;
           here |= content(cell).groups;
         }
     const WallsAt<dim> walls =
@@ -319,6 +317,15 @@ namespace isochor
         nearest(corner.x, corner.place.cell, holds_one, reach) != no_cell)
       other =
         nearest(corner.x, corner.place.cell, is_own_here, reach_without_nodes);
+    // beside walls that no such cell has, as curved ones
+    if (other == no_cell &&
+        walls.place.distance(corner.x) >
+          near_face * cell_size(geometry, corner.place.cell))
+      other = nearest(
+        corner.x,
+        corner.place.cell,
+        [&](const unsigned int cell) { return is_own(cell, corner.owner); },
+        reach);
     if (other == no_cell) // of a thin layer
       {
         remember(corner, here);

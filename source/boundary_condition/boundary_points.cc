@@ -99,6 +99,42 @@ namespace isochor
 
 
   template <int dim>
+  static Point<dim>
+  centre(const SurfaceFace<dim> &face)
+  {
+    Point<dim> sum;
+    for (const Point<dim> &corner : face.corners)
+      sum += corner / static_cast<double>(dim);
+    return sum;
+  }
+
+
+
+  /** Whether what is held at the centres of the @p faces of @p surface may turn
+   * around them: around one, or in 3D a line of them. */
+  template <int dim>
+  static bool
+  is_hinge(const std::vector<SurfaceFace<dim>> &faces,
+           const unsigned int                   surface)
+  {
+    std::vector<Point<dim>> centres;
+    for (const SurfaceFace<dim> &face : faces)
+      if (face.surface == surface)
+        centres.push_back(centre(face));
+    if (centres.size() <= 1 || dim == 2)
+      return centres.size() == 1;
+    constexpr double     rounding = 1e-6;
+    const Tensor<1, dim> along    = centres[1] - centres[0];
+    return std::all_of(centres.begin(), centres.end(), [&](const auto &x) {
+      const Tensor<1, dim> r = x - centres[0];
+      return (r - (r * along) / along.norm_square() * along).norm() <
+             rounding * along.norm();
+    });
+  }
+
+
+
+  template <int dim>
   BoundaryPoints<dim>::BoundaryPoints(const BackgroundGrid<dim> &grid,
                                       const unsigned int points_per_face)
     : grid(grid)
@@ -130,9 +166,11 @@ namespace isochor
           all.covered_shares(all.parts(grid.geometry(), body, true),
                              grid.communicator());
         others.clear();
+        std::vector<bool> hinges = held_at_centres;
+        for (unsigned int s = 0; s < hinges.size(); ++s)
+          hinges[s] = hinges[s] && is_hinge(faces, s);
         for (unsigned int f = 0; f < faces.size(); ++f)
-          (std::abs(shares[f] - 1) < whole &&
-               !held_at_centres[faces[f].surface] ?
+          (std::abs(shares[f] - 1) < whole && !hinges[faces[f].surface] ?
              of_domains :
              others)
             .push_back(faces[f]);

@@ -42,10 +42,10 @@ namespace isochor
       "Number of boundary points on each face at t = 0, which are Gauss "
       "points: any number in 2D; 1, 3, 4, 6, 7, 9, 12, 15, 16, ... in 3D. "
       "With CPDI the faces are those of the points' domains. With 1, a "
-      "surface that <Displacement of body> names is held at the "
-      "centre of each face of a cell: it may turn about a face, in 3D about "
-      "centres on a line (a row of cells has two such lines, as its faces are "
-      "triangles). "
+      "surface that <Displacement of body> names is a hinge if it has one "
+      "face of a cell, or in 3D faces whose centres lie on a line (a row of "
+      "cells has two such lines, as its faces are triangles): it is held "
+      "there. "
       "From 2 (2D) or 3 (3D) on, a traction linear on a face is integrated "
       "exactly.");
     prm.declare_entry("Mesh of body surfaces",

@@ -157,7 +157,7 @@ namespace isochor
 
 
   template <int dim>
-  std::vector<typename SurfaceGap<dim>::Work>
+  typename SurfaceGap<dim>::SpringWork
   SurfaceGap<dim>::find_work(const StepContext<dim>       &step,
                              const NodalField             &unknowns,
                              const BoundaryPoints<dim>    &points,
@@ -192,9 +192,11 @@ namespace isochor
     largest_target =
       Utilities::MPI::max(largest_target, step.grid.communicator());
     largest_gap = Utilities::MPI::max(largest_gap, step.grid.communicator());
-    std::vector<Work> work(conditions.surfaces.size());
+    SpringWork         result;
+    std::vector<Work> &work = result.by_surface;
+    work.resize(conditions.surfaces.size());
     if (largest_target <= rounding * largest_gap)
-      return work;
+      return result;
     // surfaces that are held do none, but if nothing else acts on the body what
     // their springs take up is from the others
     Tensor<1, dim> force;
@@ -206,12 +208,18 @@ namespace isochor
           size += std::abs(sums[stride * s + 3 + a]);
         }
     constexpr double in_balance = 1e-3;
-    const bool       alone      = force.norm() < in_balance * size;
+    result.alone =
+      force.norm() < in_balance * size &&
+      std::all_of(conditions.surfaces.begin(),
+                  conditions.surfaces.end(),
+                  [](const auto &surface) {
+                    return surface.traction.empty() && surface.pressure.empty();
+                  });
     for (unsigned int s = 0; s < work.size(); ++s)
       if (const double *const of_surface = &sums[stride * s];
-          alone || std::abs(of_surface[0]) > rounding * of_surface[2])
+          result.alone || std::abs(of_surface[0]) > rounding * of_surface[2])
         work[s] = {of_surface[0], of_surface[1]};
-    return work;
+    return result;
   }
 
 
@@ -219,10 +227,11 @@ namespace isochor
   template <int dim>
   void
   SurfaceGap<dim>::check_work(const StepContext<dim>       &step,
-                              const std::vector<Work>      &work,
+                              const SpringWork             &spring_work,
                               const SurfaceConditions<dim> &conditions,
                               const std::string            &penalty_parameter)
   {
+    const std::vector<Work> &work = spring_work.by_surface;
     // up to this they do not lock
     constexpr double considerable = 0.03, soft_penalty = 10;
     double           all = 0;
@@ -259,7 +268,7 @@ namespace isochor
           yielding + " Compare a fifth of <" + penalty_parameter +
           "> and five "
           "times as much, or use smaller cells.");
-    else
+    else if (spring_work.alone)
       step.warnings.add("springs that are too soft for a surface",
                         taken + "small by about as much. " + yielding +
                           " Set <" + penalty_parameter + "> to " +

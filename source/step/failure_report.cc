@@ -165,7 +165,8 @@ namespace isochor
     if (time.step == 0)
       text += "It is the very first step, so that the scene is to be looked "
               "at: are all bodies held, the loads in the units of the "
-              "stiffness (<Material/Young modulus>, <Material/Density>), and "
+              "stiffness and the strength (<Material/Young modulus>, "
+              "<Material/Density>, yield stress or cohesion), and "
               "<Time/Step size> small enough for what happens in it? A "
               "load or a displacement that is prescribed by a constant acts in "
               "this step as a whole, however small the step: let it grow with "
@@ -186,6 +187,12 @@ namespace isochor
               "). Lower <Time/Minimum step size>, look for what happens at "
               "the place of the residual, or use <Dynamics/Inertia = true> "
               "where the body snaps." +
+              (step.grid_is_kept ?
+                 "" :
+                 " If the body is stretched to twice its length or more, keep "
+                 "the grid (<Grid reset/Steps between resets = 0>), or let "
+                 "points be split (<Material points/Split at share of cell> = "
+                 "0.2).") +
               evidence.advice_on_flow();
     else if (evidence.has_lost_stiffness() && evidence.plastic_share <= 0)
       text +=

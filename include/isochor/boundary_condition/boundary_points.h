@@ -57,9 +57,9 @@ namespace isochor
     }
 
     /** Begin with these faces, the same on all ranks, at t = 0, when @p body
-     * has been set up. Those of surfaces that are @p held_at_centres stay faces
-     * of cells. Returns whether its points see functions linear on their
-     * domains. Collective. */
+     * has been set up. Those of surfaces that are to be @p held_at_centres stay
+     * faces of cells if the surface may turn so, as around one face. Returns
+     * whether its points see functions linear on their domains. Collective. */
     bool
     seed(const std::vector<SurfaceFace<dim>> &faces,
          const PointArrays<dim>              &body,

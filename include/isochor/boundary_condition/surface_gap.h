@@ -66,17 +66,24 @@ namespace isochor
       double of_targets = 0; ///< Σ t·ū
       double of_gaps    = 0; ///< Σ t·g
     };
-    /** By surface. Collective. */
-    std::vector<Work>
+    struct SpringWork
+    {
+      std::vector<Work> by_surface;
+      /** Whether nothing else loads the body, but for loads elsewhere that are
+       * in balance. */
+      bool alone = false;
+    };
+    /** Collective. */
+    SpringWork
     find_work(const StepContext<dim>       &step,
               const NodalField             &unknowns,
               const BoundaryPoints<dim>    &points,
               const SurfaceForces<dim>     &forces,
               const SurfaceConditions<dim> &conditions) const;
-    /** Warn of springs that are too stiff. */
+    /** Warn of springs that are too stiff or too soft. */
     void
     check_work(const StepContext<dim>       &step,
-               const std::vector<Work>      &work,
+               const SpringWork             &work,
                const SurfaceConditions<dim> &conditions,
                const std::string            &penalty_parameter);
 
