@@ -98,18 +98,6 @@ namespace isochor
 
 
 
-  template <int dim>
-  static Point<dim>
-  centre(const SurfaceFace<dim> &face)
-  {
-    Point<dim> sum;
-    for (const Point<dim> &corner : face.corners)
-      sum += corner / static_cast<double>(dim);
-    return sum;
-  }
-
-
-
   /** Whether what is held at the centres of the @p faces of @p surface may turn
    * around them: around one, or in 3D a line of them. */
   template <int dim>
@@ -120,7 +108,7 @@ namespace isochor
     std::vector<Point<dim>> centres;
     for (const SurfaceFace<dim> &face : faces)
       if (face.surface == surface)
-        centres.push_back(centre(face));
+        centres.push_back(centre_of<dim>(face.corners));
     if (centres.size() <= 1 || dim == 2)
       return centres.size() == 1;
     constexpr double     rounding = 1e-6;

@@ -140,18 +140,6 @@ namespace isochor
 
 
 
-    template <int dim>
-    Point<dim>
-    centre_of(const FaceCorners<dim> &face)
-    {
-      Point<dim> centre;
-      for (const Point<dim> &corner : face)
-        centre += corner / static_cast<double>(dim);
-      return centre;
-    }
-
-
-
     /** One run of seed_surfaces(). */
     template <int dim>
     class Seeding

@@ -41,6 +41,16 @@ namespace isochor
   double
   measure(const FaceCorners<dim> &face);
 
+  template <int dim>
+  Point<dim>
+  centre_of(const FaceCorners<dim> &face)
+  {
+    Point<dim> centre;
+    for (const Point<dim> &corner : face)
+      centre += corner / static_cast<double>(dim);
+    return centre;
+  }
+
   /**
    * Simplices that make up the part of @p face where @p inside holds. Edges of
    * the part are followed by 16 (2D) or 8 (3D) samples along a side, and
