@@ -394,6 +394,26 @@ namespace
     expect("periodic sides, at both", periodic("y < 0.5"), {});
   }
 
+  /** One face of a cell is a hinge, also with two domains at it. */
+  void
+  test_hinge_of_a_face()
+  {
+    const std::string bar =
+      "Grid/Upper corner = 2, 1\nGrid/Subdivisions = 8, 4\n"
+      "Quadrature/Type = CPDI\nMaterial points/Points per cell = 4\n"
+      "Material/Young modulus = 1e9\nBoundary conditions/Gravity = 0, -1\n"
+      "Boundary conditions/Displacement of body = root: x=0, y=0\n"
+      "Boundary conditions/Surfaces of body = root: x < 1e-6 && y < ";
+    const std::string one =
+      "\nBoundary conditions/Boundary points per face = 1";
+    expect("a hinge",
+           messages<2>(bar + "0.2" + one + "\n"),
+           {"WARNING a body that nothing holds",
+            "against: rotation about (0, 0.125)"});
+    expect("two faces", messages<2>(bar + "0.4" + one + "\n"), {});
+    expect("three points", messages<2>(bar + "0.2\n"), {});
+  }
+
   void
   test_summary()
   {
@@ -456,6 +476,7 @@ main(int argc, char **argv)
   test_materials();
   test_wandering_volumes();
   test_untouched();
+  test_hinge_of_a_face();
   test_summary();
   test_volumes_that_differ();
 }

@@ -40,7 +40,7 @@ namespace
       settings);
     test::check_error("periodic sides, " + what,
                       test::get(*problem, "L2 error of stress yy"),
-                      1e-3);
+                      1e-5);
   }
 
   /** Two materials compressed along their interface by a wall that moves in ten

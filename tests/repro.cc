@@ -111,8 +111,7 @@ namespace
       0.01);
   }
 
-  /** Half of its period (4.26407 s), from the middle to the least radius and
-   * back to it. */
+  /** Over a period, with the closed form by quadrature of the energy. */
   void
   test_vibrating_tube()
   {
