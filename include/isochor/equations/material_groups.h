@@ -13,12 +13,13 @@
 namespace isochor
 {
   /**
-   * The materials of a scene in groups, the softest first. Stresses and strains
+   * The materials of a scene in groups, first what resists a shear of a
+   * hundredth the least, which is called the softest. Stresses and strains
    * jump where groups meet, so that they should not share the functions of a
    * cell. Elastic materials whose shear and bulk moduli differ by no more than
    * the factor @p same_stiffness are one group; those that dissipate are
-   * one only if they have the same stiffness and the same strengths, as their
-   * stiffness may vanish.
+   * one only if they have the same stiffness and strengths and dilate alike, as
+   * their stiffness may vanish.
    */
   struct MaterialGroups
   {
