@@ -70,6 +70,40 @@ namespace
   }
 } // namespace
 
+/** The right side of a block draws it out of the grid by a part of a cell. The
+ * stress is that of a grid that is kept, in the row of cells there as
+ * elsewhere. */
+template <int dim>
+void
+test_drawn_out(const std::string &material, const double tolerance)
+{
+  const auto draw = [&](const std::string &settings) {
+    return test::run_scene<dim>(
+      std::string(dim == 2 ?
+                    "Grid/Upper corner = 1, 1.5\nGrid/Subdivisions = 8, 12\n"
+                    "Boundary conditions/Displacement = left: x=0; bottom: "
+                    "y=0; right: x=0.015*t\n" :
+                    "Grid/Upper corner = 1, 1.5, 0.5\n"
+                    "Grid/Subdivisions = 4, 6, 2\n"
+                    "Boundary conditions/Displacement = left: x=0; bottom: "
+                    "y=0; front: z=0; right: x=0.03*t\n") +
+      "Quadrature/Type = CPDI\nMaterial points/Region = y < 1\n"
+      "Material/Young modulus = 1e4\nTime/Step size = 0.25\n"
+      "Postprocess/Reactions = right\nPostprocess/Point probes = "
+      "W: 0.95, 0.4" +
+      (dim == 3 ? ", 0.3" : "") + '\n' + material + settings);
+  };
+  const auto               kept = draw(test::keep_grid), put_back = draw("");
+  std::vector<std::string> columns = {"Reaction x on right (N)"};
+  if (material.find("u-p") != std::string::npos)
+    columns.push_back("Pressure at W (Pa)");
+  for (const std::string &column : columns)
+    test::check_error(std::to_string(dim) + "D, drawn out: " + column,
+                      test::relative(test::get(*put_back, column),
+                                     test::get(*kept, column)),
+                      tolerance);
+}
+
 int
 main(int argc, char **argv)
 {
@@ -78,6 +112,11 @@ main(int argc, char **argv)
   test_force<2>("0.6", 0.015, true);
   test_force<3>("0.2", 0.015, false);
   test_force<3>("0.6", 0.015, true);
+
+  test_drawn_out<2>("Formulation/Type = u\n", 0.01);
+  test_drawn_out<2>("Formulation/Type = u-p\nMaterial/Poisson ratio = 0.499\n",
+                    0.01);
+  test_drawn_out<3>("Formulation/Type = u-p\n", 0.02);
 
   const Result told = push<2>("Time/End time = 0.3\n");
   test::check("way, cell and body are told",

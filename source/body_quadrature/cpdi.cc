@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/plugin_registry.h>
 #include <isochor/body_quadrature/body_quadrature.h>
+#include <isochor/body_quadrature/domain_stencil.h>
 #include <isochor/body_quadrature/interface_corners.h>
 #include <isochor/equations/body_term.h>
 #include <isochor/grid/nearest_cells.h>
@@ -19,8 +20,13 @@ namespace isochor
    * with λ_c the domain's barycentric coordinates. The domains move with the
    * interpolant on them, so that they go on tiling the body: exact for constant
    * stress on every grid. Sadeghirad, Brannon & Burghardt, Int. J. Numer. Meth.
-   * Eng. 86 (2011) 1435-1456, do so with parallelograms. A corner outside of
-   * the grid is drawn back towards its point.
+   * Eng. 86 (2011) 1435-1456, do so with parallelograms.
+   *
+   * A corner outside of the grid, as where a wall draws the body out and the
+   * grid is put back, goes to the nearest place of the grid, and the point
+   * integrates the part of its volume that this leaves: with all of it the
+   * stress beside the wall would be too small by the part of a cell that is
+   * outside.
    */
   template <int dim>
   class CPDI : public BodyQuadrature<dim>
@@ -65,8 +71,8 @@ namespace isochor
                CellOccupancy<dim> &occupancy) const override
     {
       const InterfaceCorners<dim> interface(points, locator, occupancy, kernel);
-      const std::vector<double>   corner_shares = build_stencils(
-        points, locator, interface, occupancy.grid.shape_functions());
+      const std::vector<double>   corner_shares =
+        build_stencils(points, locator, interface, occupancy);
       points.domain_corners.worst_crossing = interface.worst_crossing();
       occupancy.update(points, kernel, false);
       collect_overlapped_cells(points, corner_shares, occupancy, kernel);
@@ -79,7 +85,7 @@ namespace isochor
     build_stencils(PointArrays<dim>            &points,
                    const PointLocator<dim>     &locator,
                    const InterfaceCorners<dim> &interface,
-                   const ShapeFunctions<dim>   &functions) const;
+                   const CellOccupancy<dim>    &occupancy) const;
     void
     collect_overlapped_cells(PointArrays<dim>          &points,
                              const std::vector<double> &corner_shares,
@@ -91,9 +97,6 @@ namespace isochor
 
   namespace
   {
-    /** Shape functions below this are zero: a corner on a face. */
-    constexpr double no_support = 1e-9;
-
     constexpr unsigned int no_cell = SimplexGeometry<2>::no_cell;
 
     /**
@@ -137,151 +140,6 @@ namespace isochor
           std::numeric_limits<double>::max());
     }
 
-    /** The nodes that a corner acts on, with their shape functions. */
-    template <int dim>
-    class CornerNodes
-    {
-    public:
-      std::vector<std::pair<unsigned int, double>> nodes;
-
-      /** At @p place, or at @p x the functions of @p other, unless that is
-       * no_cell, continued to there. */
-      void
-      evaluate(const ShapeFunctions<dim>  &functions,
-               const SimplexGeometry<dim> &geometry,
-               const LocateResult<dim>    &place,
-               const unsigned int          other,
-               const Point<dim>           &x)
-      {
-        if (other == SimplexGeometry<dim>::no_cell)
-          functions.evaluate(place.cell, place.barycentric, at);
-        else
-          functions.evaluate(other, geometry.barycentric(other, x), at);
-        nodes.clear();
-        double sum = 0;
-        for (unsigned int I = 0; I < at.n_nodes; ++I)
-          if (std::abs(at.shape[I]) >= no_support)
-            {
-              nodes.emplace_back(at.vertex[I], at.shape[I]);
-              sum += at.shape[I];
-            }
-        for (auto &node : nodes)
-          node.second /= sum;
-      }
-
-      /** Whether it acts on nodes that none of the elements of @p cells has,
-       * however little. */
-      bool
-      touches_others(const ShapeFunctions<dim>       &functions,
-                     const std::vector<unsigned int> &cells) const
-      {
-        for (const auto &node : nodes)
-          if (std::none_of(cells.begin(),
-                           cells.end(),
-                           [&](const unsigned int cell) {
-                             const auto of_cell = functions.nodes(cell);
-                             return std::find(of_cell.begin(),
-                                              of_cell.end(),
-                                              node.first) != of_cell.end();
-                           }))
-            return true;
-        return false;
-      }
-
-    private:
-      typename ShapeFunctions<dim>::Values at;
-    };
-
-    /** The nodes of one domain, and sums over its corners. */
-    template <int dim>
-    class DomainStencil
-    {
-    public:
-      using Corners = std::array<CornerNodes<dim>, dim + 1>;
-
-      /** N and N ∇λ of the nodes of @p corners, with the @p gradients ∇λ. */
-      void
-      set(const Corners            &corners,
-          const CornerVectors<dim> &gradients_of_corners)
-      {
-        n_nodes = 0;
-        for (unsigned int c = 0; c <= dim; ++c)
-          for (const auto &[vertex, N] : corners[c].nodes)
-            {
-              const unsigned int I = entry(vertex);
-              shape[I] += N / (dim + 1);
-              gradients[I] += N * gradients_of_corners[c];
-            }
-      }
-
-      /** N of pressures of the nodes of @p corners, after set(); if these are
-       * too many nodes in all (of elements other than P1), those of
-       * @p displacements. */
-      void
-      set_pressure(const Corners &corners, const Corners &displacements)
-      {
-        const unsigned int n_before = n_nodes;
-        add_pressure(corners);
-        if (n_nodes <= BodyTerm<dim>::largest_stencil)
-          return;
-        n_nodes = n_before;
-        std::fill(pressure_shape.begin(), pressure_shape.end(), 0.);
-        add_pressure(displacements);
-      }
-
-      void
-      append_to(PointArrays<dim> &points, const bool with_pressure) const
-      {
-        for (unsigned int I = 0; I < n_nodes; ++I)
-          {
-            points.stencil_vertex.push_back(vertices[I]);
-            points.stencil_shape.push_back(shape[I]);
-            points.stencil_gradient.push_back(gradients[I]);
-            if (with_pressure)
-              points.domain_corners.pressure_shape.push_back(pressure_shape[I]);
-          }
-        points.stencil_start.push_back(points.stencil_vertex.size());
-      }
-
-    private:
-      void
-      add_pressure(const Corners &corners)
-      {
-        for (const CornerNodes<dim> &corner : corners)
-          for (const auto &[vertex, N] : corner.nodes)
-            pressure_shape[entry(vertex)] += N / (dim + 1);
-      }
-
-      unsigned int
-      entry(const unsigned int vertex)
-      {
-        unsigned int I = 0;
-        while (I < n_nodes && vertices[I] != vertex)
-          ++I;
-        if (I == n_nodes)
-          {
-            ++n_nodes;
-            if (n_nodes > vertices.size())
-              {
-                vertices.resize(n_nodes);
-                shape.resize(n_nodes);
-                pressure_shape.resize(n_nodes);
-                gradients.resize(n_nodes);
-              }
-            vertices[I]       = vertex;
-            shape[I]          = 0;
-            pressure_shape[I] = 0;
-            gradients[I]      = Tensor<1, dim>();
-          }
-        return I;
-      }
-
-      unsigned int                n_nodes = 0;
-      std::vector<unsigned int>   vertices;
-      std::vector<double>         shape, pressure_shape;
-      std::vector<Tensor<1, dim>> gradients;
-    };
-
     /** The cells whose functions a corner sees in place of those of its own,
      * for displacements and pressures; see InterfaceCorners. */
     struct SeenCells
@@ -294,6 +152,21 @@ namespace isochor
         return displacement != no_cell || pressure != no_cell;
       }
     };
+
+    /** Whether a cell at @p cell has another one on a periodic side: what
+     * leaves the grid there stands for what is missing on the other. */
+    template <int dim>
+    bool
+    is_near_periodic_side(const CellOccupancy<dim> &occupancy,
+                          const unsigned int        cell)
+    {
+      const auto &vertices = occupancy.grid.geometry().vertex_indices(cell);
+      return std::any_of(vertices.begin(),
+                         vertices.end(),
+                         [&](const unsigned int vertex) {
+                           return occupancy.is_near_periodic_side(vertex);
+                         });
+    }
 
     /** Lists the cells that corners act on (DomainCorners::cells). */
     template <int dim>
@@ -362,30 +235,6 @@ namespace isochor
       const ShapeFunctions<dim>   &functions;
       std::vector<unsigned int>    cells;
     };
-
-    /** ∇λ_c of the simplex with the given corners. */
-    template <int dim>
-    CornerVectors<dim>
-    barycentric_gradients(const CornerVectors<dim> &corners)
-    {
-      Tensor<2, dim> edges;
-      for (unsigned int d = 0; d < dim; ++d)
-        edges[d] = corners[d + 1] - corners[0];
-      const double J = determinant(edges);
-      AssertThrow(std::abs(J) > 1e-14 * std::pow(edges.norm(), dim),
-                  ExcMessage("The domain of a material point is flat: the "
-                             "deformation is too large for <Quadrature/Type = "
-                             "CPDI>."));
-      const Tensor<2, dim> inverse = invert(edges);
-      CornerVectors<dim>   gradients;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            gradients[c + 1][d] = inverse[d][c];
-            gradients[0][d] -= inverse[d][c];
-          }
-      return gradients;
-    }
   } // namespace
 
 
@@ -395,8 +244,9 @@ namespace isochor
   CPDI<dim>::build_stencils(PointArrays<dim>            &points,
                             const PointLocator<dim>     &locator,
                             const InterfaceCorners<dim> &interface,
-                            const ShapeFunctions<dim>   &functions) const
+                            const CellOccupancy<dim>    &occupancy) const
   {
+    const ShapeFunctions<dim> &functions = occupancy.grid.shape_functions();
     CornerCells<dim> corner_cells(points, locator, interface, functions);
     points.clear_stencils();
     DomainStencil<dim>                    stencil;
@@ -407,15 +257,15 @@ namespace isochor
            ++q)
         {
           const Point<dim>   x = points.location(locator.geometry(), k, q);
-          CornerVectors<dim> corners;
+          CornerVectors<dim> corners, whole;
           bool               sees_others = false;
           for (unsigned int c = 0; c <= dim; ++c)
             {
-              Tensor<1, dim> &r     = corners[c];
-              r                     = points.F[q] * points.domain[q][c];
+              Tensor<1, dim> &r = corners[c];
+              whole[c] = r          = points.F[q] * points.domain[q][c];
               const auto      place = interface.is_needed() ?
                                         interface.place(q, c, x, r) :
-                                        locator.locate_towards(x, points.cell[k], r);
+                                        locator.locate_nearest(x, points.cell[k], r);
               const SeenCells seen  = {interface.cell(q, c),
                                        interface.pressure_cell(q, c)};
               at[c].evaluate(
@@ -428,9 +278,18 @@ namespace isochor
               corner_cells.add(q, x, r, place, seen, at[c]);
               sees_others = sees_others || seen.are_others();
             }
-          stencil.set(at, barycentric_gradients<dim>(corners));
+          stencil.set(at, corners);
           if (separate)
             stencil.set_pressure(of_pressure, at);
+          if (const double part = part_of_domain<dim>(corners, whole);
+              part != 1 && !is_near_periodic_side(occupancy, points.cell[k]))
+            {
+              points.weight[q] = part * points.volume[q];
+              Tensor<1, dim> middle;
+              for (const Tensor<1, dim> &r : corners)
+                middle += r / (dim + 1.);
+              stencil.move(-middle);
+            }
           stencil.append_to(points, separate);
           if (sees_others)
             points.domain_corners.points_that_see_others.push_back(q);

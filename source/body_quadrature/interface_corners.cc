@@ -186,39 +186,16 @@ namespace isochor
           const Point<dim> x = points.location(locator.geometry(), k, q);
           for (const Tensor<1, dim> &of_start : points.domain[q])
             {
-              const Tensor<1, dim> r      = points.F[q] * of_start;
-              Tensor<1, dim>       inside = r;
-              Corner               corner;
-              corner.place = locator.locate_towards(x, points.cell[k], inside);
-              corner.x     = x + inside;
-              if (inside != r)
-                move_to_grid(locator.geometry(), x + r, corner);
+              Tensor<1, dim> r = points.F[q] * of_start;
+              Corner         corner;
+              corner.place = locator.locate_nearest(x, points.cell[k], r);
+              corner.x     = x + r;
               corner.X     = x - points.displacement[q] + of_start;
               corner.group = materials.of_material[points.material[q]];
               corner.owner = corner.group;
               corners.push_back(corner);
             }
         }
-  }
-
-
-
-  template <int dim>
-  void
-  InterfaceCorners<dim>::move_to_grid(const SimplexGeometry<dim> &geometry,
-                                      const Point<dim>           &x,
-                                      Corner                     &corner)
-  {
-    corner.place.cell = nearest_cells<dim>(
-                          geometry,
-                          x,
-                          corner.place.cell,
-                          [](const unsigned int) { return true; },
-                          std::numeric_limits<double>::max())
-                          .front();
-    corner.x = x + way_to_cell(geometry, corner.place.cell, x);
-    corner.place.barycentric =
-      geometry.barycentric(corner.place.cell, corner.x);
   }
 
 

@@ -7,6 +7,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/point_locator.h>
 
 #include <algorithm>
@@ -270,6 +271,30 @@ namespace isochor
         (result.found ? inside : outside) = middle;
       }
     r *= inside;
+    return place;
+  }
+
+
+
+  template <int dim>
+  LocateResult<dim>
+  PointLocator<dim>::locate_nearest(const Point<dim>  &x,
+                                    const unsigned int cell,
+                                    Tensor<1, dim>    &r) const
+  {
+    const Point<dim> sought = x + r;
+    auto             place  = locate_towards(x, cell, r);
+    if (place.found && x + r == sought)
+      return place;
+    place.cell = nearest_cells<dim>(
+                   simplices,
+                   sought,
+                   place.cell,
+                   [](const unsigned int) { return true; },
+                   std::numeric_limits<double>::max())
+                   .front();
+    r                 = sought + way_to_cell(simplices, place.cell, sought) - x;
+    place.barycentric = simplices.barycentric(place.cell, x + r);
     return place;
   }
 

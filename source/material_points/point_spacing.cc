@@ -297,6 +297,20 @@ namespace isochor
       return;
     std::ostringstream text;
     text.precision(3);
+    if (Utilities::MPI::max(points.domain_corners.cells.size(),
+                            grid.communicator()) > 0)
+      {
+        text << "At t = " << time << " " << -100 * difference
+             << " % of the body are outside of the grid, as where a boundary "
+                "draws it out of a grid that is put back. This part carries no "
+                "stress, and forces are wrong by about half as much. Let the "
+                "grid follow (<Grid/Stretch>), keep it (<Grid reset/Steps "
+                "between resets>), or take a larger one, in which the body's "
+                "own surface moves (<Boundary conditions/Displacement of "
+                "body>).";
+        warnings.add("a body in part outside of the grid", text.str());
+        return;
+      }
     text << "At t = " << time << " the body fills " << volumes[0] << " m^"
          << dim << " of the grid, but its material points stand for "
          << volumes[1] << ", and it has been so for " << n_resets_tolerated

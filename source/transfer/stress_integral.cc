@@ -61,6 +61,10 @@ namespace isochor
   void
   StressIntegral<dim>::check(const StepContext<dim> &step) const
   {
+    // domains that act at their corners stand for what of them is in the grid
+    if (Utilities::MPI::max(step.points.domain_corners.cells.size(),
+                            step.grid.communicator()) > 0)
+      return;
     constexpr unsigned int n = SymmetricTensor<2, 3>::n_independent_components;
     std::array<double, 2 * n + 2> sums;
     for (unsigned int i = 0; i < n; ++i)

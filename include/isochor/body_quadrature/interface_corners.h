@@ -163,12 +163,6 @@ namespace isochor
 
     void
     locate_corners(const PointArrays<dim> &points);
-    /** Move @p corner from @p x outside of the grid to the nearest place of it:
-     * the same for all domains that share the corner. */
-    static void
-    move_to_grid(const SimplexGeometry<dim> &geometry,
-                 const Point<dim>           &x,
-                 Corner                     &corner);
     /** Of the points in each element, of all ranks; by group (m^dim). */
     using Volumes = std::unordered_map<unsigned int, std::vector<double>>;
     Volumes

@@ -77,6 +77,13 @@ namespace isochor
                    const unsigned int cell,
                    Tensor<1, dim>    &r) const;
 
+    /** The same, but if x + r is outside of the grid, r leads to the place of
+     * the grid nearest to it: the same from all @p x that share x + r. */
+    LocateResult<dim>
+    locate_nearest(const Point<dim>  &x,
+                   const unsigned int cell,
+                   Tensor<1, dim>    &r) const;
+
     /** The result for a cell that is already known to hold @p x: found is false
      * if a barycentric coordinate is below -clamp_tolerance. */
     LocateResult<dim>
