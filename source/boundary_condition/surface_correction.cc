@@ -21,9 +21,7 @@ namespace isochor
                                      const unsigned int         n_surfaces,
                                      const MPI_Comm             comm)
   {
-    // by surface: Σ A, Σ A X; then Σ A (X - X̄) ⊗ (X - X̄)
-    constexpr unsigned int n_second = dim * dim;
-    std::vector<double>    sums((1 + dim) * n_surfaces);
+    std::vector<double> sums((1 + dim) * n_surfaces); // Σ A, Σ A X
     for (unsigned int b = 0; b < points.size(); ++b)
       {
         const double      A   = points.reference_area(b).norm();
@@ -41,7 +39,20 @@ namespace isochor
         for (unsigned int i = 0; i < dim; ++i)
           modes[s].centre[i] = sums[(1 + dim) * s + 1 + i] / modes[s].area;
       }
-    std::vector<double> moments(n_second * n_surfaces);
+    find_axes(points, comm);
+    make_orthogonal(points, comm);
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceCorrection<dim>::find_axes(const BoundaryPoints<dim> &points,
+                                    const MPI_Comm             comm)
+  {
+    // by surface: Σ A (X - X̄) ⊗ (X - X̄)
+    constexpr unsigned int n_second = dim * dim;
+    std::vector<double>    moments(n_second * modes.size());
     for (unsigned int b = 0; b < points.size(); ++b)
       {
         const unsigned int   s = points.surface(b);
@@ -52,7 +63,7 @@ namespace isochor
               points.reference_area(b).norm() * r[i] * r[j];
       }
     Utilities::MPI::sum(moments, comm, moments);
-    for (unsigned int s = 0; s < n_surfaces; ++s)
+    for (unsigned int s = 0; s < modes.size(); ++s)
       {
         SymmetricTensor<2, dim> radii; // of gyration, squared
         for (unsigned int i = 0; i < dim; ++i)
@@ -70,16 +81,101 @@ namespace isochor
 
 
   template <int dim>
+  void
+  SurfaceCorrection<dim>::make_orthogonal(const BoundaryPoints<dim> &points,
+                                          const MPI_Comm             comm)
+  {
+    // by surface: the mean products of the monomials, and the mean size of
+    // cells
+    constexpr unsigned int stride = n_modes * n_modes + 1;
+    std::vector<double>    means(stride * modes.size());
+    for (unsigned int b = 0; b < points.size(); ++b)
+      {
+        const Modes &at   = modes[points.surface(b)];
+        double      *mean = &means[stride * std::size_t(points.surface(b))];
+        const double part = points.reference_area(b).norm() / at.area;
+        const auto   psi  = monomials(at, points.reference_location(b));
+        for (unsigned int i = 0; i < n_modes; ++i)
+          for (unsigned int j = 0; j < n_modes; ++j)
+            mean[n_modes * i + j] += part * psi[i] * psi[j];
+        mean[stride - 1] += part * points.size_of_cells(b);
+      }
+    Utilities::MPI::sum(means, comm, means);
+    for (unsigned int s = 0; s < modes.size(); ++s)
+      {
+        Modes        &at      = modes[s];
+        const double *mean    = &means[stride * std::size_t(s)];
+        const auto    product = [&](const Monomials &a, const Monomials &b) {
+          double sum = 0;
+          for (unsigned int i = 0; i < n_modes; ++i)
+            for (unsigned int j = 0; j < n_modes; ++j)
+              sum += a[i] * mean[n_modes * i + j] * b[j];
+          return sum;
+        };
+        // a straight side is as long as √12 times its radius of gyration
+        constexpr double least_cells = 6;
+        const auto       is_long     = [&](const unsigned int k) {
+          return at.direction[k].norm() * least_cells * mean[stride - 1] <
+                 std::sqrt(12.);
+        };
+        unsigned int m = 0;
+        for (; m < n_affine; ++m)
+          at.combination[m][m] = 1;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = i; j < dim; ++j, ++m)
+            {
+              if (!is_long(i) || !is_long(j))
+                continue;
+              Monomials phi{};
+              phi[m]           = 1;
+              const double all = product(phi, phi);
+              for (unsigned int k = 0; k < m; ++k)
+                {
+                  const double part = product(phi, at.combination[k]);
+                  for (unsigned int l = 0; l < n_modes; ++l)
+                    phi[l] -= part * at.combination[k][l];
+                }
+              // else it is nearly one of the others, as along an arc
+              constexpr double considerable = 0.01;
+              if (const double rest = product(phi, phi);
+                  rest > considerable * all)
+                for (unsigned int l = 0; l < n_modes; ++l)
+                  at.combination[m][l] = phi[l] / std::sqrt(rest);
+            }
+      }
+  }
+
+
+
+  template <int dim>
+  auto
+  SurfaceCorrection<dim>::monomials(const Modes &at, const Point<dim> &X)
+    -> Monomials
+  {
+    Monomials psi;
+    psi[0] = 1;
+    for (unsigned int k = 0; k < dim; ++k)
+      psi[1 + k] = at.direction[k] * (X - at.centre);
+    unsigned int m = n_affine;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = i; j < dim; ++j, ++m)
+        psi[m] = psi[1 + i] * psi[1 + j];
+    return psi;
+  }
+
+
+
+  template <int dim>
   auto
   SurfaceCorrection<dim>::shape(const unsigned int surface,
-                                const Point<dim>  &X) const
-    -> std::array<double, n_modes>
+                                const Point<dim>  &X) const -> Monomials
   {
-    const Modes                &at = modes[surface];
-    std::array<double, n_modes> phi;
-    phi[0] = 1;
-    for (unsigned int k = 0; k < dim; ++k)
-      phi[1 + k] = at.direction[k] * (X - at.centre);
+    const Modes &at  = modes[surface];
+    const auto   psi = monomials(at, X);
+    Monomials    phi{};
+    for (unsigned int k = 0; k < n_modes; ++k)
+      for (unsigned int l = 0; l <= k; ++l)
+        phi[k] += at.combination[k][l] * psi[l];
     return phi;
   }
 
@@ -106,10 +202,10 @@ namespace isochor
 
   template <int dim>
   Vector<double>
-  SurfaceCorrection<dim>::affine_gap(const BoundaryPoints<dim>    &points,
-                                     const SurfaceConditions<dim> &conditions,
-                                     const Gap                    &gap,
-                                     const MPI_Comm                comm) const
+  SurfaceCorrection<dim>::gap_of_modes(const BoundaryPoints<dim>    &points,
+                                       const SurfaceConditions<dim> &conditions,
+                                       const Gap                    &gap,
+                                       const MPI_Comm                comm) const
   {
     std::vector<double> sums(coefficients.size());
     for (unsigned int b = 0; b < points.size(); ++b)
@@ -129,7 +225,8 @@ namespace isochor
     // the modes are orthogonal, and as large as 1 in the mean
     Vector<double> result(sums.size());
     for (unsigned int i = 0; i < sums.size(); ++i)
-      result(i) = sums[i] / modes[i / (dim * n_modes)].area;
+      if (i % n_modes < n_affine || !only_affine)
+        result(i) = sums[i] / modes[i / (dim * n_modes)].area;
     return result;
   }
 
@@ -181,7 +278,7 @@ namespace isochor
 
   template <int dim>
   bool
-  SurfaceCorrection<dim>::is_small(const Vector<double>          &affine_gap,
+  SurfaceCorrection<dim>::is_small(const Vector<double>          &gap_of_modes,
                                    const std::array<double, dim> &moved) const
   {
     // of what the body is deformed by, and of this in other directions; and
@@ -194,8 +291,8 @@ namespace isochor
                        at.centre.distance(Point<dim>()) +
                          std::pow(at.area, 1. / (dim - 1)));
     const double least = very_small * largest + rounding * place;
-    for (unsigned int i = 0; i < affine_gap.size(); ++i)
-      if (std::abs(affine_gap(i)) >
+    for (unsigned int i = 0; i < gap_of_modes.size(); ++i)
+      if (std::abs(gap_of_modes(i)) >
           std::max(small * moved[i / n_modes % dim], least))
         return false;
     return true;
@@ -221,7 +318,7 @@ namespace isochor
           c->reinit(n_surfaces * dim * n_modes);
         inverse = FullMatrix<double>(IdentityMatrix(coefficients.size()));
       }
-    const Vector<double> here = affine_gap(points, conditions, gap, comm);
+    const Vector<double> here = gap_of_modes(points, conditions, gap, comm);
     const bool           met  = is_small(here, moved);
     const double         norm = here.l2_norm();
     if (n_updates > 0)
@@ -231,10 +328,8 @@ namespace isochor
     constexpr unsigned int patience = 3, most_updates = 10;
     if (n_updates >= patience && !(norm < first_norm / 2))
       {
-        given_up = true;
-        ++n_steps_in_vain;
         coefficients = accepted;
-        return true;
+        return give_up();
       }
     if (met || n_updates == most_updates)
       return false;
@@ -244,6 +339,23 @@ namespace isochor
     change *= -1;
     coefficients += change;
     ++n_updates;
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  SurfaceCorrection<dim>::give_up()
+  {
+    if (only_affine)
+      {
+        given_up = true;
+        ++n_steps_in_vain;
+      }
+    only_affine = true;
+    inverse     = FullMatrix<double>(IdentityMatrix(coefficients.size()));
+    n_updates   = 0;
     return true;
   }
 
@@ -265,13 +377,16 @@ namespace isochor
   void
   SurfaceCorrection<dim>::save(std::ostream &text) const
   {
-    text << modes.size() << ' ' << n_steps_in_vain << ' ' << accepted_size
-         << ' ' << accepted_time;
+    text << modes.size() << ' ' << n_steps_in_vain << ' ' << only_affine << ' '
+         << accepted_size << ' ' << accepted_time;
     for (const Modes &at : modes)
       {
         text << ' ' << at.area << ' ' << at.centre;
         for (const Tensor<1, dim> &n : at.direction)
           text << ' ' << n;
+        for (const Monomials &of_mode : at.combination)
+          for (const double part : of_mode)
+            text << ' ' << part;
       }
     for (unsigned int i = 0; i < accepted.size(); ++i)
       text << ' ' << accepted(i) << ' ' << before(i);
@@ -287,7 +402,8 @@ namespace isochor
   SurfaceCorrection<dim>::load(std::istream &text)
   {
     std::size_t n_surfaces;
-    text >> n_surfaces >> n_steps_in_vain >> accepted_size >> accepted_time;
+    text >> n_surfaces >> n_steps_in_vain >> only_affine >> accepted_size >>
+      accepted_time;
     modes.assign(n_surfaces, {});
     for (Modes &at : modes)
       {
@@ -295,6 +411,9 @@ namespace isochor
         for (Tensor<1, dim> &n : at.direction)
           for (unsigned int i = 0; i < dim; ++i)
             text >> n[i];
+        for (Monomials &of_mode : at.combination)
+          for (double &part : of_mode)
+            text >> part;
       }
     const unsigned int n_entries = n_surfaces * dim * n_modes;
     for (Vector<double> *c : {&coefficients, &accepted, &before})

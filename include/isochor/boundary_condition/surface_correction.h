@@ -22,14 +22,18 @@ namespace isochor
    * What displacements prescribed on surfaces of the body are corrected by, so
    * that springs which stretch under load bring each surface as a whole to
    * where it is meant to be. The springs of a surface and component a pull to
-   * ū + c with an affine function of the reference place X,
-   *   c(X) = Σ_k c_k φ_k(X), φ_0 = 1, φ_k = n_k·(X - X̄)/L_k,
-   * n_k the principal axes of the surface and L_k its radii of gyration, such
+   * ū + c with a polynomial of second order in the reference place X,
+   *   c(X) = Σ_k c_k φ_k(X), φ_0 = 1, φ_k = ξ_k = n_k·(X - X̄)/L_k, k <= dim,
+   * n_k the principal axes of the surface and L_k its radii of gyration, and
+   * the further φ_k the products ξ_i ξ_j, made orthogonal on the surface, such
    * that Σ_b A_b φ_k (u_b - ū) = 0 for all k: mean place, rotation and stretch
-   * are exact. The force of the springs by c is the multiplier of an augmented
-   * Lagrangian (Hestenes 1969, Powell 1969; Simo & Laursen, Comput. Struct. 42
-   * (1992) 97-116) for affine functions alone. Any grid can follow these, so
-   * that nothing locks; what of the gap is not affine is left to the springs.
+   * are exact, and so are the forces of a layer that is bonded to the surface,
+   * whose pressure is a parabola if it is incompressible. The force of the
+   * springs by c is the multiplier of an augmented Lagrangian (Hestenes 1969,
+   * Powell 1969; Simo & Laursen, Comput. Struct. 42 (1992) 97-116) for such
+   * functions alone. Any grid can follow those that are affine; the others are
+   * left out where the surface has too few cells, or is nearly an arc, so that
+   * nothing locks. What else the gap is, is left to the springs.
    *
    * The coefficients are found when Newton's method has converged, by Broyden's
    * method (1965) on c ↦ gap, which begins with Uzawa's step and remembers what
@@ -75,34 +79,51 @@ namespace isochor
     load(std::istream &text);
 
   private:
-    static constexpr unsigned int n_modes = dim + 1;
+    static constexpr unsigned int n_affine = dim + 1,
+                                  n_modes  = (dim + 1) * (dim + 2) / 2;
+    /** The values of 1, ξ_k and ξ_i ξ_j, i <= j, or a number for each. */
+    using Monomials = std::array<double, n_modes>;
 
-    /** φ_k, k > 0, is direction_k·(X - centre); none if that is zero. */
     struct Modes
     {
-      double                          area = 0;
-      Point<dim>                      centre;
+      double     area = 0;
+      Point<dim> centre;
+      /** ξ_k is direction_k·(X - centre); none if that is zero. */
       std::array<Tensor<1, dim>, dim> direction;
+      /** φ_k as sums of monomials; none if all are zero. */
+      std::array<Monomials, n_modes> combination{};
     };
 
     void
     find_modes(const BoundaryPoints<dim> &points,
                const unsigned int         n_surfaces,
                const MPI_Comm             comm);
+    void
+    find_axes(const BoundaryPoints<dim> &points, const MPI_Comm comm);
+    void
+    make_orthogonal(const BoundaryPoints<dim> &points, const MPI_Comm comm);
 
-    std::array<double, n_modes>
+    static Monomials
+    monomials(const Modes &at, const Point<dim> &X);
+
+    Monomials
     shape(const unsigned int surface, const Point<dim> &X) const;
 
-    /** The affine part of the gap, by coefficients. */
+    /** The part of the gap that can be corrected, by coefficients. */
     Vector<double>
-    affine_gap(const BoundaryPoints<dim>    &points,
-               const SurfaceConditions<dim> &conditions,
-               const Gap                    &gap,
-               const MPI_Comm                comm) const;
+    gap_of_modes(const BoundaryPoints<dim>    &points,
+                 const SurfaceConditions<dim> &conditions,
+                 const Gap                    &gap,
+                 const MPI_Comm                comm) const;
 
     bool
-    is_small(const Vector<double>          &affine_gap,
+    is_small(const Vector<double>          &gap_of_modes,
              const std::array<double, dim> &moved) const;
+
+    /** The gap doesn't close: leave all but affine functions as they were, or,
+     * if they already are, all. Whether there is something left to correct. */
+    bool
+    give_up();
 
     void
     learn(const Vector<double> &new_gap);
@@ -124,6 +145,7 @@ namespace isochor
     /** In the present step other conditions keep the surface from where it is
      * meant to be, or have done so in several steps. */
     bool         given_up        = false;
+    bool         only_affine     = false; ///< from now on
     unsigned int n_steps_in_vain = 0;
   };
 } // namespace isochor
