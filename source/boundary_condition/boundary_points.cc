@@ -98,17 +98,51 @@ namespace isochor
 
 
 
-  /** Whether what is held at the centres of the @p faces of @p surface may turn
-   * around them: around one, or in 3D a line of them. */
+  /** Whether @p x lies on the boundary of @p grid, where that isn't parallel to
+   * @p face. */
   template <int dim>
   static bool
-  is_hinge(const std::vector<SurfaceFace<dim>> &faces,
+  is_beside_boundary(const BackgroundGrid<dim> &grid,
+                     const SurfaceFace<dim>    &face,
+                     const Point<dim>          &x)
+  {
+    constexpr double            rounding = 1e-6;
+    const SimplexGeometry<dim> &geometry = grid.geometry();
+    const auto                 &faces    = grid.boundary_faces();
+    return std::any_of(faces.begin(), faces.end(), [&](const auto &side) {
+      const auto  &lambda = geometry.barycentric(side.cell, x);
+      const auto  &normal = geometry.gradients(side.cell)[side.opposite_vertex];
+      const double cosine =
+        std::abs(normal * face.area) / normal.norm() / face.area.norm();
+      return lambda[side.opposite_vertex]<
+               rounding && * std::min_element(lambda.begin(), lambda.end())> -
+               rounding &&
+             cosine < 1 - rounding;
+    });
+  }
+
+
+
+  /** Whether what is held at the centres of the @p faces of @p surface may turn
+   * around them: around one, or in 3D a line of them. Not if the body is one
+   * cell wide, between boundaries of the grid. */
+  template <int dim>
+  static bool
+  is_hinge(const BackgroundGrid<dim>           &grid,
+           const std::vector<SurfaceFace<dim>> &faces,
            const unsigned int                   surface)
   {
     std::vector<Point<dim>> centres;
+    bool                    is_between = true;
     for (const SurfaceFace<dim> &face : faces)
       if (face.surface == surface)
-        centres.push_back(centre_of<dim>(face.corners));
+        {
+          centres.push_back(centre_of<dim>(face.corners));
+          for (const Point<dim> &x : face.corners)
+            is_between = is_between && is_beside_boundary(grid, face, x);
+        }
+    if (is_between)
+      return false;
     if (centres.size() <= 1 || dim == 2)
       return centres.size() == 1;
     constexpr double     rounding = 1e-6;
@@ -145,6 +179,9 @@ namespace isochor
     const bool linear_on_domains =
       Utilities::MPI::max(body.displacement.empty() ? 0 : 1,
                           grid.communicator()) != 0;
+    std::vector<bool> hinges = held_at_centres;
+    for (unsigned int s = 0; s < hinges.size(); ++s)
+      hinges[s] = hinges[s] && is_hinge(grid, faces, s);
     std::vector<SurfaceFace<dim>> of_domains, others = faces;
     if (linear_on_domains)
       {
@@ -154,9 +191,6 @@ namespace isochor
           all.covered_shares(all.parts(grid.geometry(), body, true),
                              grid.communicator());
         others.clear();
-        std::vector<bool> hinges = held_at_centres;
-        for (unsigned int s = 0; s < hinges.size(); ++s)
-          hinges[s] = hinges[s] && is_hinge(faces, s);
         for (unsigned int f = 0; f < faces.size(); ++f)
           (std::abs(shares[f] - 1) < whole && !hinges[faces[f].surface] ?
              of_domains :
@@ -173,7 +207,8 @@ namespace isochor
       for (unsigned int i = 0; i < rule.size(); ++i)
         {
           std::array<double, n_entries> payload{};
-          payload[surface_entry] = face.surface;
+          payload[surface_entry]   = face.surface;
+          payload[on_domain_entry] = hinges[face.surface] ? at_hinge : 0;
           for (unsigned int d = 0; d < dim; ++d)
             {
               payload[area_entry + d]        = rule.weight(i) * face.area[d];

@@ -223,9 +223,11 @@ namespace isochor
     static constexpr unsigned int area_entry         = 1 + dim;
     static constexpr unsigned int F_entry            = 1 + 2 * dim;
     static constexpr unsigned int modulus_entry      = 1 + 2 * dim + dim * dim;
-    /** 0: not on a domain; else 1 + index of the material. */
+    /** 0: not on a domain; else 1 + index of the material, or at_hinge: not on
+     * a domain, and to stay one point. */
     static constexpr unsigned int on_domain_entry = 1 + modulus_entry;
     static constexpr unsigned int n_entries       = 1 + on_domain_entry;
+    static constexpr double       at_hinge        = -1;
 
     class Candidates;
 
