@@ -183,7 +183,13 @@ namespace
       const std::string not_told = settle_under(2000, 4, thin + settings).told;
       test::check("not told, " + settings, not_told.empty(), not_told);
     };
-    test_silence("Quadrature/Type = cell-filled + boundary");
+    const std::string filled =
+      settle_under(2000, 4, thin + "Quadrature/Type = cell-filled + boundary")
+        .told;
+    test::check("told with one strain in each cell",
+                filled.find("At t = 0 s") == 0 &&
+                  filled.find("<Quadrature/Type = CPDI>") != std::string::npos,
+                filled);
     test_silence("Material 2/Young modulus = 1.2e5");
   }
 

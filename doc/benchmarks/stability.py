@@ -26,7 +26,7 @@ from bench import Bench, shortened  # noqa: E402
 from fuzzer import fuzz  # noqa: E402
 from harness import output  # noqa: E402
 from stability_cuts import convergence  # noqa: E402
-from stability_cycles import ten_cycles  # noqa: E402
+from stability_cycles import ten_cycles, two_discs  # noqa: E402
 from stability_faces import axes, on_faces  # noqa: E402
 from stability_parameters import alpha, load_steps, nu  # noqa: E402
 from stability_places import offsets, symmetry, turned, units  # noqa: E402
@@ -51,6 +51,7 @@ TESTS = {
         shear,
         cycles,
         ten_cycles,
+        two_discs,
         fuzz,
     )
 }

@@ -2,12 +2,14 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/grid/extent.h>
 
 #include <algorithm>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace isochor
@@ -18,26 +20,38 @@ namespace isochor
      * forces then lack about as much. */
     constexpr double strain_lost = 0.01;
 
-    /** Whether material points are in cells at the boundary @p id. Nodes may be
-     * active there by conditions only. Collective. */
+    /** The vertices of cells with material points, of all ranks: nodes may be
+     * active by conditions only. Collective. */
+    template <int dim>
+    std::set<unsigned int>
+    vertices_at_points(const StepContext<dim> &step)
+    {
+      const SimplexGeometry<dim>     &geometry = step.grid.geometry();
+      const std::vector<unsigned int> cells(step.points.cell.begin(),
+                                            step.points.cell.begin() +
+                                              step.points.n_occupied_cells);
+      std::set<unsigned int>          vertices;
+      for (const unsigned int cell :
+           union_over_ranks(cells, step.grid.communicator()))
+        for (const unsigned int v : geometry.vertex_indices(cell))
+          vertices.insert(v);
+      return vertices;
+    }
+
+    /** Whether material points are in cells at the boundary @p id. Collective.
+     */
     template <int dim>
     bool
     has_points_at(const StepContext<dim> &step, const types::boundary_id id)
     {
-      const SimplexGeometry<dim> &geometry = step.grid.geometry();
-      std::set<unsigned int>      vertices;
+      const auto with_points = vertices_at_points(step);
       for (const BoundaryFace &face : step.grid.boundary_faces())
-        if (face.id == id)
-          for (unsigned int v = 0; v <= dim; ++v)
-            if (v != face.opposite_vertex)
-              vertices.insert(geometry.vertex_indices(face.cell)[v]);
-      bool found = false;
-      for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
-        for (const unsigned int v :
-             geometry.vertex_indices(step.points.cell[k]))
-          found = found || vertices.count(v) > 0;
-      return Utilities::MPI::max(static_cast<int>(found),
-                                 step.grid.communicator()) != 0;
+        for (unsigned int v = 0; v <= dim && face.id == id; ++v)
+          if (v != face.opposite_vertex &&
+              with_points.count(
+                step.grid.geometry().vertex_indices(face.cell)[v]) > 0)
+            return true;
+      return false;
     }
 
     /** Whether material is in cells at the boundary @p id, or at any if
@@ -167,6 +181,43 @@ namespace isochor
 
   template <int dim>
   void
+  warn_of_unequal_sides(
+    const StepContext<dim>                                   &step,
+    const std::string                                        &parameter,
+    const std::string                                        &first,
+    const std::string                                        &second,
+    const std::vector<std::pair<unsigned int, unsigned int>> &same_places)
+  {
+    // surfaces may meet the sides a row of cells higher or lower
+    constexpr double most        = 0.7;
+    const auto       with_points = vertices_at_points(step);
+    unsigned int     n_first = 0, n_second = 0, n_both = 0;
+    for (const auto &[a, b] : same_places)
+      {
+        const unsigned int has_a = with_points.count(a),
+                           has_b = with_points.count(b);
+        n_first += has_a;
+        n_second += has_b;
+        n_both += has_a * has_b;
+      }
+    const unsigned int n_any = n_first + n_second - n_both;
+    // of a side without material there is another warning
+    if (n_first == 0 || n_second == 0 || n_both >= most * n_any)
+      return;
+    step.warnings.add(
+      "periodic sides that differ",
+      "Of " + std::to_string(n_any) + " places of <" + first + "> and <" +
+        second + "> of <" + parameter +
+        "> at which there is material on one of the two sides, " +
+        std::to_string(n_both) +
+        " have some on both. Elsewhere the body ends at the side, with a free "
+        "surface. What is periodic should meet both sides at the same places.");
+  }
+
+
+
+  template <int dim>
+  void
   warn_of_wall_inside(const StepContext<dim> &step,
                       const std::string      &parameter,
                       const std::string      &boundary,
@@ -268,6 +319,20 @@ namespace isochor
                        const types::boundary_id,
                        const bool,
                        const bool);
+  template void
+  warn_of_unequal_sides(
+    const StepContext<2> &,
+    const std::string &,
+    const std::string &,
+    const std::string &,
+    const std::vector<std::pair<unsigned int, unsigned int>> &);
+  template void
+  warn_of_unequal_sides(
+    const StepContext<3> &,
+    const std::string &,
+    const std::string &,
+    const std::string &,
+    const std::vector<std::pair<unsigned int, unsigned int>> &);
   template void
   warn_of_wall_inside(const StepContext<2> &,
                       const std::string &,

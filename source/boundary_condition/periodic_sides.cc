@@ -104,13 +104,12 @@ namespace isochor
     {
       const auto &x = grid.geometry().vertices();
       for (unsigned int p = 0; p < pairs.size(); ++p)
-        for (const auto &image : vertices.images())
-          if (image.pairs == std::vector<unsigned int>{p})
-            {
-              const Tensor<1, dim> shift = x[image.vertex] - x[image.root];
-              periods.push_back({shift, shift * Tensor<1, dim>(x[image.root])});
-              break;
-            }
+        if (const auto images = vertices.images_by(p); !images.empty())
+          {
+            const auto [root, vertex]  = images.front();
+            const Tensor<1, dim> shift = x[vertex] - x[root];
+            periods.push_back({shift, shift * Tensor<1, dim>(x[root])});
+          }
     }
 
     std::vector<unsigned int>
@@ -129,14 +128,21 @@ namespace isochor
     void
     check_scene(const StepContext<dim> &step) const override
     {
-      for (const Pair &pair : pairs)
-        for (const std::string &side : {pair.first, pair.second})
-          warn_if_untouched(step,
-                            parameter(),
-                            side,
-                            step.grid.boundary_id(side, parameter()),
-                            false,
-                            true);
+      for (unsigned int p = 0; p < pairs.size(); ++p)
+        {
+          for (const std::string &side : {pairs[p].first, pairs[p].second})
+            warn_if_untouched(step,
+                              parameter(),
+                              side,
+                              step.grid.boundary_id(side, parameter()),
+                              false,
+                              true);
+          warn_of_unequal_sides(step,
+                                parameter(),
+                                pairs[p].first,
+                                pairs[p].second,
+                                vertices.images_by(p));
+        }
       if (hold_corner)
         warn_if_no_corner(step);
       warn_of_shared_pressures(step);

@@ -155,6 +155,19 @@ namespace isochor
 
 
   template <int dim>
+  std::vector<std::pair<unsigned int, unsigned int>>
+  PeriodicVertices<dim>::images_by(const unsigned int p) const
+  {
+    std::vector<std::pair<unsigned int, unsigned int>> result;
+    for (const Image &image : all_images)
+      if (image.pairs == std::vector<unsigned int>{p})
+        result.emplace_back(image.root, image.vertex);
+    return result;
+  }
+
+
+
+  template <int dim>
   void
   PeriodicVertices<dim>::share(const std::vector<unsigned int> &held)
   {

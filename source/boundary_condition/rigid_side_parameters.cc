@@ -126,9 +126,7 @@ namespace isochor
     const auto is_given = [](const Formula &formula) {
       return formula != nullptr;
     };
-    if (has_centre || std::all_of(rotation.begin(), rotation.end(), is_given) ||
-        (std::none_of(translation.begin(), translation.end(), is_given) &&
-         std::none_of(force.begin(), force.end(), is_given)))
+    if (has_centre || std::all_of(rotation.begin(), rotation.end(), is_given))
       return;
     Extent<dim> body;
     for (const unsigned int v : side_vertices)
@@ -142,8 +140,12 @@ namespace isochor
     for (unsigned int d = 0; d < dim; ++d)
       {
         middle[d] = (body.lower[d] + body.upper[d]) / 2;
-        most      = std::max(most, std::abs(centre[d] - middle[d]));
         size      = std::max(size, body.upper[d] - body.lower[d]);
+        // what is given along other axes changes by a rotation times this
+        for (unsigned int a = 0; a < dim; ++a)
+          if (a != d && (is_given(translation[a]) || is_given(force[a])) &&
+              !(dim == 3 && is_given(rotation[3 - a - d])))
+            most = std::max(most, std::abs(centre[d] - middle[d]));
       }
     if (body.lower[0] > body.upper[0] || most <= beside * size)
       return;

@@ -209,7 +209,8 @@ namespace isochor
                             const SurfaceForces<dim>     &forces,
                             const NodalConstraints       &constraints)
   {
-    constexpr double nearly_all = 0.99;
+    // normals of faces along an axis have some
+    constexpr double nearly_all = 0.99, rounding = 1e-9;
     // by surface and component: what is on supports, and all
     std::vector<double> sums(2 * dim * conditions.surfaces.size());
     for (unsigned int b = 0; b < points.size(); ++b)
@@ -232,16 +233,22 @@ namespace isochor
       }
     Utilities::MPI::sum(sums, step.grid.communicator(), sums);
     for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
-      for (unsigned int a = 0; a < dim; ++a)
-        if (const double *const sum = &sums[2 * (dim * s + a)];
-            sum[1] > 0 && sum[0] > nearly_all * sum[1])
-          step.warnings.add(
-            "a load on a support",
-            "The load on <" + conditions.surfaces[s].place.name + "> of <" +
-              conditions.surfaces[s].place.parameter + "> acts in " + "xyz"[a] +
-              " where this component is prescribed: it goes straight into the "
-              "support, and the body doesn't feel it. Leave the component free "
-              "there, or put the load elsewhere.");
+      {
+        double load = 0;
+        for (unsigned int a = 0; a < dim; ++a)
+          load += sums[2 * (dim * s + a) + 1];
+        for (unsigned int a = 0; a < dim; ++a)
+          if (const double *const sum = &sums[2 * (dim * s + a)];
+              sum[1] > rounding * load && sum[0] > nearly_all * sum[1])
+            step.warnings.add(
+              "a load on a support",
+              "The load on <" + conditions.surfaces[s].place.name + "> of <" +
+                conditions.surfaces[s].place.parameter + "> acts in " +
+                "xyz"[a] +
+                " where this component is prescribed: it goes straight into "
+                "the support, and the body doesn't feel it. Leave the "
+                "component free there, or put the load elsewhere.");
+      }
   }
 
 

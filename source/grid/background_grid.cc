@@ -237,6 +237,15 @@ namespace isochor
 
 
   template <int dim>
+  void
+  BackgroundGrid<dim>::check_motion(Warnings &warnings) const
+  {
+    stretch.check_planes(reference_vertices, warnings);
+  }
+
+
+
+  template <int dim>
   std::vector<Point<dim>>
   BackgroundGrid<dim>::vertices_at_time(const double time) const
   {

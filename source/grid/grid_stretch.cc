@@ -3,6 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/plain_message.h>
+#include <isochor/base/warnings.h>
+#include <isochor/grid/extent.h>
 #include <isochor/grid/grid_stretch.h>
 
 #include <algorithm>
@@ -91,6 +93,34 @@ namespace isochor
       }
     if (!planes.empty())
       check_start(planes, displacement);
+  }
+
+
+
+  template <int dim>
+  void
+  GridStretch<dim>::check_planes(const std::vector<Point<dim>> &vertices,
+                                 Warnings                      &warnings) const
+  {
+    // a grid may be moved against its planes by part of a cell
+    constexpr double slack = 0.1;
+    if (!is_moving())
+      return;
+    Extent<dim> grid;
+    for (const Point<dim> &vertex : vertices)
+      grid.include(vertex);
+    const double low = grid.lower[axis], high = grid.upper[axis];
+    for (const double plane : planes)
+      if (plane < low - slack * (high - low) ||
+          plane > high + slack * (high - low))
+        warnings.add(
+          "a plane outside of the grid",
+          std::string("The parameter <Grid/Stretch> moves a plane at ") +
+            "xyz"[axis] + " = " + rounded(plane) +
+            " m, but the grid reaches from " + rounded(low) + " to " +
+            rounded(high) +
+            " m: its side there moves by the part of it that interpolation "
+            "between the planes gives. To move the side, name its coordinate.");
   }
 
 

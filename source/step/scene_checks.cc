@@ -194,6 +194,7 @@ namespace isochor
                    const SparseSystem     &matrix,
                    const bool              may_let_go)
   {
+    step.grid.check_motion(step.warnings);
     check_body(step);
     check_interfaces(step);
     check_materials(scene, step.warnings);

@@ -9,6 +9,8 @@
 
 #include <array>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace isochor
 {
@@ -44,6 +46,18 @@ namespace isochor
                     const types::boundary_id id,
                     const bool               everywhere = false,
                     const bool               by_points  = false);
+
+  /** Warn if material is on one of two periodic sides, @p first and @p second
+   * of @p parameter, where there is none on the other. @p same_places: pairs of
+   * vertices, one on each. Collective. */
+  template <int dim>
+  void
+  warn_of_unequal_sides(
+    const StepContext<dim>                                   &step,
+    const std::string                                        &parameter,
+    const std::string                                        &first,
+    const std::string                                        &second,
+    const std::vector<std::pair<unsigned int, unsigned int>> &same_places);
 
   /** A wall stands outside of the grid and pushes inwards: warn of a one-sided
    * condition u >= ... (@p side 1) or u <= ... (-1) of @p parameter on

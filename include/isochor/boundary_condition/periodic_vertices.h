@@ -46,6 +46,10 @@ namespace isochor
       return all_images;
     }
 
+    /** The root and the vertex of images by pair @p p alone. */
+    std::vector<std::pair<unsigned int, unsigned int>>
+    images_by(const unsigned int p) const;
+
     /** Other conditions determine the displacements of @p held vertices
      * (sorted). Where two that are the same place are held, what is periodic
      * may determine unknowns that all ranks know: all of them then have to know

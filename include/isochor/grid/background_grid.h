@@ -142,6 +142,10 @@ namespace isochor
     bool
     is_moving() const;
 
+    /** Warn if that can hardly be meant. */
+    void
+    check_motion(Warnings &warnings) const;
+
     /** The id of the boundary called @p name; throws and lists the names if
      * there is none, naming @p parameter. */
     types::boundary_id

@@ -15,6 +15,8 @@ namespace isochor
 {
   using namespace dealii;
 
+  class Warnings;
+
   /**
    * The prescribed motion of the grid along one axis (`Grid/Stretch`): planes
    * across it move as told, what is between two of them is interpolated
@@ -35,6 +37,11 @@ namespace isochor
     {
       return axis >= 0;
     }
+
+    /** Warn of planes outside of the grid, which generated @p vertices. */
+    void
+    check_planes(const std::vector<Point<dim>> &vertices,
+                 Warnings                      &warnings) const;
 
     /** Where the point generated at @p reference is at @p time. */
     Point<dim>

@@ -6,23 +6,28 @@
 #define isochor_interface_watch_h
 
 #include <isochor/base/warnings.h>
+#include <isochor/equations/mixed_kernel.h>
 #include <isochor/material_points/point_arrays.h>
 
 namespace isochor
 {
   /**
-   * Warn where materials of other stiffness share the functions of a cell, for
-   * points with domains that act at their corners (CPDI), as found by
-   * InterfaceCorners, @p worst: the stiff one gets strains of the soft one. The
-   * error of its stresses was found to be some 0.15 times the ratio of the
-   * stiffnesses, times the part of a cell by which one lies in cells of the
-   * other one. Called when the grid has been put back at @p time. Collective.
+   * Warn where materials of other stiffness share the functions of a cell: the
+   * stiff one gets strains of the soft one. With points whose domains act at
+   * their corners (CPDI) where these have found no other cell
+   * (InterfaceCorners), else in all cells that hold points of several. The
+   * error of the stresses of the stiff one was found to be some 0.15 times the
+   * ratio of the stiffnesses, times the part of a cell by which one lies in
+   * cells of the other one. Called when the grid has been put back at @p time.
+   * Collective.
    */
+  template <int dim>
   void
-  warn_of_interfaces_in_cells(const InterfaceCrossing &worst,
-                              const MPI_Comm           comm,
-                              const double             time,
-                              Warnings                &warnings);
+  warn_of_interfaces_in_cells(const PointArrays<dim> &points,
+                              const MixedKernel<dim> &kernel,
+                              const MPI_Comm          comm,
+                              const double            time,
+                              Warnings               &warnings);
 } // namespace isochor
 
 #endif

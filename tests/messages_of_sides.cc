@@ -1,0 +1,121 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// Scenes whose sides, surfaces or interfaces can hardly be meant are told of,
+// and their neighbours that are right aren't.
+
+#include "scene_messages.h"
+
+using namespace isochor;
+
+namespace
+{
+  void
+  test_rigid_sides()
+  {
+    const std::string part =
+      good +
+      "Material points/Region = x < 0.5\nBoundary conditions/Rigid sides "
+      "= top: ";
+    expect("a rigid side that turns about a point beside the body",
+           messages<2>(part + "y = -1e-3*t\n"),
+           {"WARNING a rigid side that turns about a point beside the body"});
+    expect("... pushed along itself", messages<2>(part + "x = 1e-3*t\n"), {});
+  }
+
+  void
+  test_periodic_sides()
+  {
+    const auto periodic = [](const std::string &region) {
+      return messages<2>(good +
+                         "Boundary conditions/Periodic sides = left: right\n"
+                         "Material points/Region = " +
+                         region + "\n");
+    };
+    expect("periodic sides, material at other heights",
+           periodic("(x < 0.5 && y < 0.25) || (x > 0.5 && y < 0.75)"),
+           {"WARNING periodic sides that differ",
+            "Of 4 places of <left> and <right>",
+            "2 have some on both"});
+    expect("... a row of cells higher",
+           periodic("(x < 0.5 && y < 0.5) || (x > 0.5 && y < 0.75)"),
+           {});
+  }
+
+  void
+  test_planes()
+  {
+    const auto stretch = [](const std::string &plane) {
+      return messages<2>(good + "Grid/Stretch = y: 0 -> 0, " + plane +
+                         " -> -1e-3*t\n");
+    };
+    expect("a plane that isn't in the grid",
+           stretch("2"),
+           {"WARNING a plane outside of the grid",
+            "at y = 2 m",
+            "from 0 to 1 m"});
+    expect("... a little beside it", stretch("1.05"), {});
+  }
+
+  /** A pressure on a column that is held sideways by walls: the normal of its
+   * top has sideways components of rounding. */
+  void
+  test_load_between_walls()
+  {
+    expect("a pressure between walls",
+           messages<3>(
+             "Grid/Subdivisions = 2, 3, 1\nGrid/Upper corner = 0.7, 0.9, 0.3\n"
+             "Quadrature/Type = CPDI\nMaterial/Young modulus = 1e6\n"
+             "Boundary conditions/Displacement = left: x=0; right: x=0; front: "
+             "z=0; back: z=0; bottom: y=0\n"
+             "Boundary conditions/Pressure on body = top: 1e3*t\n"
+             "Boundary conditions/Surfaces of body = top: y > 0.899\n"),
+           {});
+  }
+
+  /** Quadratures that know one strain in each cell. */
+  void
+  test_shared_cells()
+  {
+    const auto layers = [](const std::string &quadrature,
+                           const std::string &interface,
+                           const std::string &modulus) {
+      return messages<2>(
+        good + "Quadrature/Type = " + quadrature +
+          "\nGrid/Subdivisions = 4, 8\nMaterial/Young modulus = 1e6\nMaterial "
+          "points/Points per cell = 4\n"
+          "Formulation/Type = u\nMaterial points/Materials in zones = 2: y > " +
+          interface + "\nMaterial 2/Young modulus = " + modulus + "\n",
+        true,
+        2);
+    };
+    for (const std::string quadrature :
+         {"points", "cell-filled", "cell-filled + boundary"})
+      {
+        expect("materials in the same cells, " + quadrature,
+               layers(quadrature, "0.5625", "1e8"),
+               {"WARNING materials that meet within cells",
+                "differ by up to 100 to 1",
+                "<Quadrature/Type = CPDI>"});
+        expect("... nearly the same",
+               layers(quadrature, "0.5625", "1.1e6"),
+               {});
+        expect("... in cells of their own",
+               layers(quadrature, "0.5", "1e8"),
+               {});
+      }
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  test::MPISession mpi(argc, argv);
+  test_rigid_sides();
+  test_periodic_sides();
+  test_planes();
+  test_load_between_walls();
+  test_shared_cells();
+}
