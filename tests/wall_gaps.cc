@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// In statics with CPDI a one-sided wall acts where the surface of the body is,
-// not where the cells are that hold it.
+// In statics with quadratures that know the surface of the body a one-sided
+// wall acts where that is, not where the cells are that hold the body.
 
 #include <array>
 
@@ -12,14 +12,14 @@
 
 using namespace isochor;
 
-const std::string subject = "a wall that acts before the body reaches it",
-                  cpdi    = "Quadrature/Type = CPDI\n";
+const std::string subject = "a wall that acts before the body reaches it";
+std::string       quadrature;
 
 template <int dim>
 test::ProblemPointer<dim>
 run_without_warning(const std::string &what, const std::string &settings)
 {
-  auto problem = test::run_scene<dim>(cpdi + settings);
+  auto problem = test::run_scene<dim>(quadrature + settings);
   bool warns   = false;
   for (const auto &warning : test::all_warnings(*problem).all())
     warns = warns || warning.subject == subject;
@@ -63,7 +63,7 @@ test_seal()
                                       "Time/Step size = 0.1\n"));
   test::check_error("ball",
                     test::relative(test::get(*ball, reaction), 0.0182456),
-                    0.03);
+                    0.04);
 }
 
 /** The force doesn't depend on how the scene is written down. */
@@ -71,7 +71,7 @@ void
 test_variants()
 {
   const auto force = [](const std::string &settings) {
-    return test::get(*test::run_scene<2>(cpdi + settings), reaction);
+    return test::get(*test::run_scene<2>(quadrature + settings), reaction);
   };
   const double F = force(test::seal(10, 0.12, ""));
   test::check_error(
@@ -172,10 +172,10 @@ test_passage()
   for (const std::string size : {"0.5", "0.1"})
     {
       const auto problem = test::run_scene<2>(
-        cpdi + test::seal(20,
-                          0.3,
-                          "Time/Step size = " + size +
-                            "\nTime/Minimum step size = " + size + "\n"));
+        quadrature + test::seal(20,
+                                0.3,
+                                "Time/Step size = " + size +
+                                  "\nTime/Minimum step size = " + size + "\n"));
       bool told = false;
       for (const auto &warning : test::all_warnings(*problem).all())
         told = told || warning.subject == "a body that went through a wall";
@@ -221,7 +221,7 @@ test_plastic()
         "Material/Mohr-Coulomb/Friction angle = 20\n"})
     {
       const auto problem = test::run_scene<2>(
-        cpdi +
+        quadrature +
         test::seal(8,
                    0.,
                    "Grid/Stretch = \n"
@@ -257,6 +257,12 @@ test_ring()
     "ring, the way of the crown",
     test::relative(test::get(*problem, "Displacement y of crown (m)"), -0.8),
     1e-3);
+  // pockets of air between the ring and a plate don't count as full
+  test::check_error(
+    "ring, volume in the grid",
+    test::relative(test::get(*problem, "Volume in the grid (m^2)"),
+                   test::get(*problem, "Material volume (m^2)")),
+    2e-3);
   test::check_error("ring, the forces of both plates",
                     test::relative(test::get(*problem, "Reaction y on top (N)"),
                                    -test::get(*problem, reaction)),
@@ -267,13 +273,20 @@ int
 main(int argc, char **argv)
 {
   test::MPISession mpi(argc, argv);
-  test_seal();
-  test_variants();
-  test_block<2>();
-  test_block<3>();
-  test_free();
-  test_moving_wall();
-  test_passage();
-  test_plastic();
-  test_ring();
+  for (const std::string type : {"CPDI", "cell-filled + boundary"})
+    {
+      quadrature = "Quadrature/Type = " + type + '\n';
+      if (test::this_rank() == 0)
+        std::cout << type << std::endl;
+      test_seal();
+      test_variants();
+      test_block<2>();
+      test_block<3>();
+      test_free();
+      test_moving_wall();
+      if (type == "CPDI")
+        test_passage();
+      test_plastic();
+      test_ring();
+    }
 }

@@ -38,7 +38,8 @@ namespace isochor
                const bool /*with_occupancy*/,
                CellOccupancy<dim> &occupancy) const override
     {
-      occupancy.update(points, kernel, true);
+      // where a wall only pushes, the domains say what is in its cells
+      occupancy.update(points, kernel, true, true);
       fill_interior_cells(points, occupancy);
       const auto bare = fill_boundary_cells(points, occupancy);
       occupancy.add_cells(bare);

@@ -100,7 +100,7 @@ namespace isochor
              "reset/Steps between resets = 0>), if nothing comes to the wall "
              "that doesn't touch it at t = 0") +
           ". In statics a flat one-sided wall acts where the surface is, "
-          "with <Quadrature/Type = CPDI>.");
+          "with <Quadrature/Type = CPDI> or 'cell-filled + boundary'.");
     }
   } // namespace
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace isochor
 {
@@ -88,6 +89,7 @@ namespace isochor
     private:
       using Node                         = typename WallContacts<dim>::Node;
       static constexpr unsigned int none = numbers::invalid_unsigned_int;
+      static constexpr double       no_support = 1e-6;
 
       /** A corner near a wall: the nodes of the wall that act on it are those
        * of @p part from @p first on up to the first of the next corner. */
@@ -102,48 +104,55 @@ namespace isochor
         double       weight;
       };
 
-      /** By active node, of which the grid may have many more, the nodes of
-       * walls there: there may be several, with other normals. */
+      /** By vertex the nodes of walls there: there may be several, with other
+       * normals. */
       void
       chain()
       {
-        first.assign(step.nodes.n_local(), none);
         next.assign(nodes.size(), none);
         for (unsigned int i = 0; i < nodes.size(); ++i)
-          if (const unsigned int node = step.nodes.node(nodes[i].vertex);
-              node < first.size())
-            {
-              next[i]     = first[node];
-              first[node] = i;
-            }
+          {
+            next[i]                = first_at(nodes[i].vertex);
+            first[nodes[i].vertex] = i;
+          }
       }
 
       /** The first node of a wall at a vertex. */
       unsigned int
       first_at(const unsigned int vertex) const
       {
-        const unsigned int node = step.nodes.node(vertex);
-        return node < first.size() ? first[node] : none;
+        const auto at = first.find(vertex);
+        return at == first.end() ? none : at->second;
       }
 
-      /** Where the nodes are at the start of the step: on a grid that is kept
-       * those know that have a cell with points there. Others have no gap. */
+      /** Where the nodes are: on a grid that is kept those know that have a
+       * cell with points there, at the end of the step those that are active.
+       * Others have no gap. */
       void
       find_places()
       {
         for (const Node &node : nodes)
           place.push_back(geometry.vertices()[node.vertex]);
-        if (!step.grid_is_kept)
+        if (!step.grid_is_kept && unknowns == nullptr)
           return;
         std::vector<double> x(dim * nodes.size(), -WallGaps::unknown);
-        for (unsigned int k = 0; k < step.points.cell.size(); ++k)
-          for (unsigned int v = 0; v <= dim; ++v)
-            for (unsigned int i =
-                   first_at(geometry.vertex_indices(step.points.cell[k])[v]);
-                 i != none;
-                 i = next[i])
-              for (unsigned int a = 0; a < dim; ++a)
-                x[dim * i + a] = step.points.corner(geometry, k, v)[a];
+        const auto          set = [&](const unsigned int i, Point<dim> at) {
+          at += increment(nodes[i].vertex);
+          for (unsigned int a = 0; a < dim; ++a)
+            x[dim * i + a] = at[a];
+        };
+        if (!step.grid_is_kept)
+          for (unsigned int i = 0; i < nodes.size(); ++i)
+            if (step.nodes.node(nodes[i].vertex) < step.nodes.n_local())
+              set(i, place[i]);
+        if (step.grid_is_kept)
+          for (unsigned int k = 0; k < step.points.cell.size(); ++k)
+            for (unsigned int v = 0; v <= dim; ++v)
+              for (unsigned int i =
+                     first_at(geometry.vertex_indices(step.points.cell[k])[v]);
+                   i != none;
+                   i = next[i])
+                set(i, step.points.corner(geometry, k, v));
         Utilities::MPI::max(x, step.grid.communicator(), x);
         for (unsigned int i = 0; i < nodes.size(); ++i)
           for (unsigned int a = 0; a < dim; ++a)
@@ -188,16 +197,25 @@ namespace isochor
       void
       look_at_point(const unsigned int k, const unsigned int q)
       {
-        const PointArrays<dim> &points  = step.points;
-        const auto              stencil = points.stencil(geometry, k, q);
-        bool                    is_near = false;
+        const PointArrays<dim> &points = step.points;
+        const bool              has_domain =
+          k < points.n_occupied_cells && !points.domain.empty();
+        const bool is_exact = !points.displacement.empty();
+        if (!points.domain.empty() && !is_exact && !step.grid_is_kept)
+          {
+            if (has_domain)
+              for (const Tensor<1, dim> &r : points.domain[q])
+                look_at_corner(k, q, points.F[q] * r);
+            return;
+          }
+        const auto stencil = points.stencil(geometry, k, q);
+        bool       is_near = false;
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
           is_near = is_near || first_at(stencil.vertex[I]) != none;
         if (!is_near)
           return;
         const Point<dim> x = points.location(geometry, k, q);
-        if (k < points.n_occupied_cells && !points.domain.empty() &&
-            (spheres || !points.displacement.empty()))
+        if (has_domain)
           for (const Tensor<1, dim> &r : points.domain[q])
             look_at_place(k, stencil, x, points.F[q] * r, 0. * points.F[q]);
         else if (spheres)
@@ -221,9 +239,8 @@ namespace isochor
                     const Tensor<1, dim>                     &r,
                     const Tensor<2, dim>                     &extent)
       {
-        constexpr double no_support = 1e-6;
-        const bool       is_exact   = !step.points.displacement.empty();
-        Point<dim>       at         = x + r;
+        const bool is_exact = !step.points.displacement.empty();
+        Point<dim> at       = x + r;
         near.clear();
         support.clear();
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
@@ -231,16 +248,66 @@ namespace isochor
             const unsigned int vertex = stencil.vertex[I];
             const double       N = stencil.shape[I] + stencil.gradient[I] * r;
             at += N * increment(vertex);
-            if (N <= no_support && is_exact)
-              continue;
-            support.push_back(vertex);
-            for (unsigned int i = first_at(vertex); i != none; i = next[i])
-              if (place[i][0] != -WallGaps::unknown)
-                near.push_back({i, std::max(N, no_support)});
+            if (N > no_support || !is_exact)
+              add_support(vertex, N);
           }
         const double size = cell_size(geometry, step.points.cell[k]);
         while (!near.empty())
           add_corner(at, extent, size);
+      }
+
+      /** As look_at_place() for the corner at @p r from point q, which moves by
+       * the functions of the cell that the point lies in, by those of the cell
+       * that the corner lies in. */
+      void
+      look_at_corner(const unsigned int    k,
+                     const unsigned int    q,
+                     const Tensor<1, dim> &r)
+      {
+        constexpr double       rounding = 1e-10;
+        constexpr unsigned int furthest = 64; // cells from the point
+        Point<dim>             x    = step.points.location(geometry, k, q) + r;
+        unsigned int           cell = step.points.cell[k];
+        auto                   lambda = geometry.barycentric(cell, x);
+        for (unsigned int n = 0; n < furthest; ++n)
+          {
+            const auto least = std::min_element(lambda.begin(), lambda.end());
+            const unsigned int beyond =
+              geometry.neighbours(cell)[least - lambda.begin()];
+            if (*least >= -rounding || beyond == SimplexGeometry<dim>::no_cell)
+              break;
+            cell   = beyond;
+            lambda = geometry.barycentric(cell, x);
+          }
+        typename ShapeFunctions<dim>::Values at;
+        step.grid.shape_functions().evaluate(cell, lambda, at);
+        near.clear();
+        support.clear();
+        for (unsigned int I = 0; I < at.n_nodes; ++I)
+          if (at.shape[I] > no_support)
+            add_support(at.vertex[I], at.shape[I]);
+        if (near.empty())
+          return;
+        if (unknowns != nullptr)
+          {
+            const auto stencil = step.points.stencil(geometry, k, q);
+            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+              x += (stencil.shape[I] + stencil.gradient[I] * r) *
+                   increment(stencil.vertex[I]);
+          }
+        const double size = cell_size(geometry, cell);
+        while (!near.empty())
+          add_corner(x, Tensor<2, dim>(), size);
+      }
+
+      /** The node at @p vertex acts by @p N on the place that is looked at. */
+      void
+      add_support(const unsigned int vertex, const double N)
+      {
+        support.push_back(vertex);
+        for (unsigned int i = first_at(vertex); i != none; i = next[i])
+          if (place[i][0] != -WallGaps::unknown)
+            near.push_back({i, std::max(N, no_support)});
       }
 
       /** Whether a place with the nodes of support is in a cell behind the wall
@@ -287,8 +354,7 @@ namespace isochor
             const Node  &node   = nodes[part->node];
             const double weight = part->weight / sum;
             corner.gap +=
-              weight * (n * (at - place[part->node] - increment(node.vertex)) +
-                        node.distance);
+              weight * (n * (at - place[part->node]) + node.distance);
             parts.push_back({part->node, weight});
             found.cell_size[part->node] =
               std::min(found.cell_size[part->node], size);
@@ -297,16 +363,17 @@ namespace isochor
         near.erase(others, near.end());
       }
 
-      const StepContext<dim>     &step;
-      const SimplexGeometry<dim> &geometry;
-      const NodalField *const     unknowns;
-      const bool                  spheres;
-      std::vector<Node>           nodes;
-      std::vector<unsigned int>   wall_of, first, next, support;
-      std::vector<Point<dim>>     place;
-      std::vector<Corner>         corners;
-      std::vector<Part>           parts, near;
-      WallGaps                    found;
+      const StepContext<dim>                        &step;
+      const SimplexGeometry<dim>                    &geometry;
+      const NodalField *const                        unknowns;
+      const bool                                     spheres;
+      std::vector<Node>                              nodes;
+      std::vector<unsigned int>                      wall_of, next, support;
+      std::unordered_map<unsigned int, unsigned int> first;
+      std::vector<Point<dim>>                        place;
+      std::vector<Corner>                            corners;
+      std::vector<Part>                              parts, near;
+      WallGaps                                       found;
     };
   } // namespace
 

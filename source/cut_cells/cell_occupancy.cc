@@ -160,11 +160,16 @@ namespace isochor
 
   template <int dim>
   void
-  CellOccupancy<dim>::mark_open(const BoundaryFace &face)
+  CellOccupancy<dim>::mark(const BoundaryFace &face,
+                           const unsigned char boundary)
   {
     for (unsigned int v = 0; v <= dim; ++v)
       if (v != face.opposite_vertex)
-        open_vertex[grid.geometry().vertex_indices(face.cell)[v]] = 1;
+        {
+          unsigned char &at =
+            boundary_at[grid.geometry().vertex_indices(face.cell)[v]];
+          at = std::max(at, boundary);
+        }
   }
 
 
@@ -220,8 +225,10 @@ namespace isochor
   void
   CellOccupancy<dim>::update(const PointArrays<dim> &points,
                              const MixedKernel<dim> &kernel,
-                             const bool              find_holes)
+                             const bool              find_holes,
+                             const bool              ends_at_one_sided_walls)
   {
+    ends_at_walls = ends_at_one_sided_walls;
     clear();
     add_own(points, kernel);
     exchange();
@@ -402,7 +409,7 @@ namespace isochor
   CellOccupancy<dim>::is_interior(const unsigned int cell) const
   {
     for (const unsigned int v : grid.geometry().vertex_indices(cell))
-      if (is_at_empty_cell(v) || is_at_open_boundary(v))
+      if (is_at_empty_cell(v) || ends_at_boundary(v))
         return false;
     return true;
   }

@@ -166,8 +166,8 @@ namespace isochor
         walls.push_back(v);
     grid_reset.set_walls(walls);
     occupancy.initialize(
-      [&](const unsigned int vertex, const Tensor<1, dim> &n) {
-        return directions.free_part(all_nodes.node(vertex), n);
+      [&](const unsigned int v, const Tensor<1, dim> &n, const bool contact) {
+        return directions.free_part(all_nodes.node(v), n, contact);
       },
       scene.grid.is_adaptive() || scene.grid.is_moving() ||
         refinement.splits_points(),

@@ -31,6 +31,10 @@ namespace isochor
    * what has been said above. (The least g_c alone is that of the surface up to
    * a cell beside the node.)
    *
+   * Where points see the functions of their own cells only (cell-filled +
+   * boundary), N_I are at the start of a step those of the cell that the corner
+   * lies in, which may be empty of points.
+   *
    * Points without domains are spheres of radius 3/4 V_p^(1/d) that deform with
    * the body, such that bodies that fill the cells at the wall have no gap:
    * these gaps are an estimate.
