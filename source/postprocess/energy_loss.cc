@@ -102,7 +102,8 @@ namespace isochor
                              const bool     is_last,
                              Warnings      &warnings) const
   {
-    constexpr double much = 0.1;
+    constexpr double much_lost = 0.05, much_created = 0.1;
+    const double     much = lost_at_starts > 0 ? much_lost : much_created;
     const double     size = std::abs(lost_at_starts);
     if (size <= std::max(much * largest, rounding * balance.stiffness) ||
         (lost_at_starts > 0 && (!is_last || told[0])))
