@@ -51,17 +51,17 @@ test_unsettled()
               "failed");
 }
 
-/** A block that rests on a wall and is pressed by the left half of its top and
- * lifted by the right one. The step is tried as a whole, fails, and is cut:
- * from there on all is as if the half had been asked for. */
+/** A block on a wall is pressed more at its left than at its right end, which
+ * lifts. The step is tried as a whole, fails, and is cut: from there on all is
+ * as if the half had been asked for. */
 void
 test_cut_step()
 {
   const std::string block =
     "Grid/Upper corner = 2.5, 1\nGrid/Subdivisions = 20, 8\nMaterial "
     "points/Region = x < 2\nFormulation/Type = u\nMaterial/Young modulus = 1e4\nMaterial/Poisson ratio = 0.3\n"
-    "Boundary conditions/Displacement = left: x=0; top: x=0, y = 0.1*t*(x-1.5); bottom: y "
-    ">= 0\nPostprocess/Reactions = bottom\nNewton/Maximum iterations = 7\n"
+    "Boundary conditions/Displacement = left: x=0; top: x=0, y = 0.2*t*(x-2.2); bottom: y "
+    ">= 0\nPostprocess/Reactions = bottom\nNewton/Maximum iterations = 4\n"
     "Newton/Reuse factorisation = 0\nNewton/Predictor = none\n"
     "Time/Growth factor = 1\nTime/End time = 1\n";
   const std::string force = "Reaction y on bottom (N)";
@@ -71,8 +71,8 @@ test_cut_step()
   test::run_scene<2>(block + "Time/Step size = 1\n");
   const test::Recorded &cut = test::recorded();
   test::check("the step was cut", cut.times.front() == 0.5, "");
-  test::check("no other size",
-              halves.times.size() == 2 && cut.times == halves.times,
+  test::check("the same steps from there on",
+              cut.times == halves.times,
               std::to_string(cut.times.size()));
   bool same = true;
   for (unsigned int i = 0; i < cut.newton.size(); ++i)

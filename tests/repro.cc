@@ -146,7 +146,7 @@ namespace
 
   /** A half of a ring between its plane of symmetry and a wall. */
   void
-  test_ring(const std::string &quadrature)
+  test_ring(const std::string &quadrature, const std::string &told)
   {
     const auto problem = test::run_scene<2>(
       "Grid/Upper corner = 3.2, 2\nGrid/Subdivisions = 16, 10\n"
@@ -167,8 +167,8 @@ namespace
     std::string warnings;
     for (const auto &warning : test::all_warnings(*problem).all())
       warnings += warning.subject + ". ";
-    test::check("nothing told of the ring, " + quadrature,
-                warnings.empty(),
+    test::check("what is told of the ring, " + quadrature,
+                warnings == told,
                 warnings);
   }
 
@@ -208,7 +208,9 @@ main(int argc, char **argv)
   test_vibration();
   test_tube();
   test_vibrating_tube();
-  for (const std::string quadrature : {"CPDI", "cell-filled + boundary"})
-    test_ring(quadrature);
+  test_ring("CPDI", "");
+  // of its plane of symmetry, which holds nodes in its bore in the first step
+  test_ring("cell-filled + boundary",
+            "a wall that acts before the body reaches it. ");
   test_sliding_cut();
 }
