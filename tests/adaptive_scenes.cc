@@ -320,7 +320,7 @@ test_number_of_leaves()
     "Material points/Points per cell = 4\nFormulation/Type = u-p\n"
     "Quadrature/Type = CPDI\nFormulation/Stabilisation = PPP\n"
     "Material/Young modulus = 1000\nMaterial/Density = 1\n"
-    "Material/Poisson ratio = 0.3\nBoundary conditions/Gravity = 5*t, 0\n"
+    "Material/Poisson ratio = 0.3\nBoundary conditions/Gravity = 4*t, 0\n"
     "Boundary conditions/Surfaces of body = base: bottom\n"
     "Boundary conditions/Displacement of body = base: "
     "x=2.3*min(max(0, t - 6.5), 1), y=0\n"

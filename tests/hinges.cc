@@ -40,6 +40,33 @@ test_change_of_grid(const std::string &quadrature)
                 std::to_string(clamped));
 }
 
+/** The same on a grid that is put back, from a checkpoint in the middle. */
+void
+test_restart()
+{
+  const std::string bar =
+    "Grid/Lower corner = -0.25, -0.5\nGrid/Upper corner = 1.25, 0.75\n"
+    "Grid/Subdivisions = 12, 10\nQuadrature/Type = CPDI\n"
+    "Material points/Region = x>0 && x<1 && y>0 && y<0.25\n"
+    "Formulation/Type = u\nMaterial/Young modulus = 1e7\n"
+    "Material/Poisson ratio = 0.3\nTime/Step size = 0.1\n"
+    "Boundary conditions/Surfaces of body = l: x<1e-6 && y<0.126; r: "
+    "x>0.99999 && y<0.126\n"
+    "Boundary conditions/Displacement of body = l: x=0,y=0; r: x=-0.05*t, "
+    "y=-0.3*t\nBoundary conditions/Boundary points per face = 1\n";
+  const auto force = [&](const std::string &settings) {
+    return test::get(*test::run_scene<2>(bar + settings),
+                     "Reaction x on r by boundary points (N)");
+  };
+  const double whole = force("Time/End time = 0.6\n");
+  force("Time/End time = 0.3\nCheckpoint/Interval = 3\n");
+  test::check_error("a hinge after a restart",
+                    test::relative(force("Time/End time = 0.6\n"
+                                         "Checkpoint/Resume = true\n"),
+                                   whole),
+                    1e-10);
+}
+
 /** Poisson's ratio is zero: the strain is the same everywhere. */
 template <int dim>
 void
@@ -82,6 +109,7 @@ main(int argc, char **argv)
   test::MPISession mpi(argc, argv);
   for (const std::string quadrature : {"CPDI", "cell-filled + boundary"})
     test_change_of_grid(quadrature);
+  test_restart();
   test_narrow_column<2>();
   test_narrow_column<3>();
 }

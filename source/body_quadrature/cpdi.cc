@@ -22,11 +22,11 @@ namespace isochor
    * stress on every grid. Sadeghirad, Brannon & Burghardt, Int. J. Numer. Meth.
    * Eng. 86 (2011) 1435-1456, do so with parallelograms.
    *
-   * A corner outside of the grid, as where a wall draws the body out and the
-   * grid is put back, goes to the nearest place of the grid, and the point
-   * integrates the part of its volume that this leaves: with all of it the
-   * stress beside the wall would be too small by the part of a cell that is
-   * outside.
+   * A corner outside of the grid goes to the nearest place of the grid. In
+   * statics, where this is a boundary that is held, which has drawn the body
+   * out of a grid that is put back, the point integrates the part of its volume
+   * that is left inside: with all of it the stress beside the boundary would be
+   * too small by the part of a cell that is outside.
    */
   template <int dim>
   class CPDI : public BodyQuadrature<dim>
@@ -153,19 +153,51 @@ namespace isochor
       }
     };
 
-    /** Whether a cell at @p cell has another one on a periodic side: what
-     * leaves the grid there stands for what is missing on the other. */
+    /** Whether a place that is @p way beyond the grid, from @p place, is beyond
+     * a face of the grid's boundary that is held: where nothing holds it, or
+     * material is on the other one of periodic sides, what is outside of the
+     * grid goes on carrying stress. */
     template <int dim>
     bool
-    is_near_periodic_side(const CellOccupancy<dim> &occupancy,
-                          const unsigned int        cell)
+    is_beyond_held_boundary(const CellOccupancy<dim> &occupancy,
+                            const LocateResult<dim>  &place,
+                            const Tensor<1, dim>     &way)
     {
-      const auto &vertices = occupancy.grid.geometry().vertex_indices(cell);
-      return std::any_of(vertices.begin(),
-                         vertices.end(),
-                         [&](const unsigned int vertex) {
-                           return occupancy.is_near_periodic_side(vertex);
-                         });
+      constexpr double            on_face = 1e-9, along_normal = 0.5;
+      const SimplexGeometry<dim> &geometry = occupancy.grid.geometry();
+      const auto &vertices  = geometry.vertex_indices(place.cell);
+      const auto &gradients = geometry.gradients(place.cell);
+      bool        is_beyond = false;
+      for (unsigned int v = 0; v <= dim; ++v)
+        if (place.barycentric[v] < on_face &&
+            geometry.neighbours(place.cell)[v] == no_cell &&
+            -(gradients[v] * way) >
+              along_normal * gradients[v].norm() * way.norm())
+          {
+            bool all_open = true;
+            for (unsigned int w = 0; w <= dim; ++w)
+              if (w != v)
+                {
+                  if (occupancy.is_near_periodic_side(vertices[w]))
+                    return false;
+                  all_open =
+                    all_open && occupancy.is_at_open_boundary(vertices[w]);
+                }
+            if (all_open)
+              return false;
+            is_beyond = true;
+          }
+      return is_beyond;
+    }
+
+    template <int dim>
+    Tensor<1, dim>
+    middle_of(const CornerVectors<dim> &corners)
+    {
+      Tensor<1, dim> middle;
+      for (const Tensor<1, dim> &r : corners)
+        middle += r / (dim + 1.);
+      return middle;
     }
 
     /** Lists the cells that corners act on (DomainCorners::cells). */
@@ -251,23 +283,32 @@ namespace isochor
     points.clear_stencils();
     DomainStencil<dim>                    stencil;
     std::array<CornerNodes<dim>, dim + 1> at, of_pressure;
-    const bool separate = interface.separates_pressures();
+    constexpr double                      rounding = 1e-9;
+    const bool separate   = interface.separates_pressures();
+    const bool in_statics = points.velocity.empty();
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
           const Point<dim>   x = points.location(locator.geometry(), k, q);
-          CornerVectors<dim> corners, whole;
-          bool               sees_others = false;
+          CornerVectors<dim> corners, whole, held;
+          bool               sees_others = false, is_outside = false;
           for (unsigned int c = 0; c <= dim; ++c)
             {
               Tensor<1, dim> &r = corners[c];
-              whole[c] = r          = points.F[q] * points.domain[q][c];
-              const auto      place = interface.is_needed() ?
-                                        interface.place(q, c, x, r) :
-                                        locator.locate_nearest(x, points.cell[k], r);
-              const SeenCells seen  = {interface.cell(q, c),
-                                       interface.pressure_cell(q, c)};
+              whole[c] = held[c] = r = points.F[q] * points.domain[q][c];
+              const auto place       = interface.is_needed() ?
+                                         interface.place(q, c, x, r) :
+                                         locator.locate_nearest(x, points.cell[k], r);
+              if ((r - whole[c]).norm() > rounding * r.norm())
+                {
+                  is_outside = true;
+                  if (in_statics &&
+                      is_beyond_held_boundary(occupancy, place, whole[c] - r))
+                    held[c] = r;
+                }
+              const SeenCells seen = {interface.cell(q, c),
+                                      interface.pressure_cell(q, c)};
               at[c].evaluate(
                 functions, locator.geometry(), place, seen.displacement, x + r);
               if (separate && seen.pressure != no_cell)
@@ -281,14 +322,12 @@ namespace isochor
           stencil.set(at, corners);
           if (separate)
             stencil.set_pressure(of_pressure, at);
-          if (const double part = part_of_domain<dim>(corners, whole);
-              part != 1 && !is_near_periodic_side(occupancy, points.cell[k]))
+          if (is_outside)
             {
-              points.weight[q] = part * points.volume[q];
-              Tensor<1, dim> middle;
-              for (const Tensor<1, dim> &r : corners)
-                middle += r / (dim + 1.);
-              stencil.move(-middle);
+              points.weight[q] =
+                points.volume[q] * part_of_domain<dim>(held, whole);
+              // from the middle of the corners in the grid to the point
+              stencil.move(-middle_of<dim>(corners));
             }
           stencil.append_to(points, separate);
           if (sees_others)

@@ -74,7 +74,7 @@ namespace isochor
           text >> location[d];
         for (double &value : payload)
           text >> value;
-        some_are_in_cells = some_are_in_cells || payload[on_domain_entry] == 0;
+        some_are_in_cells = some_are_in_cells || payload[on_domain_entry] <= 0;
         text >> size >> n_nodes;
         for (unsigned int I = 0; I < n_nodes && text; ++I)
           {

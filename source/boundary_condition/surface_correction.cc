@@ -113,7 +113,7 @@ namespace isochor
           return sum;
         };
         // a straight side is as long as √12 times its radius of gyration
-        constexpr double least_cells = 6;
+        constexpr double least_cells = 5.7; // as no regular grid has
         const auto       is_long     = [&](const unsigned int k) {
           return at.direction[k].norm() * least_cells * mean[stride - 1] <
                  std::sqrt(12.);

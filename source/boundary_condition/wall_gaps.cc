@@ -89,7 +89,9 @@ namespace isochor
     private:
       using Node                         = typename WallContacts<dim>::Node;
       static constexpr unsigned int none = numbers::invalid_unsigned_int;
-      static constexpr double       no_support = 1e-6;
+      /** A corner hardly beyond a node, by chance, doesn't act on the next one.
+       */
+      static constexpr double no_support = 0.01, least_weight = 1e-6;
 
       /** A corner near a wall: the nodes of the wall that act on it are those
        * of @p part from @p first on up to the first of the next corner. */
@@ -307,7 +309,7 @@ namespace isochor
         support.push_back(vertex);
         for (unsigned int i = first_at(vertex); i != none; i = next[i])
           if (place[i][0] != -WallGaps::unknown)
-            near.push_back({i, std::max(N, no_support)});
+            near.push_back({i, std::max(N, least_weight)});
       }
 
       /** Whether a place with the nodes of support is in a cell behind the wall
