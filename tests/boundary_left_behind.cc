@@ -104,6 +104,28 @@ test_drawn_out(const std::string &material, const double tolerance)
                       tolerance);
 }
 
+void
+test_outside()
+{
+  const auto told = [](const std::string &settings) {
+    const auto problem = test::run_scene<2>(
+      "Grid/Upper corner = 1, 1.5\nGrid/Subdivisions = 8, 12\n"
+      "Boundary conditions/Displacement = left: x=0; bottom: y=0; right: "
+      "x=0.018*min(4*t, 1)\nQuadrature/Type = CPDI\n"
+      "Material points/Region = y < 1\nTime/Step size = 0.1\n" +
+      settings);
+    return test::warning_of(*problem, "a body in part outside of the grid");
+  };
+  const std::string text = told("");
+  test::check("a body in part outside of the grid",
+              text.find("1.7") != std::string::npos &&
+                text.find("<Grid/Stretch>") != std::string::npos,
+              text);
+  test::check("... not of a grid that is kept",
+              told(test::keep_grid).empty(),
+              "");
+}
+
 int
 main(int argc, char **argv)
 {
@@ -117,6 +139,7 @@ main(int argc, char **argv)
   test_drawn_out<2>("Formulation/Type = u-p\nMaterial/Poisson ratio = 0.499\n",
                     0.01);
   test_drawn_out<3>("Formulation/Type = u-p\n", 0.02);
+  test_outside();
 
   const Result told = push<2>("Time/End time = 0.3\n");
   test::check("way, cell and body are told",
