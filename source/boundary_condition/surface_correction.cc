@@ -102,47 +102,52 @@ namespace isochor
       }
     Utilities::MPI::sum(means, comm, means);
     for (unsigned int s = 0; s < modes.size(); ++s)
-      {
-        Modes        &at      = modes[s];
-        const double *mean    = &means[stride * std::size_t(s)];
-        const auto    product = [&](const Monomials &a, const Monomials &b) {
-          double sum = 0;
-          for (unsigned int i = 0; i < n_modes; ++i)
-            for (unsigned int j = 0; j < n_modes; ++j)
-              sum += a[i] * mean[n_modes * i + j] * b[j];
-          return sum;
-        };
-        // a straight side is as long as √12 times its radius of gyration
-        constexpr double least_cells = 5.7; // as no regular grid has
-        const auto       is_long     = [&](const unsigned int k) {
-          return at.direction[k].norm() * least_cells * mean[stride - 1] <
-                 std::sqrt(12.);
-        };
-        unsigned int m = 0;
-        for (; m < n_affine; ++m)
-          at.combination[m][m] = 1;
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = i; j < dim; ++j, ++m)
+      modes[s].make_orthogonal(&means[stride * std::size_t(s)],
+                               means[stride * std::size_t(s) + stride - 1]);
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceCorrection<dim>::Modes::make_orthogonal(const double *mean_products,
+                                                 const double  size_of_cells)
+  {
+    const auto product = [&](const Monomials &a, const Monomials &b) {
+      double sum = 0;
+      for (unsigned int i = 0; i < n_modes; ++i)
+        for (unsigned int j = 0; j < n_modes; ++j)
+          sum += a[i] * mean_products[n_modes * i + j] * b[j];
+      return sum;
+    };
+    // a straight side is as long as √12 times its radius of gyration
+    constexpr double least_cells = 5.7; // as no regular grid has
+    const auto       is_long     = [&](const unsigned int k) {
+      return direction[k].norm() * least_cells * size_of_cells < std::sqrt(12.);
+    };
+    unsigned int m = 0;
+    for (; m < n_affine; ++m)
+      combination[m][m] = 1;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = i; j < dim; ++j, ++m)
+        {
+          if (!is_long(i) || !is_long(j))
+            continue;
+          Monomials phi{};
+          phi[m]           = 1;
+          const double all = product(phi, phi);
+          for (unsigned int k = 0; k < m; ++k)
             {
-              if (!is_long(i) || !is_long(j))
-                continue;
-              Monomials phi{};
-              phi[m]           = 1;
-              const double all = product(phi, phi);
-              for (unsigned int k = 0; k < m; ++k)
-                {
-                  const double part = product(phi, at.combination[k]);
-                  for (unsigned int l = 0; l < n_modes; ++l)
-                    phi[l] -= part * at.combination[k][l];
-                }
-              // else it is nearly one of the others, as along an arc
-              constexpr double considerable = 0.01;
-              if (const double rest = product(phi, phi);
-                  rest > considerable * all)
-                for (unsigned int l = 0; l < n_modes; ++l)
-                  at.combination[m][l] = phi[l] / std::sqrt(rest);
+              const double part = product(phi, combination[k]);
+              for (unsigned int l = 0; l < n_modes; ++l)
+                phi[l] -= part * combination[k][l];
             }
-      }
+          // else it is nearly one of the others, as along an arc
+          constexpr double considerable = 0.01;
+          if (const double rest = product(phi, phi); rest > considerable * all)
+            for (unsigned int l = 0; l < n_modes; ++l)
+              combination[m][l] = phi[l] / std::sqrt(rest);
+        }
   }
 
 

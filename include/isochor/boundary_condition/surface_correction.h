@@ -92,6 +92,11 @@ namespace isochor
       std::array<Tensor<1, dim>, dim> direction;
       /** φ_k as sums of monomials; none if all are zero. */
       std::array<Monomials, n_modes> combination{};
+
+      /** Find them. @p mean_products: of the monomials on the surface, n_modes²
+       * of them; @p size_of_cells: there, the mean (m). */
+      void
+      make_orthogonal(const double *mean_products, const double size_of_cells);
     };
 
     void
