@@ -117,7 +117,7 @@ namespace isochor
     Utilities::MPI::sum(sums, step.grid.communicator(), sums);
     // where the body hardly moves in a direction, a gap counts that is
     // something against its motion in others
-    constexpr double considerable = 0.03, sideways = 0.2;
+    constexpr double considerable = 0.03, sideways = 1. / 3;
     // a penalty that is stiff against everything but the grid itself
     constexpr double enough  = 100;
     const double     largest = *std::max_element(moved.begin(), moved.end());
