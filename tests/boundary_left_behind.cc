@@ -104,6 +104,26 @@ test_drawn_out(const std::string &material, const double tolerance)
                       tolerance);
 }
 
+/** An incompressible strip is pulled to twice its length by the right side of a
+ * grid that is kept, with room above it: that side goes along, and no contact
+ * comes about. The force per undeformed area is G (λ - λ⁻³). */
+void
+test_strip()
+{
+  const auto strip = test::run_scene<2>(
+    "Grid/Upper corner = 1, 0.6\nGrid/Subdivisions = 10, 6\n"
+    "Material points/Region = y < 0.4\nMaterial/Young modulus = 3\n"
+    "Material/Poisson ratio = 0.5\nQuadrature/Type = CPDI\n"
+    "Formulation/Type = u-p\nTime/Step size = 0.1\n"
+    "Boundary conditions/Displacement = left: x=0; bottom: y=0; right: x=t\n"
+    "Postprocess/Reactions = right\n" +
+    test::keep_grid);
+  test::check_error("a strip pulled by a boundary that takes it along",
+                    test::relative(test::get(*strip, "Reaction x on right (N)"),
+                                   0.4 * (2 - 1. / 8)),
+                    1e-6);
+}
+
 void
 test_outside()
 {
@@ -140,6 +160,7 @@ main(int argc, char **argv)
                     0.01);
   test_drawn_out<3>("Formulation/Type = u-p\n", 0.02);
   test_outside();
+  test_strip();
 
   const Result told = push<2>("Time/End time = 0.3\n");
   test::check("way, cell and body are told",

@@ -34,6 +34,8 @@ namespace
            (1 / G + 3 * thickness / hardening);
   }
 
+  std::string told; ///< of the scene run last
+
   double
   error_of_force(const std::string &form,
                  const double       thickness,
@@ -59,6 +61,7 @@ namespace
       << "\n"
       << settings;
     const auto problem = test::run_scene<2>(scene.str());
+    told = test::warning_of(*problem, "materials that meet within cells");
     return -test::get(*problem, "Reaction x on bottom (N)") /
              exact_force(thickness) -
            1;
@@ -81,6 +84,7 @@ main(int argc, char **argv)
         test::check_error(name.str(),
                           std::abs(error_of_force(form, cells / 16, "")),
                           cells == 1 ? 3e-3 : tolerance);
+        test::check("... not told", told.empty(), told);
       }
   test::check_error("blocks that could yield later",
                     std::abs(error_of_force("u-p",
@@ -89,4 +93,8 @@ main(int argc, char **argv)
                                             "Material/J2/Yield stress = "
                                             "1e5\n")),
                     tolerance);
+  // of one domain, whose corners are all those of the blocks
+  const double thin =
+    error_of_force("u-p", 0.5 / 16, "Material points/Points per cell = 4\n");
+  test::check("half a cell thick: told", thin > 1 && !told.empty(), told);
 }

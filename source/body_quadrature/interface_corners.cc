@@ -160,6 +160,7 @@ namespace isochor
     take_nodes_of_stiffest();
     exchange_contents();
     find_owners(points);
+    find_layers_of_one_domain(points);
     // In dynamics not: pressures that are continued over two cells leave
     // changes of volume along the interface to the points, and each time the
     // grid is put back these would make energy.
@@ -250,6 +251,53 @@ namespace isochor
       if (const unsigned int number = table.find(corner.X);
           number != PlaceTable<dim>::none)
         corner.owner = std::max(corner.owner, groups[number]);
+  }
+
+
+
+  template <int dim>
+  void
+  InterfaceCorners<dim>::find_layers_of_one_domain(
+    const PointArrays<dim> &points)
+  {
+    // by group: the volume of its points, and that of those without a corner
+    std::vector<double> volumes(2 * materials.size());
+    const auto          has_corner = [&](const unsigned int q) {
+      const auto first = corners.begin() + q * (dim + 1);
+      return std::any_of(first, first + dim + 1, [](const Corner &corner) {
+        return corner.owner == corner.group;
+      });
+    };
+    const auto for_each_point = [&](const auto &action) {
+      for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+        for (unsigned int q = points.cell_start[k];
+             q < points.cell_start[k + 1];
+             ++q)
+          action(k, q, materials.of_material[points.material[q]]);
+    };
+    for_each_point([&](const unsigned int /*k*/,
+                       const unsigned int q,
+                       const unsigned int group) {
+      volumes[2 * group] += points.volume[q];
+      if (!has_corner(q))
+        volumes[2 * group + 1] += points.volume[q];
+    });
+    Utilities::MPI::sum(volumes, locator.geometry().communicator(), volumes);
+    // where layers meet with steps some domains have none
+    constexpr double most = 0.5;
+    for_each_point([&](const unsigned int k,
+                       const unsigned int q,
+                       const unsigned int group) {
+      if (volumes[2 * group + 1] < most * volumes[2 * group] || has_corner(q))
+        return;
+      const double size = std::pow(determinant(points.F[q]) * points.volume[q] /
+                                     locator.geometry().measure(points.cell[k]),
+                                   1. / dim);
+      const InterfaceCrossing crossing = {
+        size, materials.ratio(group, corners[q * (dim + 1)].owner)};
+      if (crossing.weight() > worst.weight())
+        worst = crossing;
+    });
   }
 
 

@@ -241,6 +241,13 @@ namespace isochor
           is_gone = is_gone || attached.count(part[k]) == 0;
           if (has_face[k] == 1)
             along.emplace(0, part[k]);
+          // others of its part come to the boundary that it has been at
+          if (at_boundary[k] != 0)
+            boundary.find_own(geometry,
+                              step.points.cell[k],
+                              boundary_normals[at_boundary[k] - 1],
+                              part[k],
+                              covered);
           return;
         }
       hint[q]              = found.cell;

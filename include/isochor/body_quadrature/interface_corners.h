@@ -100,7 +100,8 @@ namespace isochor
     }
 
     /** The corner of most weight on this rank that has no cell of its own
-     * material nearby, and lies in one that it shares. */
+     * material nearby, and lies in one that it shares, or one of a domain that
+     * has none of its own. */
     const InterfaceCrossing &
     worst_crossing() const
     {
@@ -213,6 +214,11 @@ namespace isochor
                      const GroupsAtVertices &groups) const;
     void
     find_owners(const PointArrays<dim> &points);
+    /** Remember groups most of whose domains have no corner of their own, as
+     * layers that are one domain thick: they are strained as stiffer ones
+     * around. After find_owners(). */
+    void
+    find_layers_of_one_domain(const PointArrays<dim> &points);
     void
     find_cell(const unsigned int corner);
     void
