@@ -64,8 +64,8 @@ namespace isochor
         "pushes the body by more than a hundredth of its length must take the "
         "grid along (<Grid/Stretch>), or the grid be kept: put back, the row of "
         "cells there is partly empty and too soft, beyond half of a cell it "
-        "loses the body. One that pulls must do so at once: put back, it is "
-        "left by the body, which is an error.");
+        "loses the body. The same of a boundary that pulls the body out of the "
+        "grid: beyond a part of a cell points are outside, which is an error.");
     }
 
     void

@@ -45,7 +45,9 @@ namespace isochor
       "surface that <Displacement of body> names is a hinge if it has one "
       "face of a cell, or in 3D faces whose centres lie on a line (a row of "
       "cells has two such lines, as its faces are triangles): it is held "
-      "there. "
+      "there. Smaller cells at t = 0, as by repetitions of the first step on "
+      "an adaptive grid, make several faces of it, and no hinge; how many a "
+      "surface has is told at the start. "
       "From 2 (2D) or 3 (3D) on, a traction linear on a face is integrated "
       "exactly.");
     prm.declare_entry("Mesh of body surfaces",

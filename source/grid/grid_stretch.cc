@@ -64,7 +64,12 @@ namespace isochor
          split_named_list(prm.get("Stretch"), "Grid/Stretch"))
       {
         const std::string axes = "xyz";
-        AssertThrow(axis == -1 && motion.first.size() == 1 &&
+        AssertThrow(axis == -1,
+                    ExcMessage(
+                      "The parameter <Grid/Stretch> moves planes "
+                      "across one axis only, but names another one, <" +
+                      motion.first + ">."));
+        AssertThrow(motion.first.size() == 1 &&
                       axes.substr(0, dim).find(motion.first) !=
                         std::string::npos,
                     ExcMessage("The parameter <Grid/Stretch> must name one "
