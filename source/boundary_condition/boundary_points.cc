@@ -114,10 +114,9 @@ namespace isochor
       const auto  &normal = geometry.gradients(side.cell)[side.opposite_vertex];
       const double cosine =
         std::abs(normal * face.area) / normal.norm() / face.area.norm();
-      return lambda[side.opposite_vertex]<
-               rounding && * std::min_element(lambda.begin(), lambda.end())> -
-               rounding &&
-             cosine < 1 - rounding;
+      const double least = *std::min_element(lambda.begin(), lambda.end());
+      return std::abs(lambda[side.opposite_vertex]) < rounding &&
+             least > -rounding && cosine < 1 - rounding;
     });
   }
 
