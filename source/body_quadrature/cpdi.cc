@@ -291,26 +291,36 @@ namespace isochor
            ++q)
         {
           const Point<dim>   x = points.location(locator.geometry(), k, q);
-          CornerVectors<dim> corners, whole, held;
-          bool               sees_others = false, is_outside = false;
+          CornerVectors<dim> corners, whole;
+          bool               sees_others = false, is_cut = false;
           for (unsigned int c = 0; c <= dim; ++c)
             {
               Tensor<1, dim> &r = corners[c];
-              whole[c] = held[c] = r = points.F[q] * points.domain[q][c];
-              const auto place       = interface.is_needed() ?
-                                         interface.place(q, c, x, r) :
-                                         locator.locate_nearest(x, points.cell[k], r);
+              whole[c] = r              = points.F[q] * points.domain[q][c];
+              const auto      place     = interface.is_needed() ?
+                                            interface.place(q, c, x, r) :
+                                            locator.locate_nearest(x, points.cell[k], r);
+              const SeenCells seen      = {interface.cell(q, c),
+                                           interface.pressure_cell(q, c)};
+              unsigned int    continued = no_cell;
               if ((r - whole[c]).norm() > rounding * r.norm())
                 {
-                  is_outside = true;
                   if (in_statics &&
                       is_beyond_held_boundary(occupancy, place, whole[c] - r))
-                    held[c] = r;
+                    is_cut = true;
+                  else
+                    {
+                      r = whole[c];
+                      if (seen.displacement == no_cell)
+                        continued = place.cell;
+                    }
                 }
-              const SeenCells seen = {interface.cell(q, c),
-                                      interface.pressure_cell(q, c)};
-              at[c].evaluate(
-                functions, locator.geometry(), place, seen.displacement, x + r);
+              at[c].evaluate(functions,
+                             locator.geometry(),
+                             place,
+                             continued == no_cell ? seen.displacement :
+                                                    continued,
+                             x + r);
               if (separate && seen.pressure != no_cell)
                 of_pressure[c].evaluate(
                   functions, locator.geometry(), place, seen.pressure, x + r);
@@ -322,10 +332,10 @@ namespace isochor
           stencil.set(at, corners);
           if (separate)
             stencil.set_pressure(of_pressure, at);
-          if (is_outside)
+          if (is_cut)
             {
               points.weight[q] =
-                points.volume[q] * part_of_domain<dim>(held, whole);
+                points.volume[q] * part_of_domain<dim>(corners, whole);
               // from the middle of the corners in the grid to the point
               stencil.move(-middle_of<dim>(corners));
             }
