@@ -107,6 +107,28 @@ namespace
                {});
       }
   }
+
+  /** Layers that are one domain thick: in cells that they share, or cells of
+   * their own. */
+  void
+  test_layers_of_one_domain()
+  {
+    const auto layer = [](const std::string &zone, const std::string &points) {
+      return messages<2>(
+        good +
+          "Quadrature/Type = CPDI\nGrid/Subdivisions = 4, 8\n"
+          "Formulation/Type = u\nMaterial/Young modulus = 1e6\n"
+          "Material 2/Young modulus = 1e4\nMaterial points/Points per "
+          "cell = " +
+          points + "\nMaterial points/Materials in zones = 2: " + zone + "\n",
+        true,
+        2);
+    };
+    expect("a layer of one domain in the half of its cells",
+           layer("y > 0.5 && y < 0.5625", "4"),
+           {"WARNING materials that meet within cells"});
+    expect("... that is a cell", layer("y > 0.5 && y < 0.625", "1"), {});
+  }
 } // namespace
 
 int
@@ -118,4 +140,5 @@ main(int argc, char **argv)
   test_planes();
   test_load_between_walls();
   test_shared_cells();
+  test_layers_of_one_domain();
 }

@@ -268,6 +268,10 @@ namespace isochor
         return corner.owner == corner.group;
       });
     };
+    // one that is a cell has nodes that strain nothing else
+    const auto is_cell = [&](const unsigned int k) {
+      return points.cell_start[k + 1] - points.cell_start[k] == 1;
+    };
     const auto for_each_point = [&](const auto &action) {
       for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
         for (unsigned int q = points.cell_start[k];
@@ -275,11 +279,11 @@ namespace isochor
              ++q)
           action(k, q, materials.of_material[points.material[q]]);
     };
-    for_each_point([&](const unsigned int /*k*/,
+    for_each_point([&](const unsigned int k,
                        const unsigned int q,
                        const unsigned int group) {
       volumes[2 * group] += points.volume[q];
-      if (!has_corner(q))
+      if (!has_corner(q) && !is_cell(k))
         volumes[2 * group + 1] += points.volume[q];
     });
     Utilities::MPI::sum(volumes, locator.geometry().communicator(), volumes);
@@ -288,7 +292,8 @@ namespace isochor
     for_each_point([&](const unsigned int k,
                        const unsigned int q,
                        const unsigned int group) {
-      if (volumes[2 * group + 1] < most * volumes[2 * group] || has_corner(q))
+      if (volumes[2 * group + 1] < most * volumes[2 * group] || has_corner(q) ||
+          is_cell(k))
         return;
       const double size = std::pow(determinant(points.F[q]) * points.volume[q] /
                                      locator.geometry().measure(points.cell[k]),
