@@ -305,9 +305,8 @@ namespace isochor
               unsigned int    continued = no_cell;
               if ((r - whole[c]).norm() > rounding * r.norm())
                 {
-                  if (in_statics &&
-                      is_beyond_held_boundary(occupancy, place, whole[c] - r))
-                    is_cut = true;
+                  if (is_beyond_held_boundary(occupancy, place, whole[c] - r))
+                    is_cut = in_statics;
                   else
                     {
                       r = whole[c];
