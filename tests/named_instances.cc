@@ -207,9 +207,7 @@ namespace
                 std::abs(resumed->last_statistics().get(column) /
                            whole->last_statistics().get(column) -
                          1));
-    // a factorisation that is kept isn't saved: to the tolerance of Newton's
-    // method
-    check_error("restart", error, 1e-10);
+    check_error("restart", error, 1e-12);
   }
 
 

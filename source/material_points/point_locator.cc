@@ -283,13 +283,13 @@ namespace isochor
                                     Tensor<1, dim>    &r) const
   {
     const Point<dim> sought = x + r;
-    auto             place  = locate_towards(x, cell, r);
-    if (place.found && x + r == sought)
+    auto             place  = locate(sought, cell);
+    if (place.found)
       return place;
     place.cell = nearest_cells<dim>(
                    simplices,
                    sought,
-                   place.cell,
+                   cell,
                    [](const unsigned int) { return true; },
                    std::numeric_limits<double>::max())
                    .front();

@@ -27,8 +27,8 @@ namespace isochor
    * n_k the principal axes of the surface and L_k its radii of gyration, and
    * the further φ_k the products ξ_i ξ_j, made orthogonal on the surface, such
    * that Σ_b A_b φ_k (u_b - ū) = 0 for all k: mean place, rotation and stretch
-   * are exact, and so are the forces of a layer that is bonded to the surface,
-   * whose pressure is a parabola if it is incompressible. The force of the
+   * are exact, and springs don't yield to the pressure of an incompressible
+   * layer that is bonded to the surface, a parabola. The force of the
    * springs by c is the multiplier of an augmented Lagrangian (Hestenes 1969,
    * Powell 1969; Simo & Laursen, Comput. Struct. 42 (1992) 97-116) for such
    * functions alone. Any grid can follow those that are affine; the others are
