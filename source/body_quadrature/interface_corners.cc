@@ -139,7 +139,7 @@ namespace isochor
                                           const MixedKernel<dim>   &kernel)
     : locator(locator)
     , occupancy(occupancy)
-    , materials(kernel, same_stiffness)
+    , materials(kernel, nearly_alike)
   {
     if (!is_needed())
       return;

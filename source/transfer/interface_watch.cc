@@ -21,8 +21,7 @@ namespace isochor
     worst_shared_cell(const PointArrays<dim> &points,
                       const MixedKernel<dim> &kernel)
     {
-      constexpr double     same_stiffness = 1.05;
-      const MaterialGroups groups(kernel, same_stiffness);
+      const MaterialGroups groups(kernel, nearly_alike);
       InterfaceCrossing    worst;
       if (groups.size() < 2)
         return worst;

@@ -109,7 +109,6 @@ namespace isochor
     }
 
   private:
-    static constexpr double same_stiffness = 1.05;
     /** How far away corners see cells of their own material, in sizes of
      * cells, and where it goes without the nodes at the interface. (Not
      * distances that regular grids have.) */

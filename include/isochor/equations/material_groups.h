@@ -12,6 +12,10 @@
 
 namespace isochor
 {
+  /** Up to this ratio of stiffnesses materials may share the functions of
+   * cells. */
+  constexpr double nearly_alike = 1.05;
+
   /**
    * The materials of a scene in groups, first what resists a shear of a
    * hundredth the least, which is called the softest. Stresses and strains
