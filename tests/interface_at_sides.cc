@@ -7,11 +7,13 @@
 // the grid: periodic sides, where cells of both sides have to decide alike
 // (stresses were wrong by up to twice their size), and walls that move, so that
 // the body leaves the grid's boundary by a small part of a cell (34 and 180 %).
-// What is exact is linear in each material.
+// Layers one cell thick at walls (110 %), and thin ones at hanging nodes (10
+// %). What is exact is linear in each material.
 
 #include <cmath>
 #include <sstream>
 
+#include "mesh_file.h"
 #include "run_scene.h"
 
 using namespace isochor;
@@ -73,6 +75,61 @@ namespace
                       test::get(*problem, "L2 error of stress xx"),
                       1e-3);
   }
+
+  /** A layer that is one cell thick and in the middle of two, on another one,
+   * between walls, under a load across them. */
+  void
+  test_layer_between_walls(const std::string &what, const std::string &settings)
+  {
+    test::write_image_of_box<2>("layer.msh", {8, 7}, [](const Point<2> &x) {
+      return Point<2>(x[0] / 2, x[1] * 0.4375);
+    });
+    const auto problem = test::run_scene<2>(
+      common +
+      "Grid/Upper corner = 0.5, 0.625\nGrid/Subdivisions = 4, 5\n"
+      "Material points/Body mesh = layer.msh\n"
+      "Boundary conditions/Mesh of body surfaces = layer.msh\n"
+      "Material points/Materials in zones = 2: y > 0.3125\n"
+      "Material/Poisson ratio = 0.3\nFormulation/Type = u\n"
+      "Boundary conditions/Displacement = bottom: y=0; left: x=0; right: x=0\n"
+      "Boundary conditions/Surfaces of body = top: y > 0.4374\n"
+      "Boundary conditions/Traction on body = top: 0, -100*t\n"
+      "Postprocess/Exact stress = yy: -100*t\n" +
+      settings);
+    test::check_error("layer between walls, " + what,
+                      test::get(*problem, "L2 error of stress yy"),
+                      1e-3);
+  }
+
+  /** A soft layer of one and a half coarse, three fine cells of an adaptive
+   * grid that is finer in a part of it, at its edges. */
+  void
+  test_layer_at_hanging_nodes()
+  {
+    test::write_image_of_box<3>("layers.msh", {4, 8, 4}, [](const Point<3> &x) {
+      return Point<3>(x[0] / 4, x[1] / 2, x[2] / 4);
+    });
+    const auto problem = test::run_scene<3>(
+      common +
+      "Grid/Type = adaptive\nGrid/Upper corner = 0.25, 0.625, 0.25\n"
+      "Grid/Subdivisions = 2, 5, 2\nAdaptive grid/Minimum level = 0\n"
+      "Adaptive grid/Maximum level = 1\n"
+      "Adaptive grid/Cell size = if(y > 0.2 && x < 0.12, 0.06, 0.13)\n"
+      "Material points/Body mesh = layers.msh\n"
+      "Material points/Materials in zones = 2: y > 0.3125\n"
+      "Material/Young modulus = 1e8\nMaterial/Poisson ratio = 0.3\n"
+      "Material 2/Young modulus = 1e6\nFormulation/Type = u\n"
+      "Time/Step size = 0.5\n"
+      "Boundary conditions/Displacement = bottom: y=0; left: x=0; right: x=0; "
+      "front: z=0; back: z=0\n"
+      "Boundary conditions/Mesh of body surfaces = layers.msh\n"
+      "Boundary conditions/Surfaces of body = top: y > 0.4999\n"
+      "Boundary conditions/Traction on body = top: 0, -100*t, 0\n"
+      "Postprocess/Exact stress = yy: -100*t\n");
+    test::check_error("layer at hanging nodes",
+                      test::get(*problem, "L2 error of stress yy"),
+                      1e-3);
+  }
 } // namespace
 
 int
@@ -94,4 +151,17 @@ main(int argc, char **argv)
           test_moving_wall("stiff" + name, 1e8, 1e6, e, settings);
         }
     }
+  for (const std::string diagonals : {"/", "backslash"})
+    {
+      const std::string grid = "Grid/Diagonals = " + diagonals + "\n";
+      test_layer_between_walls("soft, " + diagonals,
+                               "Material/Young modulus = 1e8\n"
+                               "Material 2/Young modulus = 1e6\n" +
+                                 grid);
+      test_layer_between_walls("stiff, " + diagonals,
+                               "Material/Young modulus = 1e6\n"
+                               "Material 2/Young modulus = 1e8\n" +
+                                 grid);
+    }
+  test_layer_at_hanging_nodes();
 }

@@ -127,7 +127,79 @@ namespace
     expect("a layer of one domain in the half of its cells",
            layer("y > 0.5 && y < 0.5625", "4"),
            {"WARNING materials that meet within cells"});
+    expect("... of a material that is thick elsewhere",
+           layer("(y > 0.5 && y < 0.5625) || y > 0.75", "4"),
+           {"WARNING materials that meet within cells"});
     expect("... that is a cell", layer("y > 0.5 && y < 0.625", "1"), {});
+    // tips of the one lie in the other, beside others of it
+    expect("layers that meet at a slant", layer("y > 0.3 + 0.37*x", "4"), {});
+  }
+
+  /** Zones whose sides lie between the points. */
+  void
+  test_rounded_zones()
+  {
+    const auto zone = [](const std::string &zone, const std::string &more) {
+      return messages<2>(
+        good +
+          "Quadrature/Type = CPDI\nGrid/Subdivisions = 4, 8\n"
+          "Formulation/Type = u\nMaterial points/Materials in zones = 2: " +
+          zone + "\n" + more,
+        true,
+        2);
+    };
+    expect("a layer that is rounded to domains",
+           zone("y < 0.515", ""),
+           {"WARNING zones that are rounded to the points",
+            "material 1 stand for 0.5 m^2, 3.0"});
+    expect("... on a side of domains", zone("y < 0.5625", ""), {});
+    expect("... by little", zone("y < 0.505", ""), {});
+    expect("... with more points",
+           zone("y < 0.515", "Material points/Points per cell = 1024\n"),
+           {});
+  }
+
+  /** A bar that ends before the boundary that pulls it. */
+  void
+  test_pull_across_a_gap()
+  {
+    const auto told = [](const std::string &end) {
+      const auto problem = test::run_scene<2>(
+        "Grid/Subdivisions = 8, 4\nGrid/Upper corner = 1, 0.5\n"
+        "Material/Young modulus = 1e6\nMaterial points/Points per cell = 4\n"
+        "Boundary conditions/Displacement = left: x=0; bottom: y=0; right: "
+        "x=1e-3*t\nMaterial points/Region = y < 0.25 && x < " +
+        end + "\n");
+      return test::warning_of(*problem, "a boundary that pulls across a gap");
+    };
+    const std::string across_a_gap = told("0.9375");
+    test::check("a boundary that pulls across a gap",
+                across_a_gap.find("<right>") != std::string::npos &&
+                  across_a_gap.find("0.0625 m, 0.5 cells") != std::string::npos,
+                across_a_gap);
+    test::check("... without a gap", told("1").empty(), "");
+  }
+
+  /** A surface whose condition holds on faces at the ends of the sides, too. */
+  void
+  test_surface_round_an_edge()
+  {
+    const auto block = [](const std::string &place, const std::string &region) {
+      return messages<2>(
+        "Grid/Subdivisions = 16, 4\nGrid/Upper corner = 4, 1\n"
+        "Material/Young modulus = 1e6\nQuadrature/Type = CPDI\n"
+        "Material points/Region = " +
+        region +
+        "\nBoundary conditions/Displacement = bottom: x=0, y=0\n"
+        "Boundary conditions/Surfaces of body = top: " +
+        place + "\nBoundary conditions/Pressure on body = top: 1e3*t\n");
+    };
+    expect("a surface that goes round an edge",
+           block("y > 0.7", "y < 1"),
+           {"WARNING a surface that goes round an edge",
+            "but 11.11 % of its area"});
+    expect("... that doesn't", block("y > 0.8", "y < 1"), {});
+    expect("... all sides", block("y > 0.1", "y < 1"), {});
   }
 } // namespace
 
@@ -141,4 +213,7 @@ main(int argc, char **argv)
   test_load_between_walls();
   test_shared_cells();
   test_layers_of_one_domain();
+  test_rounded_zones();
+  test_pull_across_a_gap();
+  test_surface_round_an_edge();
 }

@@ -132,7 +132,7 @@ namespace isochor
   {
     // Not strains as small as rounding errors of a body that is carried along,
     // nor what is left when the load is gone.
-    constexpr double much = 0.45, no_strain = 1e-6, unloaded = 0.5;
+    constexpr double much = 0.33, no_strain = 1e-6, unloaded = 0.5;
     NodalField       at_rest = unknowns;
     for (unsigned int i = 0; i < step.nodes.n_local() * step.n_components; ++i)
       if (i % step.n_components < dim)
@@ -162,9 +162,11 @@ namespace isochor
         " the stresses are wrong by an estimated " +
         rounded(100 * std::sqrt(sum / norm_square)) +
         " % (energy norm, by recovery): cells are too large for what the body "
-        "does. Displacements and forces may be wrong by a tenth or more, as of a "
-        "beam with one or two cells over its height (44 and 13 %; estimates of "
-        "86 and 57 %). Use smaller cells, <Grid/Shape functions = Q1>, or let "
+        "does. By the square of that, some " +
+        rounded(100 * sum / norm_square) +
+        " %, an elastic body resists too much: forces are too large where "
+        "motions are given, displacements too small where forces are. Use "
+        "smaller cells, <Grid/Shape functions = Q1>, or let "
         "them adapt (<Adaptive grid/Target of relative error>).");
   }
 

@@ -6,6 +6,7 @@
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/body_quadrature/domain_stencil.h>
 #include <isochor/body_quadrature/interface_corners.h>
+#include <isochor/body_quadrature/walls_at_place.h>
 #include <isochor/equations/body_term.h>
 #include <isochor/grid/nearest_cells.h>
 
@@ -190,6 +191,34 @@ namespace isochor
       return is_beyond;
     }
 
+    /** The cell whose functions, continued, are seen by a corner that is @p way
+     * beyond the grid, from @p x at @p place. Of cells that are as near to it
+     * as that of the place, one whose functions are there those of nodes on the
+     * other faces of the boundary at x: what is held along a wall stays on it,
+     * and periodic sides decide alike. */
+    template <int dim>
+    unsigned int
+    continued_cell(const CellOccupancy<dim> &occupancy,
+                   const LocateResult<dim>  &place,
+                   const Point<dim>         &x,
+                   const Tensor<1, dim>     &way)
+    {
+      const WallsAtPlace<dim> sides(occupancy, place.cell, x, way);
+      if (sides.are_those_of(place.cell))
+        return place.cell;
+      const std::vector<unsigned int> cells = nearest_cells<dim>(
+        occupancy.grid.geometry(),
+        x + way,
+        place.cell,
+        [](const unsigned int) { return true; },
+        std::numeric_limits<double>::max());
+      const auto found =
+        std::find_if(cells.begin(), cells.end(), [&](const unsigned int cell) {
+          return sides.are_those_of(cell);
+        });
+      return found == cells.end() ? place.cell : *found;
+    }
+
     template <int dim>
     Tensor<1, dim>
     middle_of(const CornerVectors<dim> &corners)
@@ -309,9 +338,12 @@ namespace isochor
                     is_cut = in_statics;
                   else
                     {
-                      r = whole[c];
                       if (seen.displacement == no_cell)
-                        continued = place.cell;
+                        continued = continued_cell<dim>(occupancy,
+                                                        place,
+                                                        x + r,
+                                                        whole[c] - r);
+                      r = whole[c];
                     }
                 }
               at[c].evaluate(functions,

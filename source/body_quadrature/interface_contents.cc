@@ -168,6 +168,7 @@ namespace isochor
         {
           Content &here = contents[of_element];
           here.groups |= there.groups;
+          here.moving |= there.moving;
           // what is around is best known to the owner
           if (locator.geometry().owner(of_element) == received.first)
             {

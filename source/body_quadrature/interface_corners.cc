@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/body_quadrature/interface_corners.h>
+#include <isochor/body_quadrature/walls_at_place.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/place_table.h>
 
@@ -17,10 +18,6 @@ namespace isochor
   {
     /** Below this, a barycentric coordinate is one of a point on a face. */
     constexpr double near_face = 1e-6;
-
-    /** The part of a cell by which a corner may have left the grid's boundary
-     * inwards, with a wall that moves, and still is at it. */
-    constexpr double near_wall = 0.3;
 
     template <int dim>
     double
@@ -64,69 +61,6 @@ namespace isochor
             }
         }
       return ahead;
-    }
-
-    /** Faces of the grid's boundary at a corner of a domain. */
-    template <int dim>
-    struct WallsAt
-    {
-      std::vector<Tensor<1, dim>> normals;
-      Point<dim>                  place; ///< the corner's, moved onto them
-    };
-
-    /** Those that @p x in @p cell lies on, or beside by a part of a cell: a
-     * wall moves with the body, and a grid that is put back does not. */
-    template <int dim>
-    WallsAt<dim>
-    walls_at(const CellOccupancy<dim> &occupancy,
-             const unsigned int        cell,
-             const Point<dim>         &x)
-    {
-      const SimplexGeometry<dim> &geometry = occupancy.grid.geometry();
-      WallsAt<dim>                walls;
-      walls.place = x;
-      for (const unsigned int v : geometry.vertex_indices(cell))
-        for (const unsigned int other : occupancy.cells_at(v))
-          for (unsigned int f = 0; f <= dim; ++f)
-            if (geometry.neighbours(other)[f] == SimplexGeometry<dim>::no_cell)
-              {
-                const Tensor<1, dim> g      = geometry.gradients(other)[f];
-                const auto           lambda = geometry.barycentric(other, x);
-                if (std::abs(lambda[f]) > near_wall)
-                  continue;
-                const auto on_face =
-                  geometry.barycentric(other,
-                                       x - lambda[f] / g.norm_square() * g);
-                if (*std::min_element(on_face.begin(), on_face.end()) <
-                    -near_face)
-                  continue;
-                walls.normals.push_back(g / g.norm());
-                walls.place -= geometry.barycentric(other, walls.place)[f] /
-                               g.norm_square() * g;
-              }
-      return walls;
-    }
-
-    /** Whether the functions of @p cell, continued to the @p walls, are there
-     * those of nodes on these: what holds the nodes has to hold the corner. */
-    template <int dim>
-    bool
-    stays_on_walls(const SimplexGeometry<dim> &geometry,
-                   const unsigned int          cell,
-                   const WallsAt<dim>         &walls)
-    {
-      if (walls.normals.empty())
-        return true;
-      const auto   lambda = geometry.barycentric(cell, walls.place);
-      const double size   = cell_size(geometry, cell);
-      for (unsigned int v = 0; v <= dim; ++v)
-        if (std::abs(lambda[v]) > near_face)
-          for (const Tensor<1, dim> &n : walls.normals)
-            if (std::abs(
-                  n * (geometry.vertices()[geometry.vertex_indices(cell)[v]] -
-                       walls.place)) > near_face * size)
-              return false;
-      return true;
     }
   } // namespace
 
@@ -260,17 +194,11 @@ namespace isochor
   InterfaceCorners<dim>::find_layers_of_one_domain(
     const PointArrays<dim> &points)
   {
-    // by group: the volume of its points, and that of those without a corner
-    std::vector<double> volumes(2 * materials.size());
-    const auto          has_corner = [&](const unsigned int q) {
+    const auto has_corner = [&](const unsigned int q) {
       const auto first = corners.begin() + q * (dim + 1);
       return std::any_of(first, first + dim + 1, [](const Corner &corner) {
         return corner.owner == corner.group;
       });
-    };
-    // one that is a cell has nodes that strain nothing else
-    const auto is_cell = [&](const unsigned int k) {
-      return points.cell_start[k + 1] - points.cell_start[k] == 1;
     };
     const auto for_each_point = [&](const auto &action) {
       for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
@@ -282,27 +210,49 @@ namespace isochor
     for_each_point([&](const unsigned int k,
                        const unsigned int q,
                        const unsigned int group) {
-      volumes[2 * group] += points.volume[q];
-      if (!has_corner(q) && !is_cell(k))
-        volumes[2 * group + 1] += points.volume[q];
+      // one that is a cell has nodes that strain nothing else
+      if (points.cell_start[k + 1] - points.cell_start[k] == 1 || has_corner(q))
+        contents[element(points.cell[k])].moving |= Groups(1) << group;
     });
-    Utilities::MPI::sum(volumes, locator.geometry().communicator(), volumes);
-    // where layers meet with steps some domains have none
-    constexpr double most = 0.5;
+    exchange_contents();
+    const auto is_alone = [&](const unsigned int k, const unsigned int group) {
+      for (const unsigned int v :
+           locator.geometry().vertex_indices(points.cell[k]))
+        for (const unsigned int cell : occupancy.cells_at(v))
+          if ((content(cell).moving >> group) & 1)
+            return false;
+      return true;
+    };
+    // the volume of the body, and by group that of its points and of such ones
+    std::vector<double> volumes(1 + 2 * materials.size());
+    std::vector<std::pair<unsigned int, unsigned int>> alone; // cells, points
     for_each_point([&](const unsigned int k,
                        const unsigned int q,
                        const unsigned int group) {
-      if (volumes[2 * group + 1] < most * volumes[2 * group] || has_corner(q) ||
-          is_cell(k))
+      volumes[0] += points.volume[q];
+      volumes[1 + 2 * group] += points.volume[q];
+      if (!is_alone(k, group))
         return;
-      const double size = std::pow(determinant(points.F[q]) * points.volume[q] /
-                                     locator.geometry().measure(points.cell[k]),
-                                   1. / dim);
-      const InterfaceCrossing crossing = {
-        size, materials.ratio(group, corners[q * (dim + 1)].owner)};
-      if (crossing.weight() > worst.weight())
-        worst = crossing;
+      volumes[2 + 2 * group] += points.volume[q];
+      alone.emplace_back(k, q);
     });
+    Utilities::MPI::sum(volumes, locator.geometry().communicator(), volumes);
+    constexpr double of_body = 0.01, of_group = 0.5;
+    for (const auto &[k, q] : alone)
+      {
+        const unsigned int group = corners[q * (dim + 1)].group;
+        if (volumes[2 + 2 * group] < of_body * volumes[0] &&
+            volumes[2 + 2 * group] < of_group * volumes[1 + 2 * group])
+          continue;
+        const double size =
+          std::pow(determinant(points.F[q]) * points.volume[q] /
+                     locator.geometry().measure(points.cell[k]),
+                   1. / dim);
+        const InterfaceCrossing crossing = {
+          size, materials.ratio(group, corners[q * (dim + 1)].owner)};
+        if (crossing.weight() > worst.weight())
+          worst = crossing;
+      }
   }
 
 
@@ -329,10 +279,9 @@ namespace isochor
             return;
           here |= content(cell).groups;
         }
-    const WallsAt<dim> walls =
-      walls_at<dim>(occupancy, corner.place.cell, corner.x);
-    const auto on_walls = [&](const unsigned int cell) {
-      return stays_on_walls(geometry, cell, walls);
+    const WallsAtPlace<dim> walls(occupancy, corner.place.cell, corner.x);
+    const auto              on_walls = [&](const unsigned int cell) {
+      return walls.are_those_of(cell);
     };
     const auto is_own_here = [&](const unsigned int cell) {
       return is_own(cell, corner.owner) && on_walls(cell);
@@ -347,10 +296,18 @@ namespace isochor
         nearest(corner.x, corner.place.cell, holds_one, reach) != no_cell)
       other =
         nearest(corner.x, corner.place.cell, is_own_here, reach_without_nodes);
+    // of a layer of a cell at the body's surface, hardly filled
+    if (other == no_cell)
+      other = nearest(
+        corner.x,
+        corner.place.cell,
+        [&](const unsigned int cell) {
+          return holds_one(cell) && on_walls(cell);
+        },
+        reach);
     // beside walls that no such cell has, as curved ones
     if (other == no_cell &&
-        walls.place.distance(corner.x) >
-          near_face * cell_size(geometry, corner.place.cell))
+        walls.distance() > near_face * cell_size(geometry, corner.place.cell))
       other = nearest(
         corner.x,
         corner.place.cell,

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/body_quadrature/interface_corners.h>
+#include <isochor/body_quadrature/walls_at_place.h>
 #include <isochor/grid/nearest_cells.h>
 
 #include <algorithm>
@@ -54,13 +55,6 @@ namespace isochor
     const auto wanted = groups_at_vertices(group_that_wants);
     if (wanted.empty())
       return;
-    // at the grid's boundary one that has a face there
-    const auto has_wall = [&](const unsigned int cell) {
-      const auto &neighbours = geometry.neighbours(cell);
-      return std::find(neighbours.begin(),
-                       neighbours.end(),
-                       SimplexGeometry<dim>::no_cell) != neighbours.end();
-    };
     const auto is_free = [&](const unsigned int cell, const Groups own) {
       const Content there = content(cell);
       return there.is_own && there.groups == own &&
@@ -80,17 +74,19 @@ namespace isochor
     const auto has_another = [&](const unsigned int of_element,
                                  const Groups       own,
                                  const double       within) {
-      bool is_at_wall = false;
-      for (const unsigned int v : geometry.vertex_indices(of_element))
-        for (const unsigned int cell : occupancy.cells_at(v))
-          is_at_wall = is_at_wall || has_wall(cell);
-      return nearest(
-               cell_centroid(geometry, of_element),
-               of_element,
-               [&](const unsigned int cell) {
-                 return (!is_at_wall || has_wall(cell)) && is_deep(cell, own);
-               },
-               within) != no_cell;
+      const auto nodes = occupancy.grid.shape_functions().nodes(of_element);
+      return std::all_of(nodes.begin(), nodes.end(), [&](const unsigned int v) {
+        const WallsAtPlace<dim> walls(occupancy,
+                                      occupancy.cells_at(v)[0],
+                                      geometry.vertices()[v]);
+        return nearest(
+                 cell_centroid(geometry, of_element),
+                 of_element,
+                 [&](const unsigned int cell) {
+                   return is_deep(cell, own) && walls.are_those_of(cell);
+                 },
+                 within) != no_cell;
+      });
     };
     for (auto &[of_element, here] : contents)
       {

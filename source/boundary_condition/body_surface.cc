@@ -236,6 +236,7 @@ namespace isochor
   {
     warn_of_places_without_comparison(step, conditions);
     warn_of_doubled_loads(step, conditions, points.get());
+    warn_of_faces_round_an_edge(step, conditions, points.get());
     for (const auto &surface : conditions.surfaces)
       if (surface.traction.empty() && surface.pressure.empty() &&
           !surface.is_fixed())

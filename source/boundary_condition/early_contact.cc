@@ -7,7 +7,6 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/early_contact.h>
-#include <isochor/boundary_condition/wall_gaps.h>
 #include <isochor/equations/final_state.h>
 
 #include <algorithm>
@@ -111,16 +110,14 @@ namespace isochor
   check_early_contact(const StepContext<dim>               &step,
                       const NodalField                     &unknowns,
                       const std::vector<WallContacts<dim>> &walls,
+                      const WallGaps                       &gaps,
                       Statistics                           &statistics)
   {
     // smaller strains are rounding errors of a body that is carried along
     constexpr double considerable = 0.03, no_strain = 1e-8;
     // cells: loads that rest on a wall are right, and hardly strain a body
     constexpr double no_gap = 1e-3;
-    if (walls.empty())
-      return;
     const MPI_Comm comm = step.grid.communicator();
-    const WallGaps gaps = find_wall_gaps(step, &unknowns, walls, true);
     // of each wall: F, F where there is a gap, F g, F g / h, Σ |F_I|
     std::vector<std::array<double, 5>> sums(walls.size());
     unsigned int                       i = 0;
@@ -180,10 +177,12 @@ namespace isochor
   check_early_contact(const StepContext<2> &,
                       const NodalField &,
                       const std::vector<WallContacts<2>> &,
+                      const WallGaps &,
                       Statistics &);
   template void
   check_early_contact(const StepContext<3> &,
                       const NodalField &,
                       const std::vector<WallContacts<3>> &,
+                      const WallGaps &,
                       Statistics &);
 } // namespace isochor

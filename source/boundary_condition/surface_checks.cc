@@ -200,6 +200,120 @@ namespace isochor
 
 
 
+  namespace
+  {
+    /** A piece of a surface: where it is, and its outward normal. */
+    template <int dim>
+    struct Piece
+    {
+      Point<dim>     x;
+      Tensor<1, dim> n;
+      double         area;
+    };
+
+    /** Those of this rank. */
+    template <int dim>
+    std::vector<Piece<dim>>
+    pieces_of(const BoundaryPoints<dim> &points, const unsigned int surface)
+    {
+      std::vector<Piece<dim>> pieces;
+      for (unsigned int b = 0; b < points.size(); ++b)
+        if (points.surface(b) == surface)
+          {
+            const Tensor<1, dim> a    = points.reference_area(b);
+            const double         area = a.norm();
+            pieces.push_back({points.reference_location(b), a / area, area});
+          }
+      return pieces;
+    }
+
+    /** The part of the area of a surface that points away from the rest of it,
+     * which is nearly flat, and lies at its rim; 0 if there is none, or if
+     * such pieces lie between others, as steps do. Collective. */
+    template <int dim>
+    double
+    part_round_an_edge(const std::vector<Piece<dim>> &pieces,
+                       const MPI_Comm                 comm)
+    {
+      // cosines, and parts of the area and of its extent
+      constexpr double nearly_flat = 0.79, away = 0.5, most = 0.2, same = 1e-6;
+      Tensor<1, dim>   sum;
+      double           area = 0;
+      for (const Piece<dim> &piece : pieces)
+        {
+          sum += piece.area * piece.n;
+          area += piece.area;
+        }
+      sum  = Utilities::MPI::sum(sum, comm);
+      area = Utilities::MPI::sum(area, comm);
+      if (!(sum.norm() > nearly_flat * area))
+        return 0;
+      const Tensor<1, dim> normal  = sum / sum.norm();
+      const auto           is_away = [&](const Piece<dim> &piece) {
+        return piece.n * normal < away;
+      };
+      // of those: place and direction along the surface
+      std::vector<double> mine;
+      double              of_edge = 0;
+      for (const Piece<dim> &piece : pieces)
+        if (is_away(piece))
+          {
+            Tensor<1, dim> along = piece.n - (piece.n * normal) * normal;
+            along /= along.norm();
+            for (unsigned int a = 0; a < dim; ++a)
+              mine.push_back(piece.x[a]);
+            for (unsigned int a = 0; a < dim; ++a)
+              mine.push_back(along[a]);
+            of_edge += piece.area;
+          }
+      of_edge = Utilities::MPI::sum(of_edge, comm);
+      if (of_edge == 0 || of_edge > most * area)
+        return 0;
+      const auto   all       = Utilities::MPI::all_gather(comm, mine);
+      const double length    = std::pow(area, 1. / (dim - 1));
+      bool         are_steps = false;
+      for (const auto &of_rank : all)
+        for (std::size_t i = 0; i < of_rank.size() && !are_steps; i += 2 * dim)
+          are_steps = std::any_of(
+            pieces.begin(), pieces.end(), [&](const Piece<dim> &piece) {
+              double beyond = 0;
+              for (unsigned int a = 0; a < dim; ++a)
+                beyond += (piece.x[a] - of_rank[i + a]) * of_rank[i + dim + a];
+              return !is_away(piece) && beyond > same * length;
+            });
+      return Utilities::MPI::max(are_steps ? 1 : 0, comm) == 1 ? 0. :
+                                                                 of_edge / area;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  warn_of_faces_round_an_edge(const StepContext<dim>       &step,
+                              const SurfaceConditions<dim> &conditions,
+                              const BoundaryPoints<dim>    *points)
+  {
+    if (points == nullptr)
+      return;
+    for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
+      if (const double part = part_round_an_edge<dim>(pieces_of(*points, s),
+                                                      step.grid.communicator());
+          part > 0)
+        step.warnings.add(
+          "a surface that goes round an edge",
+          "The surface <" + conditions.surfaces[s].place.name + "> of <" +
+            conditions.surfaces[s].place.parameter + "> is nearly flat, but " +
+            rounded(100 * part) +
+            " % of its area are faces at its rim that point elsewhere: its "
+            "condition holds at the ends of the sides beside it, too, and what "
+            "acts on the surface acts there as well. If that isn't meant, let "
+            "the condition begin nearer to the flat part, by less than the "
+            "size of a cell.");
+  }
+
+
+
   template <int dim>
   void
   warn_of_loads_on_supports(const StepContext<dim>       &step,
@@ -289,6 +403,14 @@ namespace isochor
   warn_of_doubled_loads(const StepContext<3> &,
                         const SurfaceConditions<3> &,
                         const BoundaryPoints<3> *);
+  template void
+  warn_of_faces_round_an_edge(const StepContext<2> &,
+                              const SurfaceConditions<2> &,
+                              const BoundaryPoints<2> *);
+  template void
+  warn_of_faces_round_an_edge(const StepContext<3> &,
+                              const SurfaceConditions<3> &,
+                              const BoundaryPoints<3> *);
   template void
   warn_of_loads_on_supports(const StepContext<2> &,
                             const NodalField &,

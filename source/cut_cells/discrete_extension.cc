@@ -402,26 +402,25 @@ namespace isochor
   DiscreteExtension<dim>::work_of_rounding(const StepContext<dim> &step,
                                            const NodalField &unknowns) const
   {
-    // displacements are solved to some 1e-12 of the largest: in a body that
-    // moves as if rigid the rest is noise
-    constexpr double noise   = 1e-8;
+    // stresses of a body that moves as if rigid are noise
+    constexpr double noise   = 1e-10; // of the shear modulus
     double           largest = 0;
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       for (unsigned int a = 0; a < dim; ++a)
         largest = std::max(largest,
                            std::abs(unknowns.local_element(
                              node * step.n_components + a)));
-    largest     = noise * Utilities::MPI::max(largest, grid.communicator());
+    largest     = Utilities::MPI::max(largest, grid.communicator());
     double work = 0;
     for (unsigned int k = 0; k < step.points.cell.size(); ++k)
       {
-        const double strain =
+        const double gradient =
           largest / cell_size(grid.geometry(), step.points.cell[k]);
         for (unsigned int q = step.points.cell_start[k];
              q < step.points.cell_start[k + 1];
              ++q)
           work +=
-            step.points.measure(q) * strain * strain *
+            step.points.measure(q) * noise * gradient *
             step.kernel.materials[step.points.material[q]]->shear_modulus();
       }
     return work;

@@ -148,32 +148,48 @@ namespace isochor
 
 
   template <int dim>
+  typename BodySeeding<dim>::MaterialZones
+  BodySeeding<dim>::create_material_zones() const
+  {
+    const char   *name = "Material points/Materials in zones";
+    MaterialZones zones;
+    for (const auto &zone : split_named_list(parameters.material_zones, name))
+      zones.emplace_back(Utilities::string_to_int(zone.first),
+                         Expression<dim>(zone.second,
+                                         name,
+                                         FormulaVariables::space));
+    return zones;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  BodySeeding<dim>::material_at(const MaterialZones &zones, const Point<dim> &x)
+  {
+    const auto last =
+      std::find_if(zones.rbegin(), zones.rend(), [&](const auto &zone) {
+        return zone.second(x, 0.) > 0;
+      });
+    return last == zones.rend() ? 0 : last->first - 1;
+  }
+
+
+
+  template <int dim>
   void
   BodySeeding<dim>::choose_materials(const unsigned int      n_materials,
                                      std::vector<Seed<dim>> &seeds) const
   {
-    std::vector<std::pair<unsigned int, Expression<dim>>> zones;
-    for (const auto &zone :
-         split_named_list(parameters.material_zones,
-                          "Material points/Materials in zones"))
-      {
-        const unsigned int number = Utilities::string_to_int(zone.first);
-        AssertThrow(number >= 1 && number <= n_materials,
-                    ExcMessage("The parameter <Material points/Materials in "
-                               "zones> names material " +
-                               zone.first + ", but there are " +
-                               std::to_string(n_materials) + "."));
-        zones.emplace_back(number - 1,
-                           Expression<dim>(zone.second,
-                                           "Material points/Materials in "
-                                           "zones",
-                                           FormulaVariables::space));
-      }
-
+    const MaterialZones zones = create_material_zones();
+    for (const auto &zone : zones)
+      AssertThrow(zone.first >= 1 && zone.first <= int(n_materials),
+                  ExcMessage("The parameter <Material points/Materials in "
+                             "zones> names material " +
+                             std::to_string(zone.first) + ", but there are " +
+                             std::to_string(n_materials) + "."));
     for (Seed<dim> &seed : seeds)
-      for (const auto &zone : zones)
-        if (zone.second(seed.location, 0.) > 0)
-          seed.material = zone.first;
+      seed.material = material_at(zones, seed.location);
   }
 
 

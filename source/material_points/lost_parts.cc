@@ -9,6 +9,7 @@
 #include <isochor/base/plain_message.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/body_seeding.h>
+#include <isochor/material_points/places_in_cells.h>
 
 #include <algorithm>
 #include <array>
@@ -25,38 +26,6 @@ namespace isochor
 
     /** What points say of the surroundings of a vertex. */
     constexpr unsigned int body = 1, no_body = 2, boundary = 4;
-
-    /** The @p i th of places spread evenly over cells, in @p corners: a part of
-     * the cell that is the same in each would miss a slit along the cells. */
-    template <int dim>
-    Point<dim>
-    sample(const std::array<Point<dim>, dim + 1> &corners, const std::size_t i)
-    {
-      // the sequence of Kronecker with the root of x^(dim+1) = x + 1; cuts of
-      // the unit interval, sorted, are barycentric coordinates
-      constexpr double root =
-        dim == 2 ? 1.32471795724474602596 : 1.22074408460575947536;
-      std::array<double, dim + 2> cuts;
-      cuts[0] = 0;
-      for (unsigned int d = 0; d < dim; ++d)
-        cuts[d + 1] = std::fmod(0.5 + (i + 1) * std::pow(root, -1. - d), 1.);
-      cuts[dim + 1] = 1;
-      std::sort(cuts.begin(), cuts.end());
-      Point<dim> x;
-      for (unsigned int v = 0; v <= dim; ++v)
-        x += (cuts[v + 1] - cuts[v]) * corners[v];
-      return x;
-    }
-
-    template <int dim>
-    std::array<Point<dim>, dim + 1>
-    corners_of(const SimplexGeometry<dim> &geometry, const unsigned int cell)
-    {
-      std::array<Point<dim>, dim + 1> corners;
-      for (unsigned int v = 0; v <= dim; ++v)
-        corners[v] = geometry.vertices()[geometry.vertex_indices(cell)[v]];
-      return corners;
-    }
 
     /** What was found: cells in which a gap, or a part of the body, lies
      * between the points, and a place of each. */
@@ -98,7 +67,7 @@ namespace isochor
           for (unsigned int s = 0; s < n_samples; ++s)
             {
               const auto x =
-                sample<dim>(corners, std::size_t(cell) * n_samples + s);
+                spread_place<dim>(corners, std::size_t(cell) * n_samples + s);
               const auto lambda = geometry.barycentric(cell, x);
               double     part   = 0;
               for (unsigned int v = 0; v <= dim; ++v)
@@ -159,9 +128,10 @@ namespace isochor
           const auto   corners = corners_of(geometry, cells[k]);
           unsigned int n_in    = 0;
           for (unsigned int i = 0; i < n_places; ++i)
-            n_in += in_body(sample<dim>(corners,
+            n_in +=
+              in_body(spread_place<dim>(corners,
                                         std::size_t(cells[k]) * n_places + i),
-                            0.) > 0;
+                      0.) > 0;
           const double part = double(n_in) / n_places;
           result.added += size * (filled[k] - part);
           if ((n_in == 0 || n_in == n_places) && filled[k] == part)

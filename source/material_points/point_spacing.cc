@@ -224,6 +224,18 @@ namespace isochor
     const auto           &geometry = grid.geometry();
     double                longest  = 0;
     std::array<double, 2> volumes{}; // of long domains, of all
+    const auto            extent = [&](const unsigned int    cell,
+                            const Tensor<1, dim> &edge) {
+      double first = std::numeric_limits<double>::max(),
+             last  = std::numeric_limits<double>::lowest();
+      for (const unsigned int v : geometry.vertex_indices(cell))
+        {
+          const double place = geometry.vertices()[v] * edge;
+          first              = std::min(first, place);
+          last               = std::max(last, place);
+        }
+      return last - first; // times the edge's length
+    };
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
@@ -234,16 +246,14 @@ namespace isochor
               {
                 const Tensor<1, dim> edge =
                   points.F[q] * (points.domain[q][c] - points.domain[q][d]);
-                double first = std::numeric_limits<double>::max(),
-                       last  = std::numeric_limits<double>::lowest();
-                for (const unsigned int v :
-                     geometry.vertex_indices(points.cell[k]))
-                  {
-                    const double place = geometry.vertices()[v] * edge;
-                    first              = std::min(first, place);
-                    last               = std::max(last, place);
-                  }
-                length = std::max(length, edge.norm_square() / (last - first));
+                double of_cell = extent(points.cell[k], edge);
+                // tetrahedra of a mesh with other diagonals may be thin there
+                if (edge.norm_square() > tolerated_length * of_cell)
+                  for (const unsigned int other :
+                       geometry.neighbours(points.cell[k]))
+                    if (other != SimplexGeometry<dim>::no_cell)
+                      of_cell = std::max(of_cell, extent(other, edge));
+                length = std::max(length, edge.norm_square() / of_cell);
               }
           const double V = determinant(points.F[q]) * points.volume[q];
           volumes[1] += V;

@@ -15,7 +15,7 @@ namespace isochor
   namespace
   {
     /** Of the stiffness: energies that are those of rounding errors. */
-    constexpr double rounding = 1e-14;
+    constexpr double rounding = 4e-14;
   } // namespace
 
 

@@ -6,7 +6,7 @@
 // the terminal, is in material_point_method_interface.cc.
 #include <isochor/adaptation/stress_recovery.h>
 #include <isochor/base/plain_message.h>
-#include <isochor/boundary_condition/early_contact.h>
+#include <isochor/boundary_condition/contact_checks.h>
 #include <isochor/boundary_condition/wall_passage.h>
 #include <isochor/equations/cells_crossed.h>
 #include <isochor/step/material_point_method.h>
@@ -320,7 +320,7 @@ namespace isochor
                                    equilibrium.mixed_system(),
                                    equilibrium.nodal_constraints(),
                                    walls);
-      check_early_contact(step, unknowns, walls, statistics);
+      check_contacts(step, unknowns, walls, statistics);
       if (scene.adaptation.needs_sizes())
         scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
       constexpr double rounding = 1e-9;

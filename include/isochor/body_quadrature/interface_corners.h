@@ -121,6 +121,7 @@ namespace isochor
     struct Content
     {
       Groups       groups = 0;
+      Groups       moving = 0; ///< see find_layers_of_one_domain()
       unsigned int most   = 0; ///< the group of most of the points' volume
       /** Whether its functions are those of one group, the only one, for
        * displacements and for pressures. See find_own_functions(). */
@@ -137,8 +138,8 @@ namespace isochor
       void
       serialize(Archive &archive, const unsigned int /*version*/)
       {
-        archive &groups &has_own_pressures &is_own    &meets_others;
-        archive &is_thin &keeps_nodes &is_of_stiffest &is_at_seam;
+        archive &groups &moving &has_own_pressures &is_own &meets_others;
+        archive &is_thin &keeps_nodes &is_of_stiffest      &is_at_seam;
       }
     };
 
@@ -213,9 +214,11 @@ namespace isochor
                      const GroupsAtVertices &groups) const;
     void
     find_owners(const PointArrays<dim> &points);
-    /** Remember groups most of whose domains have no corner of their own, as
-     * layers that are one domain thick: they are strained as stiffer ones
-     * around. After find_owners(). */
+    /** Remember domains that are strained as stiffer ones around, as those of
+     * layers that are one domain thick: they have no corner of their own, and
+     * none of their group in the cells around has, but for grains and tips that
+     * are hardly anything of the body and less than half of their group. After
+     * find_owners(). */
     void
     find_layers_of_one_domain(const PointArrays<dim> &points);
     void

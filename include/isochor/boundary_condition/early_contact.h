@@ -6,6 +6,7 @@
 #define isochor_early_contact_h
 
 #include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/boundary_condition/wall_gaps.h>
 
 #include <vector>
 
@@ -29,7 +30,7 @@ namespace isochor
    * other loads deform the body, too, makes it an estimate: forces that a round
    * body exerts on plates were too large by s to 2 s (tests/early_contact).
    *
-   * The gaps g_I are those at the end of the step, see WallGaps. A wall of
+   * The @p gaps g_I are those at the end of the step. A wall of
    * which F is less than 3 % of the sum of all |F_I| doesn't count: one that
    * holds a body in tension presses at single nodes of the body's rim, whose
    * gaps are large against its displacements.
@@ -43,6 +44,7 @@ namespace isochor
   check_early_contact(const StepContext<dim>               &step,
                       const NodalField                     &unknowns,
                       const std::vector<WallContacts<dim>> &walls,
+                      const WallGaps                       &gaps,
                       Statistics                           &statistics);
 } // namespace isochor
 

@@ -53,6 +53,16 @@ namespace isochor
                         const SurfaceConditions<dim> &conditions,
                         const BoundaryPoints<dim>    *points);
 
+  /** Warn of surfaces that are nearly flat but for a few faces at their rim,
+   * which point elsewhere, as if a condition such as y > 0.9 were to hold on
+   * top and holds at the upper ends of the sides as well. At the start. @p
+   * points: nullptr without surfaces. Collective. */
+  template <int dim>
+  void
+  warn_of_faces_round_an_edge(const StepContext<dim>       &step,
+                              const SurfaceConditions<dim> &conditions,
+                              const BoundaryPoints<dim>    *points);
+
   /** Warn of loads of surfaces that act, in a component, on nodes alone at
    * which
    * @p constraints prescribe this component: they go into the support, and the

@@ -79,6 +79,13 @@ namespace isochor
                    const bool                 with_domains,
                    Warnings                  &warnings) const;
 
+    /** Warn if the points of a material have another volume than its zones of
+     * 'Materials in zones'; only of points that are seeded in cells. */
+    void
+    check_material_zones(const BackgroundGrid<dim> &grid,
+                         const bool                 with_domains,
+                         Warnings                  &warnings) const;
+
   private:
     /** Cells with the same number of points. */
     struct Zone
@@ -146,6 +153,13 @@ namespace isochor
     void
     locate(const BackgroundGrid<dim> &grid,
            std::vector<Seed<dim>>    &seeds) const;
+    /** By zone: the number of its material, from 1 on, and where it is. */
+    using MaterialZones = std::vector<std::pair<int, Expression<dim>>>;
+    MaterialZones
+    create_material_zones() const;
+    /** The material, from 0 on, of the last zone that holds at @p x. */
+    static unsigned int
+    material_at(const MaterialZones &zones, const Point<dim> &x);
     void
     choose_materials(const unsigned int      n_materials,
                      std::vector<Seed<dim>> &seeds) const;

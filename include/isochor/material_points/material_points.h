@@ -142,13 +142,14 @@ namespace isochor
       keeps_ancestry = true;
     }
 
-    /** See BodySeeding::check_conditions(), check_fineness() and
-     * check_domains(); before the grid changes. Returns whether the surface of
-     * the body has steps. */
+    /** See BodySeeding::check_conditions(), check_material_zones(),
+     * check_fineness() and check_domains(); before the grid changes. Returns
+     * whether the surface of the body has steps. */
     bool
     check_seeding(const bool domains_are_integrated, Warnings &warnings) const
     {
       seeding.check_conditions(grid, warnings);
+      seeding.check_material_zones(grid, point_layout.with_domains, warnings);
       if (domains_are_integrated && point_layout.with_domains)
         seeding.check_domains(grid, warnings);
       return seeding.check_fineness(grid, point_layout.with_domains, warnings);

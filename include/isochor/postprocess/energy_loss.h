@@ -35,7 +35,7 @@ namespace isochor
      * the steps is damped on purpose; but energy that is made there, more than
      * 10 % of the largest, is told of at their end or that of the run, the step
      * that @p is_last, and then also what is lost there, if the run has hardly
-     * more steps. Energies at strains of 1e-7 are those of rounding and of
+     * more steps. Energies at strains of 2e-7 are those of rounding and of
      * what Newton's method leaves.
      */
     void

@@ -1,0 +1,122 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/plain_message.h>
+#include <isochor/boundary_condition/contact_checks.h>
+#include <isochor/boundary_condition/early_contact.h>
+#include <isochor/boundary_condition/wall_gaps.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isochor
+{
+  namespace
+  {
+    /** What the nodes of a wall do. */
+    struct Forces
+    {
+      double all = 0, ///< Σ |F_I| (N)
+        pull     = 0, ///< Σ max(-F_I, 0) (N)
+        gap      = 0, ///< Σ max(-F_I, 0) g_I (N m)
+        cells    = 0; ///< Σ max(-F_I, 0) g_I / h (N)
+    };
+
+
+
+    template <int dim>
+    std::vector<Forces>
+    forces_of(const std::vector<WallContacts<dim>> &walls,
+              const WallGaps                       &gaps,
+              const MPI_Comm                        comm)
+    {
+      std::vector<Forces> forces(walls.size());
+      unsigned int        i = 0;
+      for (unsigned int w = 0; w < walls.size(); ++w)
+        for (const auto &node : walls[w].nodes)
+          {
+            const double pull = std::max(-node.force, 0.),
+                         g    = gaps.gap[i] == WallGaps::unknown ?
+                                  0. :
+                                  std::max(gaps.gap[i], 0.);
+            forces[w].all += std::abs(node.force);
+            forces[w].pull += pull;
+            forces[w].gap += pull * g;
+            forces[w].cells += pull * g / gaps.cell_size[i];
+            ++i;
+          }
+      const ArrayView<double> all(&forces[0].all,
+                                  sizeof(Forces) / sizeof(double) *
+                                    forces.size());
+      Utilities::MPI::sum(ArrayView<const double>(all), comm, all);
+      return forces;
+    }
+
+
+
+    template <int dim>
+    void
+    warn_of_pull_across_gaps(const StepContext<dim>               &step,
+                             const std::vector<WallContacts<dim>> &walls,
+                             const WallGaps                       &gaps)
+    {
+      // of a cell: less may be how domains show a surface that is curved; and
+      // of the forces: a body that is pressed by a boundary which holds is
+      // pulled at single nodes beside the contact
+      constexpr double much = 0.1, considerable = 0.3, no_force = 1e-3;
+      const auto forces = forces_of(walls, gaps, step.grid.communicator());
+      double     most   = 0;
+      for (const Forces &of_wall : forces)
+        most = std::max(most, of_wall.all);
+      for (unsigned int w = 0; w < walls.size(); ++w)
+        if (const Forces &F = forces[w];
+            walls[w].holds && F.all > no_force * most &&
+            F.pull > considerable * F.all && F.cells > much * F.pull)
+          step.warnings.add(
+            "a boundary that pulls across a gap",
+            "At t = " + rounded(step.time) + " s the held boundary <" +
+              walls[w].boundary + "> (<" + walls[w].parameter +
+              ">) pulls the body with " + rounded(F.pull) +
+              " N, but in the mean of this force the body ends " +
+              rounded(F.gap / F.pull) + " m, " + rounded(F.cells / F.pull) +
+              " cells, away from it: nodes of the grid are held as soon as a "
+              "cell around them holds material, and so the body is glued to "
+              "the boundary across the empty part of the cells. If it is "
+              "fastened there let it end on the boundary, or hold its own "
+              "surface by <Displacement of body>; if it isn't, write <= or >= "
+              "in place of =, or leave the condition out.");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  check_contacts(const StepContext<dim>               &step,
+                 const NodalField                     &unknowns,
+                 const std::vector<WallContacts<dim>> &walls,
+                 Statistics                           &statistics)
+  {
+    if (walls.empty())
+      return;
+    const WallGaps gaps = find_wall_gaps(step, &unknowns, walls, true);
+    check_early_contact(step, unknowns, walls, gaps, statistics);
+    warn_of_pull_across_gaps(step, walls, gaps);
+  }
+
+
+
+  template void
+  check_contacts(const StepContext<2> &,
+                 const NodalField &,
+                 const std::vector<WallContacts<2>> &,
+                 Statistics &);
+  template void
+  check_contacts(const StepContext<3> &,
+                 const NodalField &,
+                 const std::vector<WallContacts<3>> &,
+                 Statistics &);
+} // namespace isochor
