@@ -305,17 +305,8 @@ namespace isochor
           return holds_one(cell) && on_walls(cell);
         },
         reach);
-    // beside walls that no such cell has, as curved ones
-    if (other == no_cell &&
-        walls.distance() > near_face * cell_size(geometry, corner.place.cell))
-      other = nearest(
-        corner.x,
-        corner.place.cell,
-        [&](const unsigned int cell) { return is_own(cell, corner.owner); },
-        reach);
     if (other == no_cell) // of a thin layer
       {
-        remember(corner, here);
         other = nearest(
           corner.x,
           corner.place.cell,
@@ -325,6 +316,17 @@ namespace isochor
                    there.most == corner.owner && on_walls(cell);
           },
           reach);
+        // beside walls that no cell has, as curved ones
+        if (other == no_cell &&
+            walls.distance() >
+              near_face * cell_size(geometry, corner.place.cell))
+          other = nearest(
+            corner.x,
+            corner.place.cell,
+            [&](const unsigned int cell) { return is_own(cell, corner.owner); },
+            reach);
+        else
+          remember(corner, here);
       }
     if (other != no_cell)
       others[i] = other;

@@ -71,6 +71,16 @@ namespace isochor
             return false;
       return true;
     };
+    // searches meet the same elements; each is of one group
+    std::unordered_map<unsigned int, bool> known;
+    const auto is_known_deep = [&](const unsigned int cell, const Groups own) {
+      if (content(cell).groups != own)
+        return false;
+      const auto [entry, is_new] = known.emplace(element(cell), false);
+      if (is_new)
+        entry->second = is_deep(cell, own);
+      return entry->second;
+    };
     const auto has_another = [&](const unsigned int of_element,
                                  const Groups       own,
                                  const double       within) {
@@ -83,7 +93,7 @@ namespace isochor
                  cell_centroid(geometry, of_element),
                  of_element,
                  [&](const unsigned int cell) {
-                   return is_deep(cell, own) && walls.are_those_of(cell);
+                   return walls.are_those_of(cell) && is_known_deep(cell, own);
                  },
                  within) != no_cell;
       });

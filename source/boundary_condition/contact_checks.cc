@@ -16,11 +16,11 @@ namespace isochor
 {
   namespace
   {
-    /** What the nodes of a wall do. */
+    /** What the nodes of a wall do, and of those whose gap is known. */
     struct Forces
     {
       double all = 0, ///< Σ |F_I| (N)
-        pull     = 0, ///< Σ max(-F_I, 0) (N)
+        pull     = 0, ///< Σ max(-F_I, 0) (N), of these
         gap      = 0, ///< Σ max(-F_I, 0) g_I (N m)
         cells    = 0; ///< Σ max(-F_I, 0) g_I / h (N)
     };
@@ -38,10 +38,9 @@ namespace isochor
       for (unsigned int w = 0; w < walls.size(); ++w)
         for (const auto &node : walls[w].nodes)
           {
-            const double pull = std::max(-node.force, 0.),
-                         g    = gaps.gap[i] == WallGaps::unknown ?
-                                  0. :
-                                  std::max(gaps.gap[i], 0.);
+            const bool   is_known = gaps.gap[i] != WallGaps::unknown;
+            const double pull     = is_known ? std::max(-node.force, 0.) : 0.,
+                         g        = is_known ? std::max(gaps.gap[i], 0.) : 0.;
             forces[w].all += std::abs(node.force);
             forces[w].pull += pull;
             forces[w].gap += pull * g;

@@ -306,10 +306,10 @@ namespace isochor
             conditions.surfaces[s].place.parameter + "> is nearly flat, but " +
             rounded(100 * part) +
             " % of its area are faces at its rim that point elsewhere: its "
-            "condition holds at the ends of the sides beside it, too, and what "
-            "acts on the surface acts there as well. If that isn't meant, let "
-            "the condition begin nearer to the flat part, by less than the "
-            "size of a cell.");
+            "condition holds in the middle of the last faces of the sides beside it, "
+            "too, and what acts on the surface acts there as well. If that isn't "
+            "meant, let the condition begin nearer to the flat part, by less "
+            "than half of a cell.");
   }
 
 

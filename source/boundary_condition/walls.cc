@@ -20,12 +20,12 @@ namespace isochor
    * boundary has a corner, and where two walls meet, there are several normals
    * at a node (see WallSurface), and all of the conditions hold.
    *
-   * A step is linear: the wall is the tangential plane at the place of the node
-   * where the step starts. On a grid that is put back that is a vertex of the
-   * boundary. On a grid that is kept nodes slide along the wall; if it is
-   * curved, normal and distance are those of the place that the node has
-   * reached, on the smooth surface through the vertices, so that what a step
-   * errs is corrected by the next one.
+   * Nodes slide along a curved wall on the smooth surface through its vertices:
+   * in statics the wall is in each iteration its tangential plane at the place
+   * that the node has reached. Otherwise (one-sided walls, dynamics) a step is
+   * linear: the plane is that at the place of the node where the step starts,
+   * on a grid that is put back a vertex of the boundary; on a grid that is kept
+   * what a step errs is corrected by the next one.
    *
    * One-sided walls find their set of nodes by ContactSearch. Nodes begin a
    * step with the gap of the body (BodyAtWalls); where it isn't known, those
@@ -162,21 +162,50 @@ namespace isochor
               if (node == numbers::invalid_unsigned_int ||
                   wall.nodes[i].contact.released)
                 continue;
+              const bool bends = wall.bends_at(i, step);
               terms.clear();
               for (unsigned int a = 0; a < dim; ++a)
-                if (normals[i][a] != 0.)
+                if (normals[i][a] != 0. || bends)
                   terms.emplace_back(node * step.n_components + a,
                                      normals[i][a]);
               auto &equation    = constraints.add(Precedence::wall,
                                                terms,
                                                increment(wall, i, step));
               equation.n_pivots = terms.size();
-              equation.how   = wall.one_sided ? NodalConstraints::in_contact :
-                                                NodalConstraints::prescribed;
-              equation.owner = this;
-              equation.label = label;
+              equation.how     = wall.one_sided ? NodalConstraints::in_contact :
+                                                  NodalConstraints::prescribed;
+              equation.owner   = this;
+              equation.label   = label;
+              equation.changes = bends;
+              equation.motion =
+                wall.motion(reference[wall.nodes[i].vertex], step);
             }
         }
+    }
+
+    bool
+    relinearises() const override
+    {
+      return std::any_of(walls.begin(), walls.end(), [](const Wall &wall) {
+        return !wall.one_sided && !wall.surface.is_flat();
+      });
+    }
+
+    void
+    relinearise(const StepContext<dim> &step,
+                const NodalField       &unknowns,
+                NodalConstraints       &constraints) const override
+    {
+      for (auto &equation : constraints.equations)
+        if (equation.owner == this && equation.changes)
+          {
+            auto         wall = walls.begin();
+            unsigned int i    = equation.label;
+            while (i >= wall->nodes.size())
+              i -= (wall++)->nodes.size();
+            wall->linearise(
+              i, reference, step, unknowns, equation, constraints);
+          }
     }
 
     void
@@ -338,29 +367,9 @@ namespace isochor
           normals.clear();
         }
       for (const Node &node : wall.nodes)
-        normals.push_back(follows_curve(wall, step) ? node.normal_now :
-                                                      node.normal);
+        normals.push_back(wall.follows_curve(step) ? node.normal_now :
+                                                     node.normal);
       return normals;
-    }
-
-    /** Whether a step starts away from the vertices of a curved wall. */
-    static bool
-    follows_curve(const Wall &wall, const StepContext<dim> &step)
-    {
-      return step.grid_is_kept && !wall.surface.is_flat() &&
-             !step.grid.is_moving();
-    }
-
-    /** The distance of node i from the wall at the start of the step. */
-    double
-    gap(const Wall             &wall,
-        const unsigned int      i,
-        const StepContext<dim> &step) const
-    {
-      const Node &node = wall.nodes[i];
-      if (follows_curve(wall, step))
-        return node.gap_now;
-      return node.contact.gap_at_start(step.grid_is_kept);
     }
 
     double
@@ -369,7 +378,7 @@ namespace isochor
               const StepContext<dim> &step) const
     {
       return wall.motion(reference[wall.nodes[i].vertex], step) -
-             gap(wall, i, step);
+             wall.gap(i, step);
     }
 
     /** By walls and nodes one after the other: the force of the wall (N) on
@@ -462,7 +471,7 @@ namespace isochor
               if (!step.grid_is_kept)
                 {
                   node.moved  = 0.;
-                  node.offset = -gap(wall, i, step);
+                  node.offset = -wall.gap(i, step);
                 }
               node.offset += wall.motion(reference[node.vertex], step);
               for (unsigned int a = 0; a < dim; ++a)
