@@ -62,12 +62,17 @@ namespace isochor
                              const std::vector<WallContacts<dim>> &walls,
                              const WallGaps                       &gaps)
     {
-      // of a cell: less may be how domains show a surface that is curved; and
-      // of the forces: a body that is pressed by a boundary which holds is
-      // pulled at single nodes beside the contact
-      constexpr double much = 0.1, considerable = 0.3, no_force = 1e-3;
-      const auto forces = forces_of(walls, gaps, step.grid.communicator());
-      double     most   = 0;
+      // of a cell: less may be how domains show a surface that is curved, and
+      // points without domains know it roughly; and of the forces: a body that
+      // is pressed by a boundary which holds is pulled at single nodes beside
+      // the contact
+      constexpr double considerable = 0.3, no_force = 1e-3;
+      const double     much = Utilities::MPI::max(step.points.domain.size(),
+                                              step.grid.communicator()) > 0 ?
+                                0.1 :
+                                0.3;
+      const auto forces     = forces_of(walls, gaps, step.grid.communicator());
+      double     most       = 0;
       for (const Forces &of_wall : forces)
         most = std::max(most, of_wall.all);
       for (unsigned int w = 0; w < walls.size(); ++w)

@@ -19,7 +19,7 @@ namespace isochor
    *   held as soon as a cell around it holds material, so that what should be
    *   free is glued to the boundary across the empty part of the cell. Told
    *   where the gaps that the pulling forces have in the mean are more than a
-   *   tenth of a cell.
+   *   tenth of a cell (three tenths, where points have no domains).
    *
    * Collective.
    */
