@@ -132,7 +132,7 @@ namespace isochor
   {
     // Not strains as small as rounding errors of a body that is carried along,
     // nor what is left when the load is gone.
-    constexpr double much = 0.33, no_strain = 1e-6, unloaded = 0.5;
+    constexpr double much = 0.36, no_strain = 1e-6, unloaded = 0.5;
     NodalField       at_rest = unknowns;
     for (unsigned int i = 0; i < step.nodes.n_local() * step.n_components; ++i)
       if (i % step.n_components < dim)

@@ -69,8 +69,8 @@ namespace isochor
       constexpr double considerable = 0.3, no_force = 1e-3;
       const double     much = Utilities::MPI::max(step.points.domain.size(),
                                               step.grid.communicator()) > 0 ?
-                                0.1 :
-                                0.3;
+                                0.25 :
+                                0.35;
       const auto forces     = forces_of(walls, gaps, step.grid.communicator());
       double     most       = 0;
       for (const Forces &of_wall : forces)
@@ -108,7 +108,9 @@ namespace isochor
       return;
     const WallGaps gaps = find_wall_gaps(step, &unknowns, walls, true);
     check_early_contact(step, unknowns, walls, gaps, statistics);
-    warn_of_pull_across_gaps(step, walls, gaps);
+    // later a surface may have come to that by what the body does
+    if (step.old_time <= 0)
+      warn_of_pull_across_gaps(step, walls, gaps);
   }
 
 

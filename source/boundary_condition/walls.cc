@@ -20,12 +20,12 @@ namespace isochor
    * boundary has a corner, and where two walls meet, there are several normals
    * at a node (see WallSurface), and all of the conditions hold.
    *
-   * Nodes slide along a curved wall on the smooth surface through its vertices:
-   * in statics the wall is in each iteration its tangential plane at the place
-   * that the node has reached. Otherwise (one-sided walls, dynamics) a step is
-   * linear: the plane is that at the place of the node where the step starts,
-   * on a grid that is put back a vertex of the boundary; on a grid that is kept
-   * what a step errs is corrected by the next one.
+   * A step is linear: the wall is the tangential plane at the place of the node
+   * where the step starts. On a grid that is put back that is a vertex of the
+   * boundary. On a grid that is kept nodes slide along the wall; if it is
+   * curved, normal and distance are those of the place that the node has
+   * reached, on the smooth surface through the vertices. What a step errs is
+   * corrected by the next one, on grids that are put back at two-sided walls.
    *
    * One-sided walls find their set of nodes by ContactSearch. Nodes begin a
    * step with the gap of the body (BodyAtWalls); where it isn't known, those
@@ -162,50 +162,21 @@ namespace isochor
               if (node == numbers::invalid_unsigned_int ||
                   wall.nodes[i].contact.released)
                 continue;
-              const bool bends = wall.bends_at(i, step);
               terms.clear();
               for (unsigned int a = 0; a < dim; ++a)
-                if (normals[i][a] != 0. || bends)
+                if (normals[i][a] != 0.)
                   terms.emplace_back(node * step.n_components + a,
                                      normals[i][a]);
               auto &equation    = constraints.add(Precedence::wall,
                                                terms,
                                                increment(wall, i, step));
               equation.n_pivots = terms.size();
-              equation.how     = wall.one_sided ? NodalConstraints::in_contact :
-                                                  NodalConstraints::prescribed;
-              equation.owner   = this;
-              equation.label   = label;
-              equation.changes = bends;
-              equation.motion =
-                wall.motion(reference[wall.nodes[i].vertex], step);
+              equation.how   = wall.one_sided ? NodalConstraints::in_contact :
+                                                NodalConstraints::prescribed;
+              equation.owner = this;
+              equation.label = label;
             }
         }
-    }
-
-    bool
-    relinearises() const override
-    {
-      return std::any_of(walls.begin(), walls.end(), [](const Wall &wall) {
-        return !wall.one_sided && !wall.surface.is_flat();
-      });
-    }
-
-    void
-    relinearise(const StepContext<dim> &step,
-                const NodalField       &unknowns,
-                NodalConstraints       &constraints) const override
-    {
-      for (auto &equation : constraints.equations)
-        if (equation.owner == this && equation.changes)
-          {
-            auto         wall = walls.begin();
-            unsigned int i    = equation.label;
-            while (i >= wall->nodes.size())
-              i -= (wall++)->nodes.size();
-            wall->linearise(
-              i, reference, step, unknowns, equation, constraints);
-          }
     }
 
     void
@@ -367,9 +338,29 @@ namespace isochor
           normals.clear();
         }
       for (const Node &node : wall.nodes)
-        normals.push_back(wall.follows_curve(step) ? node.normal_now :
-                                                     node.normal);
+        normals.push_back(follows_curve(wall, step) ? node.normal_now :
+                                                      node.normal);
       return normals;
+    }
+
+    /** Whether a step starts away from the vertices of a curved wall. */
+    static bool
+    follows_curve(const Wall &wall, const StepContext<dim> &step)
+    {
+      return step.grid_is_kept && !wall.surface.is_flat() &&
+             !step.grid.is_moving();
+    }
+
+    /** The distance of node i from the wall at the start of the step. */
+    double
+    gap(const Wall             &wall,
+        const unsigned int      i,
+        const StepContext<dim> &step) const
+    {
+      const Node &node = wall.nodes[i];
+      if (follows_curve(wall, step) || wall.takes_back(step))
+        return node.gap_now;
+      return node.contact.gap_at_start(step.grid_is_kept);
     }
 
     double
@@ -378,7 +369,7 @@ namespace isochor
               const StepContext<dim> &step) const
     {
       return wall.motion(reference[wall.nodes[i].vertex], step) -
-             wall.gap(i, step);
+             gap(wall, i, step);
     }
 
     /** By walls and nodes one after the other: the force of the wall (N) on
@@ -450,7 +441,9 @@ namespace isochor
       const MPI_Comm                    comm    = step.grid.communicator();
       const std::vector<Tensor<1, dim>> normals = normals_of(wall, step);
       const unsigned int                n       = wall.nodes.size();
-      std::vector<double> gaps(n, gap_unknown), moved(n * dim, 0.);
+      // by node: where it has moved, and on how many ranks it is active
+      constexpr unsigned int stride = dim + 1;
+      std::vector<double>    gaps(n, gap_unknown), moved(n * stride, 0.);
       for (unsigned int i = 0; i < n; ++i)
         {
           const unsigned int node = step.nodes.node(wall.nodes[i].vertex);
@@ -459,8 +452,9 @@ namespace isochor
           gaps[i] = gap_after(Wall::along(normals[i], node, step, unknowns),
                               increment(wall, i, step));
           for (unsigned int a = 0; a < dim; ++a)
-            moved[i * dim + a] =
+            moved[i * stride + a] =
               unknowns.local_element(node * step.n_components + a);
+          moved[i * stride + dim] = 1;
         }
       if (!wall.surface.is_flat())
         {
@@ -470,12 +464,19 @@ namespace isochor
               Node &node = wall.nodes[i];
               if (!step.grid_is_kept)
                 {
-                  node.moved  = 0.;
-                  node.offset = -wall.gap(i, step);
+                  const double before = gap(wall, i, step);
+                  node.moved          = 0.;
+                  node.offset         = -before;
+                  // of the body nothing is known where there is none
+                  if (wall.takes_back(step) && moved[i * stride + dim] == 0)
+                    {
+                      node.offset = 0.;
+                      continue;
+                    }
                 }
               node.offset += wall.motion(reference[node.vertex], step);
               for (unsigned int a = 0; a < dim; ++a)
-                node.moved[a] += moved[i * dim + a];
+                node.moved[a] += moved[i * stride + a];
             }
           wall.locate_nodes(reference);
         }

@@ -439,7 +439,7 @@ namespace isochor
         {step.nodes.vertex(entry / nc) * dim + entry % nc, reaction, moved});
     }
 
-    /** Whether a node follows a rigid side, a curved wall, or what does. */
+    /** Whether a node follows a rigid side, or what does. */
     static bool
     is_on_side(const StepResult<dim> &result, const unsigned int node)
     {
@@ -450,9 +450,9 @@ namespace isochor
       return follows;
     }
 
-    /** Of the walls at nodes that follow rigid sides along them, or curved
-     * walls: the way is that of the wall, not what of it stands in an equation
-     * which changes with the rotation of the side or along the wall. */
+    /** Of the walls at nodes that follow rigid sides along them: the way is
+     * that of the wall, not what of it stands in an equation which changes
+     * with the rotation of the side. */
     void
     add_walls_at_sides(const StepResult<dim> &result)
     {
@@ -462,16 +462,18 @@ namespace isochor
         {
           const auto &equation = equations[k];
           if (equation.pivot == NodalConstraints::Equation::none ||
-              equation.precedence >= Precedence::periodic ||
-              (equation.changes && equation.precedence != Precedence::wall))
+              equation.precedence >= Precedence::periodic || equation.changes)
             continue;
-          const unsigned int nc   = result.step.n_components;
-          const unsigned int node = equation.pivot / nc;
-          if (is_on_side(result, node) && node < result.step.nodes.n_owned())
+          const unsigned int nc      = result.step.n_components;
+          const unsigned int node    = equation.pivot / nc;
+          bool               on_side = false;
+          for (unsigned int a = 0; a < dim; ++a)
+            on_side = on_side || system.follows_changing(node * nc + a);
+          if (on_side && node < result.step.nodes.n_owned())
             add_held(result.step,
                      equation.pivot,
                      system.multiplier(k),
-                     equation.changes ? equation.motion : equation.value);
+                     equation.value);
         }
     }
 

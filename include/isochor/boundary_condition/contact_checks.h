@@ -18,8 +18,9 @@ namespace isochor
    * - held boundaries that pull a body which isn't there: a node of the grid is
    *   held as soon as a cell around it holds material, so that what should be
    *   free is glued to the boundary across the empty part of the cell. Told
-   *   where the gaps that the pulling forces have in the mean are more than a
-   *   tenth of a cell (three tenths, where points have no domains).
+   *   in the first step, where the gaps that the pulling forces have in the
+   * mean are more than a fourth of a cell (a third, where points have no
+   * domains).
    *
    * Collective.
    */

@@ -31,9 +31,9 @@ namespace isochor
       unsigned int   vertex;
       Tensor<1, dim> normal; ///< at the vertex
       WallNode       contact;
-      /** On a grid that is kept, at a curved wall: how far the wall has come
-       * along its normal since the reset, from the boundary (m), and the node
-       * (m); and the normal and the gap where it is now. */
+      /** At a curved wall: how far the wall has come along its normal since the
+       * last reset, from the boundary (m), and the node (m); and the normal and
+       * the gap where it is now. */
       double         offset = 0;
       Tensor<1, dim> moved, normal_now;
       double         gap_now = 0;
@@ -105,57 +105,13 @@ namespace isochor
                0.;
     }
 
-    /** Whether a step starts away from the vertices of a curved wall. */
+    /** Whether what a step along tangents of a curved wall has left of a
+     * distance is taken back by the next one, where the grid is put back. */
     bool
-    follows_curve(const StepContext<dim> &step) const
+    takes_back(const StepContext<dim> &step) const
     {
-      return step.grid_is_kept && !surface.is_flat() && !step.grid.is_moving();
-    }
-
-    /** The distance of node i from the wall at the start of the step. */
-    double
-    gap(const unsigned int i, const StepContext<dim> &step) const
-    {
-      return follows_curve(step) ?
-               nodes[i].gap_now :
-               nodes[i].contact.gap_at_start(step.grid_is_kept);
-    }
-
-    /** Whether node i follows the curved wall within a step. One at a corner of
-     * the wall, with several normals, stays where these say. */
-    bool
-    bends_at(const unsigned int i, const StepContext<dim> &step) const
-    {
-      const auto is_same = [&](const unsigned int j) {
-        return j < nodes.size() && nodes[j].vertex == nodes[i].vertex;
-      };
       return !one_sided && !surface.is_flat() && !step.grid.is_moving() &&
-             !step.has_inertia && !is_same(i + 1) && !(i > 0 && is_same(i - 1));
-    }
-
-    /** Let the @p equation of node i be n(x)·(Δu - Δu_k) = g - d(x), with the
-     * place x that it has reached by the iterate Δu_k, @p unknowns: the wall's
-     * tangential plane there. */
-    void
-    linearise(const unsigned int             i,
-              const std::vector<Point<dim>> &reference,
-              const StepContext<dim>        &step,
-              const NodalField              &unknowns,
-              NodalConstraints::Equation    &equation,
-              NodalConstraints              &constraints) const
-    {
-      const Node    &node = nodes[i];
-      Tensor<1, dim> u;
-      for (unsigned int a = 0; a < dim; ++a)
-        u[a] = unknowns.local_element(
-          step.nodes.node(node.vertex) * step.n_components + a);
-      const bool kept  = step.grid_is_kept;
-      const auto place = surface.locate(reference[node.vertex] + u +
-                                        (kept ? node.moved : Tensor<1, dim>()));
-      for (unsigned int a = 0; a < dim; ++a)
-        constraints.coefficient[equation.first + a] = place.normal[a];
-      equation.value = place.normal * u - place.distance + equation.motion +
-                       (kept ? node.offset : 0.);
+             !step.has_inertia;
     }
 
     /** Whether it is to be looked at if it acts before the body reaches it. */
@@ -273,7 +229,11 @@ namespace isochor
               return x.distance_square(old_reference[a.vertex]) <
                      x.distance_square(old_reference[b.vertex]);
             });
-          if (!one_sided || nearest == old.nodes.end())
+          if (nearest == old.nodes.end())
+            continue;
+          node.gap_now = nearest->gap_now;
+          node.offset  = -node.gap_now;
+          if (!one_sided)
             continue;
           node.contact = nearest->contact;
           if (!node.contact.touched)

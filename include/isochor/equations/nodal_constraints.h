@@ -149,8 +149,6 @@ namespace isochor
       /** Whether the coefficients depend on the unknowns, see
        * BoundaryCondition::relinearise(). */
       bool changes = false;
-      /** Of a wall whose equation changes: how far it comes in the step (m). */
-      double motion = 0;
       /** Whether all ranks have added it. */
       bool known_to_all = false;
       /** Whose it is, and which of its equations. */
