@@ -138,15 +138,19 @@ namespace isochor
         if (!step.grid_is_kept && unknowns == nullptr)
           return;
         std::vector<double> x(dim * nodes.size(), -WallGaps::unknown);
-        const auto          set = [&](const unsigned int i, Point<dim> at) {
+        const auto          is_active = [&](const unsigned int i) {
+          return step.nodes.node(nodes[i].vertex) < step.nodes.n_local();
+        };
+        const auto set = [&](const unsigned int i, Point<dim> at) {
           at += increment(nodes[i].vertex);
           for (unsigned int a = 0; a < dim; ++a)
             x[dim * i + a] = at[a];
         };
         if (!step.grid_is_kept)
           for (unsigned int i = 0; i < nodes.size(); ++i)
-            if (step.nodes.node(nodes[i].vertex) < step.nodes.n_local())
+            if (is_active(i))
               set(i, place[i]);
+        // points in a cell may see the functions of others only
         if (step.grid_is_kept)
           for (unsigned int k = 0; k < step.points.cell.size(); ++k)
             for (unsigned int v = 0; v <= dim; ++v)
@@ -154,7 +158,8 @@ namespace isochor
                      first_at(geometry.vertex_indices(step.points.cell[k])[v]);
                    i != none;
                    i = next[i])
-                set(i, step.points.corner(geometry, k, v));
+                if (unknowns == nullptr || is_active(i))
+                  set(i, step.points.corner(geometry, k, v));
         Utilities::MPI::max(x, step.grid.communicator(), x);
         for (unsigned int i = 0; i < nodes.size(); ++i)
           for (unsigned int a = 0; a < dim; ++a)

@@ -320,12 +320,24 @@ namespace isochor
 
   template <int dim>
   typename WallSurface<dim>::Place
-  WallSurface<dim>::locate(const Point<dim> &x) const
+  WallSurface<dim>::locate(const Point<dim>     &x,
+                           const Tensor<1, dim> &direction) const
   {
+    constexpr double near_direction = 0.7;
+    const auto       is_of_side     = [&](const Face &face) {
+      Tensor<1, dim> mean;
+      for (const Tensor<1, dim> &normal : face.normals)
+        mean += normal;
+      return unit(mean) * direction > near_direction;
+    };
+    const bool any = direction.norm_square() > 0 &&
+                     std::any_of(faces.begin(), faces.end(), is_of_side);
     Place  place{Tensor<1, dim>(), 0};
     double nearest = std::numeric_limits<double>::max();
     for (const Face &face : faces)
       {
+        if (any && !is_of_side(face))
+          continue;
         const auto lambda = nearest_on_face(face.corners, x);
         Point<dim> p;
         for (unsigned int v = 0; v < dim; ++v)

@@ -284,7 +284,8 @@ namespace isochor
         for (const Node &node : wall.nodes)
           {
             node.contact.save(state);
-            state << node.offset << ' ' << node.moved << ' ';
+            state << node.moved << ' ' << node.normal_now << ' ' << node.offset
+                  << ' ';
           }
       return state.str();
     }
@@ -298,9 +299,9 @@ namespace isochor
           for (Node &node : wall.nodes)
             {
               node.contact.load(state);
+              for (unsigned int a = 0; a < 2 * dim; ++a)
+                state >> (a < dim ? node.moved : node.normal_now)[a % dim];
               state >> node.offset;
-              for (unsigned int a = 0; a < dim; ++a)
-                state >> node.moved[a];
             }
           wall.locate_nodes(reference);
         }

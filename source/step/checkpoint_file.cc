@@ -18,7 +18,7 @@ namespace isochor
     struct Header
     {
       char          magic[8]   = {'I', 's', 'o', 'c', 'h', 'o', 'r', '\n'};
-      std::uint64_t version    = 29;
+      std::uint64_t version    = 30;
       std::uint64_t byte_order = 0x0102030405060708;
       std::uint64_t dimension  = 0;
       std::uint64_t size       = 0; ///< of the rest, in bytes

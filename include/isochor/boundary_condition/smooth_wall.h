@@ -70,7 +70,9 @@ namespace isochor
       for (Node &node : nodes)
         {
           const auto place =
-            surface.locate(reference[node.vertex] + node.moved);
+            surface.locate(reference[node.vertex] + node.moved,
+                           node.normal_now.norm_square() > 0 ? node.normal_now :
+                                                               node.normal);
           node.normal_now = place.normal;
           node.gap_now    = place.distance - node.offset;
         }

@@ -101,9 +101,12 @@ namespace isochor
      * nearest face, n = Σ λ_v n_v, and with d(y) = Σ_v λ_v n_v·(y - X_v) the
      * distance is d(x) - d(p)/2: with normals that are exact at the vertices,
      * that is exact for a surface which is a quadratic function over the face.
+     * Only faces count whose normals are within 45 degrees of @p direction, if
+     * there are any: beside a corner the others belong to another side.
      */
     Place
-    locate(const Point<dim> &x) const;
+    locate(const Point<dim>     &x,
+           const Tensor<1, dim> &direction = Tensor<1, dim>()) const;
 
   private:
     /** A face of one of the boundaries. */
