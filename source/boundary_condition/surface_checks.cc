@@ -236,7 +236,8 @@ namespace isochor
                        const MPI_Comm                 comm)
     {
       // cosines, and parts of the area and of its extent
-      constexpr double nearly_flat = 0.79, away = 0.5, most = 0.2, same = 1e-6;
+      constexpr double nearly_flat = 0.79, away = 0.5, most = 0.2, same = 1e-6,
+                       round = 0.9;
       Tensor<1, dim>   sum;
       double           area = 0;
       for (const Piece<dim> &piece : pieces)
@@ -252,6 +253,13 @@ namespace isochor
       const auto           is_away = [&](const Piece<dim> &piece) {
         return piece.n * normal < away;
       };
+      // the edge is sharp
+      const bool is_rounded = std::any_of(
+        pieces.begin(), pieces.end(), [&](const Piece<dim> &piece) {
+          return !is_away(piece) && piece.n * normal < round;
+        });
+      if (Utilities::MPI::max(is_rounded ? 1 : 0, comm) == 1)
+        return 0;
       // of those: place and direction along the surface
       std::vector<double> mine;
       double              of_edge = 0;

@@ -8,6 +8,7 @@
 
 #include <isochor/base/expression.h>
 #include <isochor/base/plain_message.h>
+#include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/body_seeding.h>
 #include <isochor/material_points/places_in_cells.h>
 
@@ -43,11 +44,10 @@ namespace isochor
   {
     if (parameters.material_zones.empty() || parameters.lattice_spacing > 0)
       return;
-    constexpr unsigned int  n_places = 256; // in cells between materials
-    constexpr double        much     = 0.02;
-    const MPI_Comm          comm     = grid.communicator();
-    const MaterialZones     zones    = create_material_zones();
-    const std::vector<Zone> rules    = create_zones(with_domains);
+    constexpr double        much  = 0.02;
+    const MPI_Comm          comm  = grid.communicator();
+    const MaterialZones     zones = create_material_zones();
+    const std::vector<Zone> rules = create_zones(with_domains);
     const Expression<dim> in_body(parameters.region, "Material points/Region");
     const auto            material = [&](const Point<dim> &x) {
       return material_at(zones, x);
@@ -56,21 +56,17 @@ namespace isochor
     for (const auto &zone : zones)
       n_materials = std::max(n_materials, zone.first);
     std::vector<Volumes> volumes(n_materials);
-    const auto look_at_cell = [&](const SimplexGeometry<dim> &geometry,
-                                  const unsigned int          cell) {
+    const auto look_at_mixed = [&](const SimplexGeometry<dim> &geometry,
+                                   const unsigned int          cell,
+                                   const unsigned int          n_places) {
       const auto places = places_in_cell(geometry, cell, rules);
       // what a region is rounded to is another matter
       if (!std::all_of(places.begin(), places.end(), [&](const auto &x) {
             return in_body(x, 0.) > 0;
           }))
         return;
-      const double       size    = geometry.measure(cell);
-      const auto         corners = corners_of(geometry, cell);
-      const unsigned int first   = material(places[0]);
-      const auto is_other = [&](const auto &x) { return material(x) != first; };
-      if (std::none_of(places.begin(), places.end(), is_other) &&
-          std::none_of(corners.begin(), corners.end(), is_other))
-        return volumes[first].add(size, size);
+      const double size    = geometry.measure(cell);
+      const auto   corners = corners_of(geometry, cell);
       for (const Point<dim> &x : places)
         volumes[material(x)].add(size / places.size(), 0.);
       for (unsigned int i = 0; i < n_places; ++i)
@@ -78,18 +74,44 @@ namespace isochor
                   spread_place<dim>(corners, std::size_t(cell) * n_places + i))]
           .add(0., size / n_places);
     };
+    const auto look =
+      [&](const SimplexGeometry<dim>                      &body,
+          const std::map<std::string, types::material_id> &ids) {
+        std::vector<int>          at_vertex(body.vertices().size(), -1);
+        std::vector<unsigned int> mixed;
+        for (unsigned int cell = Utilities::MPI::this_mpi_process(comm);
+             cell < body.n_cells();
+             cell += Utilities::MPI::n_mpi_processes(comm))
+          {
+            const Point<dim> centroid = cell_centroid(body, cell);
+            if (!in_groups(body.cell_iterator(cell)->material_id(),
+                           parameters.groups,
+                           ids) ||
+                !(in_body(centroid, 0.) > 0))
+              continue;
+            const int own      = material(centroid);
+            bool      is_mixed = false;
+            for (const unsigned int v : body.vertex_indices(cell))
+              {
+                if (at_vertex[v] < 0)
+                  at_vertex[v] = material(body.vertices()[v]);
+                is_mixed = is_mixed || at_vertex[v] != own;
+              }
+            if (is_mixed)
+              mixed.push_back(cell);
+            else
+              volumes[own].add(body.measure(cell), body.measure(cell));
+          }
+        // enough places for the sum, and for each cell
+        constexpr std::size_t in_all = 100000, least = 16, most = 256;
+        for (const unsigned int cell : mixed)
+          look_at_mixed(body,
+                        cell,
+                        std::clamp(in_all / mixed.size(), least, most));
+      };
     try
       {
-        check_cells_of_body(
-          grid, [&](const auto &geometry, const auto &group_ids) {
-            for (unsigned int cell = Utilities::MPI::this_mpi_process(comm);
-                 cell < geometry.n_cells();
-                 cell += Utilities::MPI::n_mpi_processes(comm))
-              if (in_groups(geometry.cell_iterator(cell)->material_id(),
-                            parameters.groups,
-                            group_ids))
-                look_at_cell(geometry, cell);
-          });
+        check_cells_of_body(grid, look);
       }
     catch (const StandardExceptions::ExcMessage &)
       {
@@ -103,7 +125,9 @@ namespace isochor
         Volumes &here = volumes[k];
         here          = {Utilities::MPI::sum(here.points, comm),
                          Utilities::MPI::sum(here.zones, comm)};
-        if (std::abs(here.points - here.zones) > most * here.zones)
+        // of no points at all another warning tells
+        if (here.points > 0 &&
+            std::abs(here.points - here.zones) > most * here.zones)
           {
             worst = k;
             most  = std::abs(here.points - here.zones) / here.zones;

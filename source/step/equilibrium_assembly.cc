@@ -170,10 +170,10 @@ namespace isochor
 
   template <int dim>
   long
-  Equilibrium<dim>::n_unstable_modes()
+  Equilibrium<dim>::n_unstable_modes(const bool is_old)
   {
     const long supposed = linear_step.n_unstable_modes();
-    if (supposed <= 0)
+    if (supposed < 0 || (supposed == 0 && !is_old))
       return supposed;
     assemble(true);
     try
@@ -258,13 +258,13 @@ namespace isochor
   template ResidualNorms
   Equilibrium<2>::assemble(const bool);
   template long
-  Equilibrium<2>::n_unstable_modes();
+  Equilibrium<2>::n_unstable_modes(const bool);
   template LoadChange
   Equilibrium<2>::change_of_loads(const TimeInterval &) const;
   template ResidualNorms
   Equilibrium<3>::assemble(const bool);
   template long
-  Equilibrium<3>::n_unstable_modes();
+  Equilibrium<3>::n_unstable_modes(const bool);
   template LoadChange
   Equilibrium<3>::change_of_loads(const TimeInterval &) const;
 } // namespace isochor

@@ -14,6 +14,16 @@
 
 namespace isochor
 {
+  /** Whether the step to the next time ends the run. */
+  static bool
+  is_last_step(const LoadStepping &time)
+  {
+    constexpr double rounding = 1e-9;
+    return time.next_time() >= (1 - rounding) * time.end_time();
+  }
+
+
+
   template <int dim>
   void
   MaterialPointMethod<dim>::run()
@@ -214,18 +224,20 @@ namespace isochor
           scene.time.hold_size();
       }
     if (report.converged && !scene.has_inertia() && !is_unstable)
-      check_stability();
+      check_stability(report);
     return report;
   }
 
 
 
-  /** What is told once isn't looked for again. */
+  /** What is told once isn't looked for again. The last step must not go by a
+   * factorisation of an earlier one. */
   template <int dim>
   void
-  MaterialPointMethod<dim>::check_stability()
+  MaterialPointMethod<dim>::check_stability(const NewtonReport &report)
   {
-    const long n = equilibrium.n_unstable_modes();
+    const long n = equilibrium.n_unstable_modes(is_last_step(scene.time) &&
+                                                report.n_factorisations == 0);
     is_unstable  = n > 0;
     if (is_unstable)
       warn_of_instability(scene, setup.context(), n);
@@ -323,9 +335,7 @@ namespace isochor
       check_contacts(step, unknowns, walls, statistics);
       if (scene.adaptation.needs_sizes())
         scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
-      constexpr double rounding = 1e-9;
-      if (!scene.has_inertia() &&
-          step.time >= (1 - rounding) * scene.time.end_time())
+      if (!scene.has_inertia() && is_last_step(scene.time))
         warn_of_coarse_grid(step, unknowns);
       setup.evaluate(statistics);
     }

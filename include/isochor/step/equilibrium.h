@@ -75,10 +75,11 @@ namespace isochor
     /** The step has converged, without inertia: in how many modes the body is
      * not stable in its equilibrium, -1 if that isn't known. Where the last
      * factorisation says that there are some, the matrix is assembled and
-     * factorised here, since that one may be of an earlier iterate or step.
+     * factorised here, since that one may be of an earlier iterate or step; or
+     * if it @p is_old, as of an earlier step of a run that is over now.
      * Collective. */
     long
-    n_unstable_modes();
+    n_unstable_modes(const bool is_old);
 
     /** The step has converged: what the next one may start from. */
     void

@@ -114,7 +114,7 @@ namespace isochor
     /** Warn if the body isn't stable in the equilibrium that was found.
      * Collective. */
     void
-    check_stability();
+    check_stability(const NewtonReport &report);
     void
     convective_phase(const NewtonReport &newton);
 
