@@ -19,8 +19,8 @@ namespace isochor
    *   held as soon as a cell around it holds material, so that what should be
    *   free is glued to the boundary across the empty part of the cell. Told
    *   in the first step, where the gaps that the pulling forces have in the
-   * mean are more than a fourth of a cell (a third, where points have no
-   * domains).
+   *   mean are more than a fourth of a cell (a third, where points have no
+   *   domains).
    *
    * Collective.
    */
