@@ -117,7 +117,7 @@ namespace isochor
     constexpr double considerable = 0.03, no_strain = 1e-8;
     // cells: loads that rest on a wall are right, and hardly strain a body
     constexpr double no_gap = 1e-3;
-    const MPI_Comm comm = step.grid.communicator();
+    const MPI_Comm   comm   = step.grid.communicator();
     // of each wall: F, F where there is a gap, F g, F g / h, Σ |F_I|
     std::vector<std::array<double, 5>> sums(walls.size());
     unsigned int                       i = 0;

@@ -238,8 +238,8 @@ namespace isochor
       // cosines, and parts of the area and of its extent
       constexpr double nearly_flat = 0.79, away = 0.5, most = 0.2, same = 1e-6,
                        round = 0.9;
-      Tensor<1, dim>   sum;
-      double           area = 0;
+      Tensor<1, dim> sum;
+      double         area = 0;
       for (const Piece<dim> &piece : pieces)
         {
           sum += piece.area * piece.n;
@@ -254,8 +254,8 @@ namespace isochor
         return piece.n * normal < away;
       };
       // the edge is sharp
-      const bool is_rounded = std::any_of(
-        pieces.begin(), pieces.end(), [&](const Piece<dim> &piece) {
+      const bool is_rounded =
+        std::any_of(pieces.begin(), pieces.end(), [&](const Piece<dim> &piece) {
           return !is_away(piece) && piece.n * normal < round;
         });
       if (Utilities::MPI::max(is_rounded ? 1 : 0, comm) == 1)
