@@ -23,11 +23,12 @@ namespace isochor
    * stress on every grid. Sadeghirad, Brannon & Burghardt, Int. J. Numer. Meth.
    * Eng. 86 (2011) 1435-1456, do so with parallelograms.
    *
-   * A corner outside of the grid goes to the nearest place of the grid. In
-   * statics, where this is a boundary that is held, which has drawn the body
-   * out of a grid that is put back, the point integrates the part of its volume
-   * that is left inside: with all of it the stress beside the boundary would be
-   * too small by the part of a cell that is outside.
+   * A corner outside of the grid sees the functions of the nearest cell,
+   * continued to where it is. Where a boundary that is held has drawn the body
+   * out of a grid that is put back, it goes to the nearest place of the grid;
+   * in statics the point then integrates the part of its volume that is left
+   * inside: with all of it the stress beside the boundary would be too small by
+   * the part of a cell that is outside.
    */
   template <int dim>
   class CPDI : public BodyQuadrature<dim>

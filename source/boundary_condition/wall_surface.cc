@@ -262,8 +262,11 @@ namespace isochor
     const auto &vertices = grid.geometry().vertices();
     faces.assign(named.size(), Face());
     for (unsigned int f = 0; f < faces.size(); ++f)
-      for (unsigned int c = 0; c < dim; ++c)
-        faces[f].corners[c] = vertices[named[f].vertices[c]];
+      {
+        faces[f].normal = unit(named[f].area);
+        for (unsigned int c = 0; c < dim; ++c)
+          faces[f].corners[c] = vertices[named[f].vertices[c]];
+      }
     for (const Piece &piece : pieces)
       for (const unsigned int f : piece.faces)
         for (unsigned int c = 0; c < dim; ++c)
@@ -324,19 +327,12 @@ namespace isochor
                            const Tensor<1, dim> &direction) const
   {
     constexpr double near_direction = 0.7;
-    const auto       is_of_side     = [&](const Face &face) {
-      Tensor<1, dim> mean;
-      for (const Tensor<1, dim> &normal : face.normals)
-        mean += normal;
-      return unit(mean) * direction > near_direction;
-    };
-    const bool any = direction.norm_square() > 0 &&
-                     std::any_of(faces.begin(), faces.end(), is_of_side);
-    Place  place{Tensor<1, dim>(), 0};
-    double nearest = std::numeric_limits<double>::max();
+    const bool       has_direction  = direction.norm_square() > 0;
+    Place            place{Tensor<1, dim>(), 0};
+    double           nearest = std::numeric_limits<double>::max();
     for (const Face &face : faces)
       {
-        if (any && !is_of_side(face))
+        if (has_direction && face.normal * direction < near_direction)
           continue;
         const auto lambda = nearest_on_face(face.corners, x);
         Point<dim> p;
@@ -357,6 +353,8 @@ namespace isochor
           }
         place.normal = unit(normal);
       }
+    if (has_direction && nearest == std::numeric_limits<double>::max())
+      return locate(x); // none is of its side
     return place;
   }
 

@@ -24,8 +24,8 @@ namespace isochor
    * where the step starts. On a grid that is put back that is a vertex of the
    * boundary. On a grid that is kept nodes slide along the wall; if it is
    * curved, normal and distance are those of the place that the node has
-   * reached, on the smooth surface through the vertices. What a step errs is
-   * corrected by the next one, on grids that are put back at two-sided walls.
+   * reached, on the smooth surface through the vertices. What a step errs the
+   * next one corrects (grids that are put back: see SmoothWall::takes_back()).
    *
    * One-sided walls find their set of nodes by ContactSearch. Nodes begin a
    * step with the gap of the body (BodyAtWalls); where it isn't known, those

@@ -130,6 +130,7 @@ namespace isochor
     {
       std::array<Point<dim>, dim>     corners;
       std::array<Tensor<1, dim>, dim> normals; ///< at the corners
+      Tensor<1, dim>                  normal;  ///< of the plane face
     };
 
     /** In 2D: at an end of a curve the mean is that of one face only. What the
