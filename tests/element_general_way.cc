@@ -8,26 +8,77 @@
 
 #include "random_element.h"
 
-/** MixedKernel::evaluate_points() is the same as evaluate() where both can be
- * used. */
+struct Law
+{
+  const char *name, *settings;
+};
+
+/** How many points of laws with a plastic strain flow, and how many don't, in
+ * elements where there are both. */
+struct Flow
+{
+  unsigned int plastic = 0, elastic = 0;
+};
+
 template <int dim, int n_components>
 void
-test_general_way()
+count_flow(const RandomElement<dim, n_components> &e, Flow &flow)
+{
+  Tensor<2, dim> F_increment(unit_symmetric_tensor<dim>());
+  for (unsigned int I = 0; I <= dim; ++I)
+    F_increment += outer_product(e.element.increment[I], e.element.gradient[I]);
+  Flow of_element;
+  for (unsigned int q = 0; q < e.points.weight.size(); ++q)
+    {
+      test::Point<dim> point(*e.kernel.materials[e.points.material[q]]);
+      const double    *history =
+        &e.points.history[q * std::size_t(e.points.n_history)];
+      const auto names = point.material.history_names();
+      if (names.empty() || names.back() != "equivalent_plastic_strain")
+        continue;
+      std::copy_n(history, names.size(), point.history_n.begin());
+      point.F = e.points.F[q];
+      point.evaluate(F_increment);
+      const bool flows =
+        point.history[names.size() - 1] > history[names.size() - 1];
+      (flows ? of_element.plastic : of_element.elastic) += 1;
+    }
+  if (of_element.plastic > 0 && of_element.elastic > 0)
+    {
+      flow.plastic += of_element.plastic;
+      flow.elastic += of_element.elastic;
+    }
+}
+
+/** MixedKernel::evaluate_points() is the same as evaluate() where both can be
+ * used; evaluate() asks laws that allow it for several points at once. */
+template <int dim, int n_components>
+Flow
+compare_ways(const std::vector<Law> &laws,
+             const double            amplitude,
+             test::WorstError       &error)
 {
   test::Random     random;
-  test::WorstError error;
+  Flow             flow;
   MixedKernel<dim> kernel;
-  for (const char *const name : {"Neo-Hookean", "J2", "Mohr-Coulomb"})
-    kernel.materials.push_back(test::make_material<dim>(name));
-  for (unsigned int n = 0; n < 20; ++n)
+  for (const Law &law : laws)
+    kernel.materials.push_back(
+      test::make_material<dim>(law.name, law.settings));
+  for (unsigned int n = 0; n < 30; ++n)
     {
-      RandomElement<dim, n_components> e(kernel, 1 + n % 4, 0.1, random);
+      RandomElement<dim, n_components> e(kernel, 1 + n % 7, amplitude, random);
+      count_flow(e, flow);
+      e.evaluate(false);
+      const auto residual_alone = e.element.residual;
       e.evaluate(true);
       const ScaledMatrix<dim, n_components> matrix(e);
       const auto                            residual = e.element.residual;
       e.general_way                                  = true;
       e.evaluate(true);
       const ScaledMatrix<dim, n_components> other(e);
+      for (unsigned int i = 0; i < e.n_dofs; ++i)
+        error.add(std::abs(e.scaled(residual[i] - residual_alone[i], i)),
+                  "residual without matrix");
       for (unsigned int i = 0; i < e.n_dofs; ++i)
         {
           error.add(std::abs(e.scaled(residual[i] - e.element.residual[i], i)),
@@ -39,9 +90,48 @@ test_general_way()
                       "matrix");
         }
     }
-  error.report("general way and fast way, dim " + std::to_string(dim) +
-                 (n_components == dim ? ", u" : ", u-p"),
-               1e-13);
+  return flow;
+}
+
+template <int dim, int n_components>
+void
+test_general_way()
+{
+  const std::string label = std::string("dim ") + std::to_string(dim) +
+                            (n_components == dim ? ", u" : ", u-p");
+  test::WorstError error;
+  for (const std::vector<Law> &laws :
+       {std::vector<Law>{{"Neo-Hookean", ""}, {"J2", ""}, {"Mohr-Coulomb", ""}},
+        {{"Neo-Hookean", ""}},
+        {{"Mohr-Coulomb", ""}}})
+    compare_ways<dim, n_components>(laws, 0.1, error);
+  error.report("general way and fast way, " + label, 1e-13);
+
+  // strains of 5 % around a yield strain of as much
+  const std::string soft =
+    "set Young modulus = 1e6\nsubsection J2\nset Yield stress = 4e4\n";
+  test::WorstError of_j2;
+  Flow             flow;
+  for (const char *const more : {"set Symmetrize tangent = false",
+                                 "set Symmetrize tangent = true",
+                                 "set Hardening modulus = 3e5",
+                                 "set Saturation stress = 6e4\n"
+                                 "set Saturation exponent = 20"})
+    {
+      const std::string settings = soft + more + "\nend\n";
+      const Flow        more_flow =
+        compare_ways<dim, n_components>({{"J2", settings.c_str()}},
+                                        0.02,
+                                        of_j2);
+      flow.plastic += more_flow.plastic;
+      flow.elastic += more_flow.elastic;
+    }
+  of_j2.report("general way and fast way, J2, " + label, 1e-13);
+  std::ostringstream counts;
+  counts << flow.plastic << " plastic, " << flow.elastic << " elastic points";
+  test::report("... with elastic beside plastic points",
+               flow.plastic > 50 && flow.elastic > 50,
+               counts.str());
 }
 
 /** Laws in a body of revolution, and the residual of one of them as the

@@ -39,6 +39,15 @@ namespace isochor
       }
     std::array<double, max_history> history;
     const NodalUnknowns<dim>        nodal(step, unknowns);
+    const unsigned int n = points.cell_start[points.n_occupied_cells];
+    state.cell.reserve(n);
+    state.shape.reserve(n);
+    state.volume.reserve(n);
+    state.stress.reserve(n);
+    state.material.reserve(n);
+    state.shear_modulus.reserve(n);
+    state.inverse_bulk_modulus.reserve(n);
+    state.plastic_increment.reserve(n);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)

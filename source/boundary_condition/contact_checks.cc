@@ -10,6 +10,7 @@
 #include <isochor/boundary_condition/wall_gaps.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace isochor
@@ -93,6 +94,35 @@ namespace isochor
               "surface by <Displacement of body>; if it isn't, write <= or >= "
               "in place of =, or leave the condition out.");
     }
+
+
+
+    /** Whether distances from the body to its walls matter after the first
+     * step: there is a one-sided wall, or a held one that presses. */
+    template <int dim>
+    bool
+    gaps_matter(const std::vector<WallContacts<dim>> &walls,
+                const MPI_Comm                        comm)
+    {
+      bool is_one_sided = false;
+      // of each wall: Σ max(F_I, 0), Σ |F_I|
+      std::vector<std::array<double, 2>> sums(walls.size());
+      for (unsigned int w = 0; w < walls.size(); ++w)
+        {
+          is_one_sided = is_one_sided || !walls[w].holds;
+          for (const auto &node : walls[w].nodes)
+            {
+              sums[w][0] += std::max(node.force, 0.);
+              sums[w][1] += std::abs(node.force);
+            }
+        }
+      const ArrayView<double> all(sums[0].data(), 2 * sums.size());
+      Utilities::MPI::sum(ArrayView<const double>(all), comm, all);
+      return is_one_sided ||
+             std::any_of(sums.begin(), sums.end(), [](const auto &sum) {
+               return presses(sum[0], sum[1]);
+             });
+    }
   } // namespace
 
 
@@ -104,12 +134,14 @@ namespace isochor
                  const std::vector<WallContacts<dim>> &walls,
                  Statistics                           &statistics)
   {
-    if (walls.empty())
+    const bool is_first = step.old_time <= 0;
+    if (walls.empty() ||
+        (!is_first && !gaps_matter(walls, step.grid.communicator())))
       return;
     const WallGaps gaps = find_wall_gaps(step, &unknowns, walls, true);
     check_early_contact(step, unknowns, walls, gaps, statistics);
     // later a surface may have come to that by what the body does
-    if (step.old_time <= 0)
+    if (is_first)
       warn_of_pull_across_gaps(step, walls, gaps);
   }
 

@@ -137,9 +137,8 @@ namespace isochor
         }
     const ArrayView<double> all(sums[0].data(), 5 * sums.size());
     Utilities::MPI::sum(ArrayView<const double>(all), comm, all);
-    // a plane of symmetry in tension presses at single nodes of its rim
     for (auto &sum : sums)
-      if (sum[0] < considerable * sum[4])
+      if (!presses(sum[0], sum[4]))
         sum.fill(0);
     double       work = 0, of_one_sided = 0;
     unsigned int most = 0, n_one_sided = 0;

@@ -5,6 +5,7 @@
 
 #include <isochor/material_model/isochoric_elasticity.h>
 #include <isochor/material_model/material_model.h>
+#include <isochor/material_model/pack_response.h>
 #include <isochor/material_model/tensor_tools.h>
 
 #include <algorithm>
@@ -42,6 +43,18 @@ namespace isochor
              const double          *history_n,
              double                *history,
              StressResponse<dim>   &response) const override;
+
+    /** But for Voce's hardening, whose return map iterates. */
+    bool
+    evaluates_packs() const override
+    {
+      return saturation_exponent == 0;
+    }
+
+    StressStatus
+    evaluate_pack(const PackKinematics<dim>                         &kinematics,
+                  const std::array<const double *, PointPack::size> &history_n,
+                  PackResponse<dim> &response) const override;
 
     std::vector<std::string>
     history_names() const override;
@@ -101,29 +114,56 @@ namespace isochor
     double              saturation_exponent = 0;
     bool                symmetrize_tangent  = false;
 
+    // Number is double, or PointPack for several points at once.
+
     /** What the return map starts from. */
+    template <typename Number>
     struct TrialState
     {
-      double                   mu_bar;     ///< G tr(b̄^e_trial) / 3
-      double                   norm;       ///< |dev τ_trial|
-      SymmetricComponents<dim> dev_stress; ///< dev τ_trial
-      double                   alpha;      ///< α_n
+      Number                           mu_bar;     ///< G tr(b̄^e_trial) / 3
+      Number                           norm;       ///< |dev τ_trial|
+      SymmetricComponents<dim, Number> dev_stress; ///< dev τ_trial
+      Number                           alpha;      ///< α_n
     };
 
+    /** And where it ends. */
+    template <typename Number>
+    struct FinalState
+    {
+      SymmetricComponents<dim, Number> dev_stress;
+      ModulusComponents<dim, Number>   modulus; ///< if asked for
+      Number                           alpha;
+      /** The sum of what isn't finite if the deformation or the history
+       * isn't. */
+      Number of_all;
+    };
+
+    /** From b̄^e_trial and α_n. */
+    template <typename Number>
+    FinalState<Number>
+    return_map(const SymmetricComponents<dim, Number> &b_bar,
+               const Number                           &alpha_n,
+               const bool                              with_tangent) const;
+
     /** σ_y(α), in Pa. */
-    double
-    current_yield_stress(const double alpha) const;
+    template <typename Number>
+    Number
+    current_yield_stress(const Number &alpha) const;
 
     /** dσ_y/dα, in Pa. */
-    double
-    current_hardening(const double alpha) const;
+    template <typename Number>
+    Number
+    current_hardening(const Number &alpha) const;
 
     /** Solve f = 0 for Δγ = γ Δt. NaN if it is not found. */
-    double
-    solve_consistency_condition(const TrialState &trial) const;
+    template <typename Number>
+    Number
+    solve_consistency_condition(const TrialState<Number> &trial) const;
 
-    ModulusComponents<dim>
-    plastic_modulus(const TrialState &trial, const double delta_gamma) const;
+    template <typename Number>
+    ModulusComponents<dim, Number>
+    plastic_modulus(const TrialState<Number> &trial,
+                    const Number             &delta_gamma) const;
   };
 
 
@@ -231,53 +271,60 @@ namespace isochor
 
 
   template <int dim>
-  inline double
-  J2Plasticity<dim>::current_yield_stress(const double alpha) const
+  template <typename Number>
+  inline Number
+  J2Plasticity<dim>::current_yield_stress(const Number &alpha) const
   {
-    double stress = yield_stress + hardening_modulus * alpha;
-    if (saturation_exponent > 0)
-      stress -= (saturation_stress - yield_stress) *
-                std::expm1(-saturation_exponent * alpha);
+    Number stress = yield_stress + hardening_modulus * alpha;
+    if constexpr (std::is_same_v<Number, double>)
+      if (saturation_exponent > 0)
+        stress -= (saturation_stress - yield_stress) *
+                  std::expm1(-saturation_exponent * alpha);
     return stress;
   }
 
 
 
   template <int dim>
-  inline double
-  J2Plasticity<dim>::current_hardening(const double alpha) const
+  template <typename Number>
+  inline Number
+  J2Plasticity<dim>::current_hardening(const Number &alpha) const
   {
-    double hardening = hardening_modulus;
-    if (saturation_exponent > 0)
-      hardening += saturation_exponent * (saturation_stress - yield_stress) *
-                   std::exp(-saturation_exponent * alpha);
+    Number hardening = hardening_modulus;
+    if constexpr (std::is_same_v<Number, double>)
+      if (saturation_exponent > 0)
+        hardening += saturation_exponent * (saturation_stress - yield_stress) *
+                     std::exp(-saturation_exponent * alpha);
     return hardening;
   }
 
 
 
   template <int dim>
-  inline double
-  J2Plasticity<dim>::solve_consistency_condition(const TrialState &trial) const
+  template <typename Number>
+  inline DEAL_II_ALWAYS_INLINE Number
+  J2Plasticity<dim>::solve_consistency_condition(
+    const TrialState<Number> &trial) const
   {
     // f(Δγ) falls and is convex, so that Newton's method from Δγ = 0
     // approaches the root from below without a safeguard. Without Voce's
     // hardening f is linear and the first step exact.
-    const bool   linear          = (saturation_exponent == 0);
     const double root_two_thirds = std::sqrt(2. / 3.);
-    const double tolerance       = 1e-14 * trial.norm;
-    double       delta_gamma     = 0;
+    Number       delta_gamma     = 0.;
     for (unsigned int iteration = 0; iteration < 100; ++iteration)
       {
-        const double alpha = trial.alpha + root_two_thirds * delta_gamma;
-        const double f     = trial.norm - 2 * trial.mu_bar * delta_gamma -
+        const Number alpha = trial.alpha + root_two_thirds * delta_gamma;
+        const Number f     = trial.norm - 2. * trial.mu_bar * delta_gamma -
                          root_two_thirds * current_yield_stress(alpha);
-        const double step =
-          f / (2 * trial.mu_bar + 2. / 3. * current_hardening(alpha));
+        const Number step =
+          f / (2. * trial.mu_bar + 2. / 3. * current_hardening(alpha));
         delta_gamma += step;
-        if (linear || std::abs(f) <= tolerance ||
-            std::abs(step) <= 1e-15 * delta_gamma)
+        if (saturation_exponent == 0)
           return delta_gamma;
+        if constexpr (std::is_same_v<Number, double>)
+          if (std::abs(f) <= 1e-14 * trial.norm ||
+              std::abs(step) <= 1e-15 * delta_gamma)
+            return delta_gamma;
       }
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -293,33 +340,39 @@ namespace isochor
    * symmetric, its size relative to 2 μ̄ is that of elastic strain.
    */
   template <int dim>
-  inline ModulusComponents<dim>
-  J2Plasticity<dim>::plastic_modulus(const TrialState &trial,
-                                     const double      delta_gamma) const
+  template <typename Number>
+  inline DEAL_II_ALWAYS_INLINE ModulusComponents<dim, Number>
+  J2Plasticity<dim>::plastic_modulus(const TrialState<Number> &trial,
+                                     const Number &delta_gamma) const
   {
     constexpr unsigned int n_components =
       SymmetricTensor<2, dim>::n_independent_components;
-    const double mu_bar = trial.mu_bar;
-    const double alpha  = trial.alpha + std::sqrt(2. / 3.) * delta_gamma;
+    const Number mu_bar = trial.mu_bar;
+    const Number alpha  = trial.alpha + std::sqrt(2. / 3.) * delta_gamma;
 
-    // 1/β0 of Simo & Hughes
-    const double slope = 3 * mu_bar / (3 * mu_bar + current_hardening(alpha));
-    const double ratio = trial.norm / mu_bar;
-    const double inverse_norm = 1 / trial.norm;
-    const double beta_1       = 2 * mu_bar * delta_gamma * inverse_norm;
-    const double beta_2       = (1 - slope) * 2. / 3. * ratio * delta_gamma;
-    const double beta_3       = slope - beta_1 + beta_2;
-    const double beta_4       = (slope - beta_1) * ratio;
+    // 1/β0 of Simo & Hughes; points of a pack that are elastic have no β
+    const Number slope =
+      where_greater(delta_gamma,
+                    Number(0.),
+                    3. * mu_bar / (3. * mu_bar + current_hardening(alpha)),
+                    Number(0.));
+    const Number ratio        = trial.norm / mu_bar;
+    const Number inverse_norm = 1. / trial.norm;
+    const Number beta_1       = 2. * mu_bar * delta_gamma * inverse_norm;
+    const Number beta_2       = (1. - slope) * 2. / 3. * ratio * delta_gamma;
+    const Number beta_3       = slope - beta_1 + beta_2;
+    const Number beta_4       = (slope - beta_1) * ratio;
 
-    const SymmetricComponents<dim> n = inverse_norm * trial.dev_stress;
-    const SymmetricComponents<dim> m =
-      2 * mu_bar * (beta_3 * n + beta_4 * n.square().deviator());
+    const SymmetricComponents<dim, Number> n = inverse_norm * trial.dev_stress;
+    const SymmetricComponents<dim, Number> m =
+      2. * mu_bar * (beta_3 * n + beta_4 * n.square().deviator());
 
-    ModulusComponents<dim> modulus =
-      isochoric_modulus((1 - beta_1) * mu_bar, (1 - beta_1) * trial.dev_stress);
+    ModulusComponents<dim, Number> modulus =
+      isochoric_modulus((1. - beta_1) * mu_bar,
+                        (1. - beta_1) * trial.dev_stress);
     unrolled<n_components>([&](const auto i) {
       unrolled<n_components>([&](const auto j) {
-        const double n_m = n.in_plane(i) * m.in_plane(j),
+        const Number n_m = n.in_plane(i) * m.in_plane(j),
                      m_n = m.in_plane(i) * n.in_plane(j);
         modulus[i * n_components + j] -=
           symmetrize_tangent ? 0.5 * (n_m + m_n) : n_m;
@@ -358,6 +411,61 @@ namespace isochor
 
 
   template <int dim>
+  template <typename Number>
+  inline DEAL_II_ALWAYS_INLINE
+    typename J2Plasticity<dim>::template FinalState<Number>
+    J2Plasticity<dim>::return_map(const SymmetricComponents<dim, Number> &b_bar,
+                                  const Number &alpha_n,
+                                  const bool    with_tangent) const
+  {
+    const double       G               = elasticity.shear_modulus;
+    const double       root_two_thirds = std::sqrt(2. / 3.);
+    TrialState<Number> trial;
+    trial.mu_bar     = G * (1. / 3.) * b_bar.trace();
+    trial.dev_stress = G * b_bar.deviator();
+    using std::sqrt;
+    trial.norm  = sqrt(trial.dev_stress.norm_square());
+    trial.alpha = alpha_n;
+
+    FinalState<Number> state;
+    // The margin keeps a point that rests on the surface elastic.
+    const Number limit =
+      root_two_thirds * current_yield_stress(alpha_n) * (1 + 1e-12);
+    if (!is_greater_anywhere(trial.norm, limit))
+      {
+        state.dev_stress = trial.dev_stress;
+        state.alpha      = alpha_n;
+        state.of_all     = trial.norm + alpha_n;
+        if (with_tangent)
+          state.modulus = isochoric_modulus(trial.mu_bar, trial.dev_stress);
+        return state;
+      }
+
+    // points of a pack that are elastic beside plastic ones have Δγ = 0
+    const Number delta_gamma = where_greater(trial.norm,
+                                             limit,
+                                             solve_consistency_condition(trial),
+                                             Number(0.));
+    state.alpha              = alpha_n + root_two_thirds * delta_gamma;
+    state.of_all             = trial.norm + state.alpha;
+    const Number scale =
+      where_greater(trial.norm,
+                    limit,
+                    root_two_thirds * current_yield_stress(state.alpha) /
+                      trial.norm,
+                    Number(1.));
+    state.dev_stress = scale * trial.dev_stress;
+    if (with_tangent)
+      {
+        trial.norm    = where_greater(trial.norm, limit, trial.norm, limit);
+        state.modulus = plastic_modulus(trial, delta_gamma);
+      }
+    return state;
+  }
+
+
+
+  template <int dim>
   StressStatus
   J2Plasticity<dim>::evaluate(const Kinematics<dim> &kinematics,
                               const double          *history_n,
@@ -365,60 +473,60 @@ namespace isochor
                               StressResponse<dim>   &response) const
   {
     constexpr unsigned int alpha_index = n_symmetric_components<dim>;
-    const double           G           = elasticity.shear_modulus;
 
     const SymmetricComponents<dim> b_bar =
       kinematics.isochoric_scale *
       push_forward(kinematics.F_increment, history_n);
-
-    TrialState trial;
-    trial.mu_bar     = G * (1. / 3.) * b_bar.trace();
-    trial.dev_stress = G * b_bar.deviator();
-    trial.norm       = std::sqrt(trial.dev_stress.norm_square());
-    trial.alpha      = history_n[alpha_index];
+    const FinalState<double> state =
+      return_map(b_bar, history_n[alpha_index], kinematics.with_tangent);
 
     set_elastic_volume_change(kinematics.J, response);
-    const double radius =
-      std::sqrt(2. / 3.) * current_yield_stress(trial.alpha);
-    double delta_gamma = 0;
-    // The margin keeps a point that rests on the surface elastic.
-    if (trial.norm <= radius * (1 + 1e-12))
+    state.dev_stress.copy_to(response.deviatoric_stress);
+    if (kinematics.with_tangent)
+      copy_modulus<dim>(state.modulus, response.tangent);
+    if (kinematics.with_history)
       {
-        trial.dev_stress.copy_to(response.deviatoric_stress);
-        if (kinematics.with_tangent)
-          copy_modulus<dim>(isochoric_modulus(trial.mu_bar, trial.dev_stress),
-                            response.tangent);
-        if (kinematics.with_history)
-          {
-            b_bar.store(history);
-            history[alpha_index] = trial.alpha;
-          }
-      }
-    else
-      {
-        delta_gamma        = solve_consistency_condition(trial);
-        const double alpha = trial.alpha + std::sqrt(2. / 3.) * delta_gamma;
-        const SymmetricComponents<dim> dev_stress =
-          (std::sqrt(2. / 3.) * current_yield_stress(alpha) / trial.norm) *
-          trial.dev_stress;
-        dev_stress.copy_to(response.deviatoric_stress);
-        if (kinematics.with_tangent)
-          copy_modulus<dim>(plastic_modulus(trial, delta_gamma),
-                            response.tangent);
-
-        if (kinematics.with_history)
+        if (state.alpha == history_n[alpha_index])
+          b_bar.store(history);
+        else
           {
             // Simo keeps tr b̄^e over the return, and det b̄^e drifts from 1. The
             // stress of this step doesn't depend on it; that of the next one
             // does.
-            const SymmetricComponents<dim> q = (1 / G) * dev_stress;
+            const SymmetricComponents<dim> q =
+              (1 / elasticity.shear_modulus) * state.dev_stress;
             (q + unimodular_mean(q, b_bar.trace() / 3)).store(history);
-            history[alpha_index] = alpha;
           }
+        history[alpha_index] = state.alpha;
       }
-    // what isn't finite in F or in the history shows in one of these
-    return std::isfinite(trial.norm + trial.alpha + delta_gamma +
-                         kinematics.J) ?
+    return std::isfinite(state.of_all + kinematics.J) ?
+             StressStatus::success :
+             StressStatus::return_map_failed;
+  }
+
+
+
+  template <int dim>
+  StressStatus
+  J2Plasticity<dim>::evaluate_pack(
+    const PackKinematics<dim>                         &kinematics,
+    const std::array<const double *, PointPack::size> &history_n,
+    PackResponse<dim>                                 &response) const
+  {
+    SymmetricComponents<dim, PointPack> b_n;
+    unrolled<b_n.n>([&](const auto i) {
+      b_n.entry[i] = PointPack(history_n[0][i], history_n[1][i]);
+    });
+    const PointPack alpha_n(history_n[0][b_n.n], history_n[1][b_n.n]);
+    const SymmetricComponents<dim, PointPack> b_bar =
+      kinematics.isochoric_scale *
+      push_forward_by<dim>(kinematics.F_increment, b_n.entry.data());
+    const FinalState<PointPack> state =
+      return_map(b_bar, alpha_n, kinematics.with_tangent);
+    response.deviatoric_stress = state.dev_stress;
+    if (kinematics.with_tangent)
+      response.tangent = state.modulus;
+    return std::isfinite(sum(state.of_all + kinematics.J)) ?
              StressStatus::success :
              StressStatus::return_map_failed;
   }

@@ -5,6 +5,7 @@
 
 #include <isochor/material_model/isochoric_elasticity.h>
 #include <isochor/material_model/material_model.h>
+#include <isochor/material_model/pack_response.h>
 #include <isochor/material_model/tensor_tools.h>
 
 #include <cmath>
@@ -42,6 +43,17 @@ namespace isochor
              const double          *history_n,
              double                *history,
              StressResponse<dim>   &response) const override;
+
+    bool
+    evaluates_packs() const override
+    {
+      return !keeps_factor;
+    }
+
+    StressStatus
+    evaluate_pack(const PackKinematics<dim>                         &kinematics,
+                  const std::array<const double *, PointPack::size> &history_n,
+                  PackResponse<dim> &response) const override;
 
     void
     prepare_rescaling() override
@@ -140,6 +152,32 @@ namespace isochor
     // squares of all entries of F stand in the trace
     return std::isfinite(G_b_bar.trace() + J) ? StressStatus::success :
                                                 StressStatus::return_map_failed;
+  }
+
+
+
+  template <int dim>
+  StressStatus
+  NeoHookean<dim>::evaluate_pack(
+    const PackKinematics<dim> &kinematics,
+    const std::array<const double *, PointPack::size> & /*history_n*/,
+    PackResponse<dim> &response) const
+  {
+    const PointPack &J     = kinematics.J;
+    const auto       scale = [&](const unsigned int i) {
+      return elasticity.shear_modulus / std::cbrt(J[i] * J[i]);
+    };
+    const std::array<PointPack, 6>            one = {{1., 1., 1., 0., 0., 0.}};
+    const SymmetricComponents<dim, PointPack> G_b_bar =
+      PointPack(scale(0), scale(1)) *
+      push_forward_by<dim>(kinematics.F, one.data());
+    response.deviatoric_stress = G_b_bar.deviator();
+    if (kinematics.with_tangent)
+      response.tangent = isochoric_modulus((1. / 3.) * G_b_bar.trace(),
+                                           response.deviatoric_stress);
+    return std::isfinite(sum(G_b_bar.trace() + J)) ?
+             StressStatus::success :
+             StressStatus::return_map_failed;
   }
 
   ISOCHOR_REGISTER_FOR_DIMENSION(MaterialModel, NeoHookean, "Neo-Hookean")

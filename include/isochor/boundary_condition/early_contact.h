@@ -12,6 +12,16 @@
 
 namespace isochor
 {
+  /** Whether @p pressure, the sum of max(F_I, 0) of a wall, is a considerable
+   * part of @p all, that of |F_I|: a wall that holds a body in tension presses
+   * at single nodes of the body's rim, whose gaps are large against its
+   * displacements. */
+  inline bool
+  presses(const double pressure, const double all)
+  {
+    return all > 0 && pressure >= 0.03 * all;
+  }
+
   /**
    * A wall that knows nothing of the body's surface (BodyAtWalls) holds a node
    * as soon as a cell around it holds material, at a distance g_I from the
@@ -30,10 +40,8 @@ namespace isochor
    * other loads deform the body, too, makes it an estimate: forces that a round
    * body exerts on plates were too large by s to 2 s (tests/early_contact).
    *
-   * The @p gaps g_I are those at the end of the step. A wall of
-   * which F is less than 3 % of the sum of all |F_I| doesn't count: one that
-   * holds a body in tension presses at single nodes of the body's rim, whose
-   * gaps are large against its displacements.
+   * The @p gaps g_I are those at the end of the step. A wall counts if it
+   * presses().
    *
    * Sets the column "Share of gaps in contact" of @p statistics to the part of
    * one-sided walls in s, if there are any, and warns from s = 3 % on. @p walls

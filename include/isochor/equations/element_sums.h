@@ -45,6 +45,7 @@ namespace isochor
       double                    density             = 0;
       VolumetricMeasure         measure             = {};
       bool                      depends_on_pressure = false;
+      bool                      evaluates_packs     = false;
 
       explicit LawOfPoints(const Materials &materials)
         : materials(materials)
@@ -61,6 +62,7 @@ namespace isochor
         density             = material->density();
         measure             = material->volumetric_measure();
         depends_on_pressure = material->depends_on_pressure();
+        evaluates_packs     = material->evaluates_packs();
       }
     };
 

@@ -8,6 +8,7 @@
 #include <isochor/equations/element_sums.h>
 #include <isochor/equations/mixed_kernel.h>
 #include <isochor/equations/nodal_unknowns.h>
+#include <isochor/equations/pack_sums.h>
 
 #include <algorithm>
 
@@ -128,10 +129,32 @@ namespace isochor
     std::array<double, max_history>       history;
 
     element.compliance = {};
-    internal::LawOfPoints<dim> law(materials);
+    internal::LawOfPoints<dim>                        law(materials);
+    std::optional<internal::PackSums<dim, max_nodes>> packs;
     for (unsigned int q = begin; q < end; ++q)
       {
         law.set(points.material[q]);
+        if (law.evaluates_packs)
+          {
+            // at once, all that follow and have the same law
+            unsigned int last = q + 1;
+            double       V    = points.weight[q];
+            for (; last < end && points.material[last] == points.material[q];
+                 ++last)
+              V += points.weight[last];
+            if (last - q > 1)
+              {
+                if (!packs)
+                  packs.emplace(kinematics);
+                const EvaluationStatus status = packs->template add<mixed>(
+                  points, q, last, law, n, element.pressure, shape);
+                if (status != EvaluationStatus::success)
+                  return status;
+                element.compliance.add(V * law.inverse_G, law.density);
+                q = last - 1;
+                continue;
+              }
+          }
         kinematics.F = F_increment * points.F[q];
         kinematics.J = determinant(kinematics.F);
         if (!(kinematics.J > 0))
@@ -172,6 +195,8 @@ namespace isochor
             [&](const unsigned int I) { return shape(q, I); },
             with_matrix);
       }
+    if (packs)
+      packs->add_to(sums, n);
     sums.complete(with_matrix);
 
     for (unsigned int I = 0; I < n; ++I)

@@ -16,25 +16,25 @@ namespace isochor
    *   2 μ̄ (I - 1/3 1⊗1) - 2/3 (dev τ ⊗ 1 + 1 ⊗ dev τ),  μ̄ = G tr b̄ / 3
    * (Simo & Hughes 1998, Box 9.2, the trial modulus).
    */
-  template <int dim>
-  inline ModulusComponents<dim>
-  isochoric_modulus(const double                    mu_bar,
-                    const SymmetricComponents<dim> &dev_tau)
+  template <int dim, typename Number>
+  inline DEAL_II_ALWAYS_INLINE ModulusComponents<dim, Number>
+                               isochoric_modulus(const Number                           &mu_bar,
+                                                 const SymmetricComponents<dim, Number> &dev_tau)
   {
     constexpr unsigned int n =
       SymmetricTensor<2, dim>::n_independent_components;
 
-    ModulusComponents<dim> modulus;
+    ModulusComponents<dim, Number> modulus;
     unrolled<n>([&](const auto i) {
       unrolled<n>([&](const auto j) {
         constexpr bool   row_normal = i < dim, column_normal = j < dim;
         constexpr double identity = (i != j ? 0. : row_normal ? 1. : 0.5);
         modulus[i * n + j] =
-          2 * mu_bar *
+          2. * mu_bar *
             (identity - (row_normal && column_normal ? 1. / 3. : 0.)) -
           2. / 3. *
-            ((column_normal ? dev_tau.in_plane(i) : 0.) +
-             (row_normal ? dev_tau.in_plane(j) : 0.));
+            ((column_normal ? dev_tau.in_plane(i) : Number(0.)) +
+             (row_normal ? dev_tau.in_plane(j) : Number(0.)));
       });
     });
     return modulus;

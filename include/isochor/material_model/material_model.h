@@ -10,7 +10,9 @@
 #include <deal.II/base/tensor.h>
 
 #include <isochor/base/plugin_registry.h>
+#include <isochor/material_model/point_pack.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -119,6 +121,11 @@ namespace isochor
     success,
     return_map_failed
   };
+
+  template <int dim>
+  struct PackKinematics;
+  template <int dim>
+  struct PackResponse;
 
   /**
    * Interface of the constitutive laws. To add one, write
@@ -251,6 +258,26 @@ namespace isochor
     doubts() const
     {
       return "";
+    }
+
+    /** Whether evaluate_pack() can be used: an offer of laws with elastic
+     * volume change, θ^e = J - 1, that do not depend on the pressure. It makes
+     * assembly faster and is not another law. */
+    virtual bool
+    evaluates_packs() const
+    {
+      return false;
+    }
+
+    /** dev τ and its modulus, as evaluate() would give them, at the points of
+     * a pack. @p history_n has the history of each. */
+    virtual StressStatus
+    evaluate_pack(
+      const PackKinematics<dim> & /*kinematics*/,
+      const std::array<const double *, PointPack::size> & /*history_n*/,
+      PackResponse<dim> & /*response*/) const
+    {
+      return StressStatus::return_map_failed;
     }
   };
 

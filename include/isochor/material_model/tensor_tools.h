@@ -11,6 +11,7 @@
 
 #include <isochor/base/unrolled.h>
 #include <isochor/material_model/material_model.h>
+#include <isochor/material_model/point_pack.h>
 
 #include <array>
 #include <string>
@@ -85,7 +86,7 @@ namespace isochor
    * plane, and, written by numbers and read as vectors right afterwards, made
    * laws two to three times slower.
    */
-  template <int dim>
+  template <int dim, typename Number = double>
   struct SymmetricComponents
   {
     static constexpr unsigned int n = n_symmetric_components<dim>;
@@ -97,16 +98,16 @@ namespace isochor
       return component_in_plane<3>(i, j);
     }
 
-    std::array<double, n> entry;
+    std::array<Number, n> entry;
 
     /** The one that is component @p i of in_plane() of the tensor. */
-    double
+    Number
     in_plane(const unsigned int i) const
     {
       return entry[component_in_3d<dim>(i)];
     }
 
-    double
+    Number
     trace() const
     {
       return entry[0] + entry[1] + entry[2];
@@ -119,22 +120,22 @@ namespace isochor
     }
 
     /** t : t. */
-    double
+    Number
     norm_square() const
     {
-      double normal = 0, shear = 0;
+      Number normal = 0., shear = 0.;
       unrolled<n>(
         [&](const auto i) { (i < 3 ? normal : shear) += entry[i] * entry[i]; });
-      return normal + 2 * shear;
+      return normal + 2. * shear;
     }
 
-    double
+    Number
     determinant() const
     {
-      const double *const t   = entry.data();
-      const double        det = (t[0] * t[1] - t[3] * t[3]) * t[2];
+      const Number *const t   = entry.data();
+      const Number        det = (t[0] * t[1] - t[3] * t[3]) * t[2];
       return dim == 2 ? det :
-                        det + 2 * t[3] * t[4] * t[5] - t[0] * t[5] * t[5] -
+                        det + 2. * t[3] * t[4] * t[5] - t[0] * t[5] * t[5] -
                           t[1] * t[4] * t[4];
     }
 
@@ -146,7 +147,7 @@ namespace isochor
       unrolled<dim>([&](const auto i) {
         unrolled<dim - i>([&](const auto above) {
           constexpr unsigned int j   = i + above;
-          double                 sum = 0;
+          Number                 sum = 0.;
           unrolled<dim>([&](const auto k) {
             sum += entry[place(i, k)] * entry[place(k, j)];
           });
@@ -160,7 +161,7 @@ namespace isochor
 
     /** t + @p mean 1. */
     SymmetricComponents
-    operator+(const double mean) const
+    operator+(const Number &mean) const
     {
       SymmetricComponents result;
       unrolled<n>([&](const auto i) {
@@ -179,7 +180,7 @@ namespace isochor
     }
 
     friend SymmetricComponents
-    operator*(const double factor, const SymmetricComponents &t)
+    operator*(const Number &factor, const SymmetricComponents &t)
     {
       SymmetricComponents result;
       unrolled<n>([&](const auto i) { result.entry[i] = factor * t.entry[i]; });
@@ -195,7 +196,7 @@ namespace isochor
     }
 
     static SymmetricComponents
-    load(const double *components)
+    load(const Number *components)
     {
       SymmetricComponents t;
       unrolled<n>([&](const auto i) { t.entry[i] = components[i]; });
@@ -203,7 +204,7 @@ namespace isochor
     }
 
     void
-    store(double *components) const
+    store(Number *components) const
     {
       unrolled<n>([&](const auto i) { components[i] = entry[i]; });
     }
@@ -211,9 +212,9 @@ namespace isochor
 
   /** Component ij of the in-plane part of a modulus, i and j in deal.II's
    * order, at i n + j: the same for fourth-order tensors. */
-  template <int dim>
+  template <int dim, typename Number = double>
   using ModulusComponents =
-    std::array<double,
+    std::array<Number,
                SymmetricTensor<2, dim>::n_independent_components *
                  SymmetricTensor<2, dim>::n_independent_components>;
 
@@ -225,26 +226,27 @@ namespace isochor
       [&](const auto i) { to.access_raw_entry(i) = from[i]; });
   }
 
-  /** f b f^T, where f_33 = 1 in plane strain. @p b: the components of b. */
-  template <int dim>
-  inline SymmetricComponents<dim>
-  push_forward(const Tensor<2, dim> &f, const double *const b)
+  /** f b f^T, where f_33 = 1 in plane strain. @p b: the components of b.
+   * @tparam Matrix Tensor<2, dim>, or TensorPack with @p Number PointPack. */
+  template <int dim, typename Matrix, typename Number>
+  inline DEAL_II_ALWAYS_INLINE SymmetricComponents<dim, Number>
+  push_forward_by(const Matrix &f, const Number *const b)
   {
-    double f_b[dim][dim];
+    Number f_b[dim][dim];
     unrolled<dim>([&](const auto i) {
       unrolled<dim>([&](const auto j) {
-        f_b[i][j] = 0;
+        f_b[i][j] = 0.;
         unrolled<dim>([&](const auto k) {
           f_b[i][j] += f[i()][k()] * b[component_in_plane<3>(k, j)];
         });
       });
     });
 
-    SymmetricComponents<dim> result;
+    SymmetricComponents<dim, Number> result;
     unrolled<dim>([&](const auto i) {
       unrolled<dim - i>([&](const auto above) {
         constexpr unsigned int j   = i + above;
-        double                 sum = 0;
+        Number                 sum = 0.;
         unrolled<dim>([&](const auto k) { sum += f_b[i][k] * f[j][k()]; });
         result.entry[result.place(i, j)] = sum;
       });
@@ -252,6 +254,14 @@ namespace isochor
     if (dim == 2)
       result.entry[2] = b[2];
     return result;
+  }
+
+  /** The same of numbers. */
+  template <int dim>
+  inline SymmetricComponents<dim>
+  push_forward(const Tensor<2, dim> &f, const double *const b)
+  {
+    return push_forward_by<dim>(f, b);
   }
 
   /** The same of a tensor. */
