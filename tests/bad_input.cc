@@ -273,6 +273,10 @@ main(int argc, char **argv)
              loads,
              "Traction = roof: 0, 1",
              {"roof", "top", "Boundary conditions/Traction"});
+  test_entry("unknown boundary of a surface of the body",
+             loads,
+             "Surfaces of body = s: botom\nset Pressure on body = s: 1",
+             {"Surfaces of body", "<botom>", "bottom, left, right, top"});
   test_entry("unknown boundary of a reaction",
              "Postprocess",
              "Reactions = roof",

@@ -64,9 +64,9 @@ compare_ways(const std::vector<Law> &laws,
   for (const Law &law : laws)
     kernel.materials.push_back(
       test::make_material<dim>(law.name, law.settings));
-  for (unsigned int n = 0; n < 30; ++n)
+  for (unsigned int n = 0; n < 36; ++n)
     {
-      RandomElement<dim, n_components> e(kernel, 1 + n % 7, amplitude, random);
+      RandomElement<dim, n_components> e(kernel, 1 + n % 9, amplitude, random);
       count_flow(e, flow);
       e.evaluate(false);
       const auto residual_alone = e.element.residual;

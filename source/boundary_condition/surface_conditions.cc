@@ -4,8 +4,33 @@
  * --------------------------------------------------------------------- */
 #include <isochor/boundary_condition/surface_conditions.h>
 
+#include <algorithm>
+#include <cctype>
+
 namespace isochor
 {
+  namespace
+  {
+    /** Whether @p text is a word that no formula consists of: a boundary of
+     * the grid, perhaps with a typing mistake. */
+    bool
+    is_name(const std::string &text)
+    {
+      constexpr std::array<const char *, 5> numbers = {
+        {"x", "y", "z", "t", "pi"}};
+      return !text.empty() &&
+             std::isalpha(static_cast<unsigned char>(text[0])) &&
+             std::all_of(text.begin(),
+                         text.end(),
+                         [](const unsigned char c) {
+                           return std::isalnum(c) || c == '_';
+                         }) &&
+             std::find(numbers.begin(), numbers.end(), text) == numbers.end();
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   SurfaceConditions<dim>::declare_parameters(ParameterHandler &prm)
@@ -261,9 +286,10 @@ namespace isochor
             place.id = grid.boundary_id(place.name, place.parameter);
             continue;
           }
-        const auto boundary = grid.boundary_names().find(place.condition);
-        if (boundary == grid.boundary_names().end())
-          continue;
+        if (grid.boundary_names().count(place.condition) == 0 &&
+            (!body_mesh.empty() || !is_name(place.condition)))
+          continue; // a condition in the coordinates
+        place.id = grid.boundary_id(place.condition, place.parameter);
         AssertThrow(body_mesh.empty(),
                     ExcMessage("With <" + section +
                                "/Mesh of body surfaces> the surface <" +
@@ -271,7 +297,6 @@ namespace isochor
                                "> needs a condition in the coordinates, not "
                                "the name of a boundary of the grid."));
         place.on_grid_boundary = true;
-        place.id               = boundary->second;
       }
   }
 

@@ -136,15 +136,23 @@ namespace isochor
         summed.push_back(vertex);
       volume_at[vertex] += volume;
     };
+    // points of a cell share its nodes, unless each has a stencil of its own
+    std::vector<double> volumes;
     for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
           const double volume  = determinant(points.F[q]) * points.weight[q];
           const auto   stencil = points.stencil(grid.geometry(), k, q);
+          if (q == points.cell_start[k] || points.has_stencils())
+            volumes.assign(stencil.n_nodes, 0.);
           // functions that are continued beyond their cell may be below 0
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            add(stencil.vertex[I], std::max(stencil.shape[I], 0.) * volume);
+            volumes[I] += std::max(stencil.shape[I], 0.) * volume;
+          if (q + 1 < points.cell_start[k + 1] && !points.has_stencils())
+            continue;
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            add(stencil.vertex[I], volumes[I]);
         }
     if (Utilities::MPI::n_mpi_processes(grid.communicator()) == 1)
       return;

@@ -276,6 +276,9 @@ namespace isochor
         material->shear_modulus() +
         (step.mixed() ? 0. : 0.1 / material->inverse_bulk_modulus()));
 
+    // points of a cell share its nodes, unless each has a stencil of its own
+    double              force_at_nodes = 0;
+    std::vector<double> hoop_force, volume;
     for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
@@ -283,19 +286,31 @@ namespace isochor
           const auto   stencil = points.stencil(grid.geometry(), k, q);
           const double V       = points.measure(q);
           const double force   = V * modulus[points.material[q]];
+          if (q == points.cell_start[k] || points.has_stencils())
+            {
+              force_at_nodes = 0;
+              hoop_force.assign(stencil.n_nodes, 0.);
+              volume.assign(stencil.n_nodes, 0.);
+            }
+          force_at_nodes += force;
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            {
+              if (step.kernel.axisymmetric)
+                hoop_force[I] += force * stencil.shape[I] / points.radius[q];
+              volume[I] += V * std::abs(stencil.pressure_shape[I]);
+            }
+          if (q + 1 < points.cell_start[k + 1] && !points.has_stencils())
+            continue;
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
               const unsigned int entry =
                 step.nodes.node(stencil.vertex[I]) * step.n_components;
               const double gradient = stencil.gradient[I].norm();
               for (unsigned int a = 0; a < dim; ++a)
-                scale.local_element(entry + a) += force * gradient;
-              if (step.kernel.axisymmetric)
-                scale.local_element(entry) +=
-                  force * stencil.shape[I] / points.radius[q];
+                scale.local_element(entry + a) += force_at_nodes * gradient;
+              scale.local_element(entry) += hoop_force[I];
               if (step.mixed())
-                scale.local_element(entry + dim) +=
-                  V * std::abs(stencil.pressure_shape[I]);
+                scale.local_element(entry + dim) += volume[I];
             }
         }
   }

@@ -251,6 +251,11 @@ namespace isochor
     const std::vector<Zone> zones = create_zones(with_domains);
     const Expression<dim>  in_body(parameters.region, "Material points/Region");
     std::vector<Seed<dim>> seeds;
+    // not more: the body may be a small part of a large grid
+    constexpr std::size_t most = 1u << 20;
+    seeds.reserve(std::min<std::size_t>(most,
+                                        geometry.n_cells() *
+                                          std::size_t(zones[0].rule.size())));
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       {
         if (!in_groups(geometry.cell_iterator(cell)->material_id(),

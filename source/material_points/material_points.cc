@@ -379,21 +379,29 @@ namespace isochor
     if (!slots) // a resumed run
       order_by_cell();
     const PointLayout &l = point_layout;
-    arrays.volume.attach(slots, l.volume);
+    // in 3D it is a tenth of a point's memory, and assembly less of the time
+    constexpr bool are_copied = (dim == 2);
+    arrays.volume.attach(slots, l.volume, are_copied);
     arrays.mass.attach(slots, l.mass);
     arrays.pressure.attach(slots, l.pressure);
-    arrays.F.attach(slots, l.F);
-    if (!l.axisymmetric && l.n_history == 0 && !l.dynamic)
+    arrays.F.attach(slots, l.F, are_copied);
+    if (!are_copied && !l.axisymmetric && l.n_history == 0 && !l.dynamic)
       return;
     for_each([&](const unsigned int /*k*/,
                  const unsigned int q,
                  const Point<dim>  &location,
                  ArrayView<double>  properties) {
+      if (are_copied)
+        {
+          arrays.volume.refresh(q, properties[l.volume]);
+          arrays.F.refresh(q, deformation_gradient<dim>(properties.data(), l));
+        }
       if (l.axisymmetric)
         arrays.radius[q] = location[0];
-      std::copy_n(properties.data() + l.history,
-                  l.n_history,
-                  arrays.history.data() + q * std::size_t(l.n_history));
+      double *const history =
+        arrays.history.data() + q * std::size_t(l.n_history);
+      for (unsigned int i = 0; i < l.n_history; ++i)
+        history[i] = properties[l.history + i];
       if (l.dynamic)
         for (unsigned int d = 0; d < dim; ++d)
           {

@@ -342,7 +342,8 @@ namespace isochor
     {
       TimerOutput::Scope scope(terminal.timer(), "convective phase");
       scene.inertia.finish_step(step, unknowns);
-      grid_to_points.transfer(step, unknowns, scene.inertia, scene.points);
+      grid_to_points.transfer(
+        step, unknowns, scene.inertia, scene.points, setup.point_arrays());
       if (setup.ties_nodes())
         setup.ties().evaluate(step,
                               unknowns,
@@ -357,7 +358,7 @@ namespace isochor
       setup.advance(step, unknowns);
       // on a grid that is kept nothing drifts
       if (setup.reset().due())
-        grid_to_points.project_volume(step, scene.points);
+        grid_to_points.project_volume(step, scene.points, setup.point_arrays());
       warn_if_nothing_moves(scene, newton, unknowns);
       warn_of_rounding(scene, newton, equilibrium.zero_force());
       scene.time.accept(newton.n_factorisations - newton.n_after_correction);

@@ -2,6 +2,8 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/equations/nodal_unknowns.h>
@@ -22,46 +24,82 @@ namespace isochor
     class VolumeErrors
     {
     public:
-      /** A point of @p volume at t = 0 (m^dim) with @p excess = θ^e - p/K;
-       * @p F in the plane or in space and @p hoop = F_33 of the plane. */
-      template <int dim>
-      void
-      add(const double          volume,
-          const double          excess,
-          const Tensor<2, dim> &F,
-          const double          hoop)
+      /** Of @p n_points points of this rank. */
+      VolumeErrors(const unsigned int n_points)
       {
-        // |dev b| / (tr b / 3), √2 γ for a small simple shear γ
-        const Tensor<2, dim> b    = F * transpose(F);
-        const double         b_33 = (dim == 2 ? hoop * hoop : 0.);
-        const double         tr_b = trace(b) + b_33;
-        const double         dev_b_square =
-          b.norm_square() + b_33 * b_33 - tr_b * tr_b / 3;
-        const double shear = 3 * std::sqrt(std::max(dev_b_square, 0.)) / tr_b;
-        sums[0] += volume * excess * excess;
-        sums[1] += volume;
-        sums[2] += volume * shear * excess * excess;
-        sums[3] += volume * shear;
+        excesses.reserve(n_points);
+      }
+
+      /** The next point has @p excess = θ^e - p/K. */
+      void
+      add(const double excess)
+      {
+        excesses.push_back(excess);
+        largest = std::max(largest, std::abs(excess));
       }
 
       /** Tell if the material's own volumes have little to do any more with the
-       * pressure. Collective. */
+       * pressure. @p points, which have moved, are in the order of add().
+       * Collective. */
       template <int dim>
       void
-      warn(const StepContext<dim> &step) const;
+      warn(const StepContext<dim> &step, MaterialPoints<dim> &points) const;
 
     private:
-      std::array<double, 4> sums{};
+      std::vector<double> excesses;
+      double              largest = 0;
+
+      /** Of this rank: Σ V e², Σ V, Σ V γ e², Σ V γ. */
+      template <int dim>
+      std::array<double, 4>
+      sums(const StepContext<dim> &step, MaterialPoints<dim> &points) const;
     };
 
 
 
     template <int dim>
-    void
-    VolumeErrors::warn(const StepContext<dim> &step) const
+    std::array<double, 4>
+    VolumeErrors::sums(const StepContext<dim> &step,
+                       MaterialPoints<dim>    &points) const
     {
-      constexpr double      tolerated = 0.05;
-      std::array<double, 4> all       = sums;
+      const PointLayout    &l = points.layout();
+      std::array<double, 4> result{};
+      points.for_each([&](const unsigned int /*k*/,
+                          const unsigned int q,
+                          Point<dim> & /*location*/,
+                          ArrayView<double> properties) {
+        // |dev b| / (tr b / 3), √2 γ for a small simple shear γ
+        const Tensor<2, dim> F =
+          deformation_gradient<dim>(properties.data(), l);
+        const Tensor<2, dim> b = F * transpose(F);
+        const double hoop = step.kernel.hoop_stretch(&properties[l.history]);
+        const double b_33 = (dim == 2 ? hoop * hoop : 0.);
+        const double tr_b = trace(b) + b_33;
+        const double dev_b_square =
+          b.norm_square() + b_33 * b_33 - tr_b * tr_b / 3;
+        const double shear  = 3 * std::sqrt(std::max(dev_b_square, 0.)) / tr_b;
+        const double volume = properties[l.volume];
+        const double square = excesses[q] * excesses[q];
+        result[0] += volume * square;
+        result[1] += volume;
+        result[2] += volume * shear * square;
+        result[3] += volume * shear;
+      });
+      return result;
+    }
+
+
+
+    template <int dim>
+    void
+    VolumeErrors::warn(const StepContext<dim> &step,
+                       MaterialPoints<dim>    &points) const
+    {
+      constexpr double tolerated = 0.05;
+      // no mean is larger
+      if (!(Utilities::MPI::max(largest, step.grid.communicator()) > tolerated))
+        return;
+      std::array<double, 4> all = sums(step, points);
       sum_over_ranks(all, step.grid.communicator());
       const double in_body  = std::sqrt(all[0] / all[1]),
                    in_shear = all[3] > 0 ? std::sqrt(all[2] / all[3]) : in_body;
@@ -123,7 +161,8 @@ namespace isochor
   GridToPoints<dim>::transfer(const StepContext<dim> &step,
                               const NodalField       &unknowns,
                               const InertiaTerm<dim> &inertia,
-                              MaterialPoints<dim>    &points)
+                              MaterialPoints<dim>    &points,
+                              PointArrays<dim>       &of_step)
   {
     const PointLayout              &l      = points.layout();
     const PointArrays<dim>         &arrays = step.points;
@@ -135,7 +174,7 @@ namespace isochor
     if (projects_volume)
       volume_projection.start(step);
     step_energy = 0;
-    VolumeErrors        volume_errors;
+    VolumeErrors        volume_errors(step.mixed() ? arrays.volume.size() : 0);
     StressIntegral<dim> stress_integral;
 
     points.for_each([&](const unsigned int k,
@@ -168,6 +207,7 @@ namespace isochor
           for (unsigned int b = 0; b < dim; ++b)
             properties[l.F + a * dim + b] = state.F[a][b];
         }
+      of_step.F.refresh(q, state.F);
       store_symmetric<dim>(state.cauchy_stress, &properties[l.stress]);
       if (!l.dynamic)
         stress_integral.add(state.cauchy_stress,
@@ -185,15 +225,15 @@ namespace isochor
           step_energy += std::abs(work) * state.J * properties[l.volume] *
                          arrays.thickness(q);
         }
-      std::copy_n(history.begin(), l.n_history, properties.data() + l.history);
+      for (unsigned int i = 0; i < l.n_history; ++i)
+        properties[l.history + i] = history[i];
       if (step.mixed())
         {
           const double excess =
             state.volumetric_strain -
             state.pressure *
               step.kernel.materials[arrays.material[q]]->inverse_bulk_modulus();
-          const double hoop = step.kernel.hoop_stretch(history.data());
-          volume_errors.add(properties[l.volume], excess, state.F, hoop);
+          volume_errors.add(excess);
           if (projects_volume)
             volume_projection.set_excess(q, excess);
         }
@@ -203,7 +243,7 @@ namespace isochor
         step_energy += kinetic_energy;
     });
     if (step.mixed())
-      volume_errors.warn(step);
+      volume_errors.warn(step, points);
     if (!l.dynamic)
       {
         stress_integral.add_massless_points(step, nodal);
@@ -216,10 +256,13 @@ namespace isochor
   template <int dim>
   void
   GridToPoints<dim>::project_volume(const StepContext<dim> &step,
-                                    MaterialPoints<dim>    &points)
+                                    MaterialPoints<dim>    &points,
+                                    PointArrays<dim>       &of_step)
   {
-    if (projects_volume)
-      volume_projection.apply(step, points);
+    if (!projects_volume)
+      return;
+    volume_projection.apply(step, points);
+    of_step.F.refresh();
   }
 
 

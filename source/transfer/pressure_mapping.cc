@@ -20,19 +20,34 @@ namespace isochor
       std::any_of(step.kernel.materials.begin(),
                   step.kernel.materials.end(),
                   [](const auto &m) { return m->density() == 0; });
+    // points of a cell share its nodes, unless each has a stencil of its own
+    std::vector<double> m_at_nodes, m_p_at_nodes;
     for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          const auto   stencil = points.stencil(step.grid.geometry(), k, q);
+          const double m       = massless ? points.volume[q] : points.mass[q];
+          const double p       = points.pressure[q];
+          if (q == points.cell_start[k] || points.has_stencils())
+            {
+              m_at_nodes.assign(stencil.n_nodes, 0.);
+              m_p_at_nodes.assign(stencil.n_nodes, 0.);
+            }
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            {
+              const double Nm = std::max(stencil.pressure_shape[I], 0.) * m;
+              m_at_nodes[I] += Nm;
+              m_p_at_nodes[I] += Nm * p;
+            }
+          if (q + 1 < points.cell_start[k + 1] && !points.has_stencils())
+            continue;
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
               const unsigned int node = step.nodes.node(stencil.vertex[I]);
-              const double       Nm = std::max(stencil.pressure_shape[I], 0.) *
-                                (massless ? points.volume[q] : points.mass[q]);
-              mass.local_element(node) += Nm;
+              mass.local_element(node) += m_at_nodes[I];
               unknowns.local_element(node * n_components + dim) +=
-                Nm * points.pressure[q];
+                m_p_at_nodes[I];
             }
         }
     mass.compress(VectorOperation::add);

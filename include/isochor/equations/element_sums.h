@@ -62,7 +62,9 @@ namespace isochor
         density             = material->density();
         measure             = material->volumetric_measure();
         depends_on_pressure = material->depends_on_pressure();
-        evaluates_packs     = material->evaluates_packs();
+        evaluates_packs     = material->evaluates_packs() &&
+                          measure == VolumetricMeasure::jacobian &&
+                          !depends_on_pressure;
       }
     };
 

@@ -129,12 +129,14 @@ namespace isochor
     std::array<double, max_history>       history;
 
     element.compliance = {};
-    internal::LawOfPoints<dim>                        law(materials);
+    internal::LawOfPoints<dim> law(materials);
+    // fewer don't make up for what the packs cost once
+    constexpr unsigned int                            enough_for_packs = 5;
     std::optional<internal::PackSums<dim, max_nodes>> packs;
     for (unsigned int q = begin; q < end; ++q)
       {
         law.set(points.material[q]);
-        if (law.evaluates_packs)
+        if (law.evaluates_packs && end - q >= enough_for_packs)
           {
             // at once, all that follow and have the same law
             unsigned int last = q + 1;
@@ -142,7 +144,7 @@ namespace isochor
             for (; last < end && points.material[last] == points.material[q];
                  ++last)
               V += points.weight[last];
-            if (last - q > 1)
+            if (last - q >= enough_for_packs)
               {
                 if (!packs)
                   packs.emplace(kinematics);

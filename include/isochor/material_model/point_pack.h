@@ -8,6 +8,10 @@
 #include <array>
 #include <cmath>
 
+#if defined(__SSE2__)
+#  include <emmintrin.h>
+#endif
+
 namespace isochor
 {
   /**
@@ -70,7 +74,11 @@ namespace isochor
     friend PointPack
     sqrt(const PointPack &a)
     {
-      return PointPack(std::sqrt(a.numbers[0]), std::sqrt(a.numbers[1]));
+#if defined(__SSE2__)
+      return PointPack(_mm_sqrt_pd(a.numbers)); // compilers take two roots
+#else
+      return PointPack(std::sqrt(a[0]), std::sqrt(a[1]));
+#endif
     }
 
     /** @p value where @p a > @p b, else @p other. */

@@ -34,6 +34,10 @@ namespace isochor
    * found, and can be read from MaterialPoints::gather() or update() until the
    * points are located anew. As long as it isn't attached, all values are its
    * own.
+   *
+   * What is read in each iteration may be copied all the same, if there is
+   * memory for it: the properties of a point are far more than this field, and
+   * all of them pass through the processor's caches with it.
    */
   template <typename T>
   class PointField
@@ -42,20 +46,39 @@ namespace isochor
     T
     operator[](const unsigned int q) const
     {
-      if (q + n_ahead < n_attached)
-        prefetch(place(q + n_ahead));
-      return q < n_attached ? read(q) : own[q - n_attached];
+      return q < copied.size() ? copied[q] :
+             q < n_attached    ? read(q) :
+                                 own[q - n_attached];
     }
 
     /** Read the points of @p slots there, from entry @p first_entry of their
-     * properties on; values of its own come behind them. */
+     * properties on; values of its own come behind them. Where
+     * @p values_are_copied, refresh() has to come next. */
     void
     attach(std::shared_ptr<const PointSlots> slots_,
-           const unsigned int                first_entry)
+           const unsigned int                first_entry,
+           const bool                        values_are_copied = false)
     {
       slots      = std::move(slots_);
       entry      = first_entry;
       n_attached = slots->slot.size();
+      copied.resize(values_are_copied ? n_attached : 0);
+    }
+
+    /** The points have others now: read again what is copied. */
+    void
+    refresh()
+    {
+      for (unsigned int q = 0; q < copied.size(); ++q)
+        copied[q] = read(q);
+    }
+
+    /** Material point @p q has @p value now. */
+    void
+    refresh(const unsigned int q, const T &value)
+    {
+      if (q < copied.size())
+        copied[q] = value;
     }
 
     /** Be attached to nothing, without values. */
@@ -65,6 +88,7 @@ namespace isochor
       slots.reset();
       n_attached = 0;
       own.clear();
+      copied.clear();
     }
 
     void
@@ -135,6 +159,8 @@ namespace isochor
     T
     read(const unsigned int q) const
     {
+      if (q + n_ahead < n_attached)
+        prefetch(place(q + n_ahead));
       const double *const values = place(q);
       if constexpr (std::is_same_v<T, double>)
         return *values;
@@ -150,7 +176,7 @@ namespace isochor
 
     std::shared_ptr<const PointSlots> slots;
     unsigned int                      entry = 0, n_attached = 0;
-    std::vector<T>                    own;
+    std::vector<T>                    own, copied;
   };
 } // namespace isochor
 

@@ -29,18 +29,23 @@ namespace isochor
 
     /**
      * The points move with Σ N_I Δu_I and get F, stress, history, the pressure
-     * Σ N_I p_I, P(38), and in dynamics velocity and acceleration.
+     * Σ N_I p_I, P(38), and in dynamics velocity and acceleration. @p of_step,
+     * the arrays that @p step reads, get the new F, too.
      */
     void
     transfer(const StepContext<dim> &step,
              const NodalField       &unknowns,
              const InertiaTerm<dim> &inertia,
-             MaterialPoints<dim>    &points);
+             MaterialPoints<dim>    &points,
+             PointArrays<dim>       &of_step);
 
     /** Bring the volume change of the @p points, which have moved, near that
-     * of the pressure field, if asked for. Collective. */
+     * of the pressure field, if asked for. @p of_step: see transfer().
+     * Collective. */
     void
-    project_volume(const StepContext<dim> &step, MaterialPoints<dim> &points);
+    project_volume(const StepContext<dim> &step,
+                   MaterialPoints<dim>    &points,
+                   PointArrays<dim>       &of_step);
 
     /** This rank's Σ_p |V_p τ:Δε| of the step, in dynamics plus the kinetic
      * energy (J). */
