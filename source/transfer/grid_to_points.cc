@@ -72,7 +72,8 @@ namespace isochor
         const Tensor<2, dim> F =
           deformation_gradient<dim>(properties.data(), l);
         const Tensor<2, dim> b = F * transpose(F);
-        const double hoop = step.kernel.hoop_stretch(&properties[l.history]);
+        const double         hoop =
+          step.kernel.hoop_stretch(properties.data() + l.history);
         const double b_33 = (dim == 2 ? hoop * hoop : 0.);
         const double tr_b = trace(b) + b_33;
         const double dev_b_square =
