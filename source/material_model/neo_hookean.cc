@@ -88,7 +88,7 @@ namespace isochor
     {
       const double J = determinant(F);
       return elasticity.shear_modulus / 2 *
-             (left_cauchy_green(F).trace() / std::cbrt(J * J) - 3);
+             (left_cauchy_green<double>(F).trace() / std::cbrt(J * J) - 3);
     }
 
     double
@@ -113,12 +113,20 @@ namespace isochor
     IsotropicElasticity elasticity;
     bool                keeps_factor = false;
 
-    /** F F^T. */
-    static SymmetricComponents<dim>
-    left_cauchy_green(const Tensor<2, dim> &F)
+    /** F F^T. @tparam Number double, or PointPack with a TensorPack. */
+    template <typename Number, typename Matrix>
+    static SymmetricComponents<dim, Number>
+    left_cauchy_green(const Matrix &F)
     {
-      constexpr std::array<double, 6> one = {{1., 1., 1., 0., 0., 0.}};
-      return push_forward(F, one.data());
+      const std::array<Number, 6> one = {{1., 1., 1., 0., 0., 0.}};
+      return push_forward_by<dim>(F, one.data());
+    }
+
+    /** G J^{-2/3} (Pa). */
+    double
+    isochoric_stiffness(const double J) const
+    {
+      return elasticity.shear_modulus / std::cbrt(J * J);
     }
   };
 
@@ -131,10 +139,9 @@ namespace isochor
                             double                *history,
                             StressResponse<dim>   &response) const
   {
-    const double             G = elasticity.shear_modulus;
     const double             J = kinematics.J;
     SymmetricComponents<dim> G_b_bar =
-      (G / std::cbrt(J * J)) * left_cauchy_green(kinematics.F);
+      isochoric_stiffness(J) * left_cauchy_green<double>(kinematics.F);
     if (keeps_factor)
       {
         const double a = history[0] = history_n[0];
@@ -163,14 +170,10 @@ namespace isochor
     const std::array<const double *, PointPack::size> & /*history_n*/,
     PackResponse<dim> &response) const
   {
-    const PointPack &J     = kinematics.J;
-    const auto       scale = [&](const unsigned int i) {
-      return elasticity.shear_modulus / std::cbrt(J[i] * J[i]);
-    };
-    const std::array<PointPack, 6>            one = {{1., 1., 1., 0., 0., 0.}};
+    const PointPack                          &J = kinematics.J;
     const SymmetricComponents<dim, PointPack> G_b_bar =
-      PointPack(scale(0), scale(1)) *
-      push_forward_by<dim>(kinematics.F, one.data());
+      PointPack(isochoric_stiffness(J[0]), isochoric_stiffness(J[1])) *
+      left_cauchy_green<PointPack>(kinematics.F);
     response.deviatoric_stress = G_b_bar.deviator();
     if (kinematics.with_tangent)
       response.tangent = isochoric_modulus((1. / 3.) * G_b_bar.trace(),

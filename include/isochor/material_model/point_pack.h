@@ -127,11 +127,6 @@ namespace isochor
   {
     return a > b;
   }
-  inline double
-  sum(const double a)
-  {
-    return a;
-  }
 
   /** A second-order tensor at the points of a pack. */
   template <int dim>
