@@ -11,20 +11,28 @@ using namespace isochor;
 
 namespace
 {
-  void
-  test_beam(const unsigned int n_cells,
-            const std::string &history,
-            const bool         is_coarse)
+  std::string
+  beam(const unsigned int n_cells)
   {
     std::ostringstream scene;
     scene << "Grid/Lower corner = 0, -0.3\nGrid/Upper corner = 1.1, 0.2\n"
           << "Grid/Subdivisions = " << 11 * n_cells << ", " << 5 * n_cells
           << "\nMaterial points/Region = x < 1 && y > 0 && y < 0.1\n"
              "Material/Young modulus = 5e6\nMaterial/Poisson ratio = 0.499\n"
-             "Boundary conditions/Displacement = left: x=0, y=0\n"
-             "Boundary conditions/Gravity = 0, -9.81*"
-          << history << "\nTime/Step size = 0.5\n";
-    const auto        problem = test::run_scene<2>(scene.str());
+             "Boundary conditions/Displacement = left: x=0, y=0\n";
+    return scene.str();
+  }
+
+
+
+  void
+  test_beam(const unsigned int n_cells,
+            const std::string &history,
+            const bool         is_coarse)
+  {
+    const auto problem = test::run_scene<2>(
+      beam(n_cells) + "Boundary conditions/Gravity = 0, -9.81*" + history +
+      "\nTime/Step size = 0.5\n");
     const std::string told =
       test::warning_of(*problem, "a grid that is too coarse");
     test::check(std::to_string(n_cells) + " cells over the height of a beam, " +
@@ -33,6 +41,51 @@ namespace
                   (told.empty() || told.find("At t = 1 s") == 0 ||
                    told.find("At t = 1 ") == 0),
                 told);
+  }
+
+
+
+  /** The beam swings for half of its period, so that it ends where it hardly
+   * moves, or for a whole one, so that its stresses end near zero. */
+  void
+  test_vibration(const unsigned int n_cells,
+                 const double       end,
+                 const bool         is_coarse)
+  {
+    const auto problem =
+      test::run_scene<2>(beam(n_cells) +
+                         "Dynamics/Inertia = true\n"
+                         "Boundary conditions/Gravity = 0, -1\n"
+                         "Time/Step size = 0.02\nTime/End time = " +
+                         std::to_string(end) + "\n");
+    const std::string told =
+      test::warning_of(*problem, "a grid that is too coarse");
+    test::check(std::to_string(n_cells) + " cells over the height of a beam " +
+                  "that swings until t = " + std::to_string(end),
+                told.empty() != is_coarse &&
+                  (told.empty() || told.find("Up to t = ") == 0),
+                told);
+  }
+
+
+
+  /** A square that turns without forces, one cell high, has stresses that are
+   * wrong, but they don't matter for its motion. */
+  void
+  test_rotation()
+  {
+    const auto problem =
+      test::run_scene<2>("Grid/Lower corner = -1, -1\n"
+                         "Grid/Upper corner = 1, 1\n"
+                         "Grid/Subdivisions = 4, 4\n"
+                         "Material points/Region = abs(x) < 0.5 && abs(y) < "
+                         "0.5\nDynamics/Inertia = true\n"
+                         "Dynamics/Initial velocity = -0.3*y, 0.3*x\n"
+                         "Material/Young modulus = 1e3\n"
+                         "Time/Step size = 0.02\nTime/End time = 1\n");
+    const std::string told =
+      test::warning_of(*problem, "a grid that is too coarse");
+    test::check("a square that turns", told.empty(), told);
   }
 } // namespace
 
@@ -45,4 +98,9 @@ main(int argc, char **argv)
   test_beam(4, "t", false);
   // what is left without load isn't what was computed
   test_beam(1, "t*(1-t)", false);
+  test_vibration(2, 0.4, true);
+  test_vibration(2, 0.8, true);
+  test_vibration(6, 0.4, false);
+  test_vibration(6, 0.8, false);
+  test_rotation();
 }

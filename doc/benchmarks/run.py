@@ -4,8 +4,8 @@
 """Run time against error: run the scenes over their choices, compare with what
 is known to be right, and write CSV files, pictures and tables.
 
-    run.py --quick              # four minutes of CPU
-    run.py                      # all, a quarter of an hour
+    run.py --quick              # five minutes of CPU
+    run.py                      # all, twenty minutes to half an hour
     run.py --scene cook --scene tube
     run.py --baseline /path/of/another/isochor    # ratios by pairs
     run.py --draw               # tables and pictures from the CSV files again

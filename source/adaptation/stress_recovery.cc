@@ -5,8 +5,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/adaptation/stress_recovery.h>
-#include <isochor/base/mpi_sums.h>
-#include <isochor/base/plain_message.h>
 #include <isochor/material_model/material_model.h>
 
 #include <array>
@@ -107,16 +105,28 @@ namespace isochor
 
 
   template <int dim>
+  double
+  energy_norm_square(const BodyState<dim> &state)
+  {
+    double sum = 0;
+    for (unsigned int q = 0; q < state.size(); ++q)
+      sum += state.volume[q] * energy(state, q, entries<dim>(state.stress[q]));
+    return sum;
+  }
+
+
+
+  template <int dim>
   StressError
   recovered_error(const BodyState<dim> &state)
   {
     const auto  smoothed = recovered(state);
     StressError error;
+    error.norm_square = energy_norm_square(state);
     error.squares.resize(state.size());
     for (unsigned int q = 0; q < state.size(); ++q)
       {
         Entries<dim> difference = entries<dim>(state.stress[q]);
-        error.norm_square += state.volume[q] * energy(state, q, difference);
         for (unsigned int i = 0; i < n_entries<dim>; ++i)
           difference[i] -= smoothed[q][i];
         error.squares[q] = state.volume[q] * energy(state, q, difference);
@@ -126,58 +136,12 @@ namespace isochor
 
 
 
-  template <int dim>
-  void
-  warn_of_coarse_grid(const StepContext<dim> &step, const NodalField &unknowns)
-  {
-    // Not strains as small as rounding errors of a body that is carried along,
-    // nor what is left when the load is gone.
-    constexpr double much = 0.36, no_strain = 1e-6, unloaded = 0.5;
-    NodalField       at_rest = unknowns;
-    for (unsigned int i = 0; i < step.nodes.n_local() * step.n_components; ++i)
-      if (i % step.n_components < dim)
-        at_rest.local_element(i) = 0;
-    const BodyState<dim> state = state_of_body(step, unknowns),
-                         start = state_of_body(step, at_rest);
-    const StressError error    = recovered_error(state);
-    double            sum = 0, least = 0;
-    for (unsigned int q = 0; q < start.size(); ++q)
-      least += unloaded * start.volume[q] *
-               energy<dim>(start, q, entries<dim>(start.stress[q]));
-    for (unsigned int q = 0; q < state.size(); ++q)
-      {
-        sum += error.squares[q];
-        least +=
-          state.volume[q] * state.shear_modulus[q] * no_strain * no_strain;
-      }
-    const MPI_Comm comm      = step.grid.communicator();
-    sum                      = Utilities::MPI::sum(sum, comm);
-    least                    = Utilities::MPI::sum(least, comm);
-    const double norm_square = Utilities::MPI::sum(error.norm_square, comm);
-    if (norm_square <= least || sum <= much * much * norm_square)
-      return;
-    step.warnings.add(
-      "a grid that is too coarse",
-      "At t = " + rounded(step.time) +
-        " the stresses are wrong by an estimated " +
-        rounded(100 * std::sqrt(sum / norm_square)) +
-        " % (energy norm, by recovery): cells are too large for what the body "
-        "does. By the square of that, some " +
-        rounded(100 * sum / norm_square) +
-        " %, an elastic body resists too much: forces are too large where "
-        "motions are given, displacements too small where forces are. Use "
-        "smaller cells, <Grid/Shape functions = Q1>, or let "
-        "them adapt (<Adaptive grid/Target of relative error>).");
-  }
-
-
-
+  template double
+  energy_norm_square(const BodyState<2> &);
+  template double
+  energy_norm_square(const BodyState<3> &);
   template StressError
   recovered_error(const BodyState<2> &);
   template StressError
   recovered_error(const BodyState<3> &);
-  template void
-  warn_of_coarse_grid(const StepContext<2> &, const NodalField &);
-  template void
-  warn_of_coarse_grid(const StepContext<3> &, const NodalField &);
 } // namespace isochor

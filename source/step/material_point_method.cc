@@ -4,7 +4,6 @@
  * --------------------------------------------------------------------- */
 // The algorithm. What surrounds it, parameters, files and what is written to
 // the terminal, is in material_point_method_interface.cc.
-#include <isochor/adaptation/stress_recovery.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/contact_checks.h>
 #include <isochor/boundary_condition/wall_passage.h>
@@ -335,8 +334,11 @@ namespace isochor
       check_contacts(step, unknowns, walls, statistics);
       if (scene.adaptation.needs_sizes())
         scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
-      if (!scene.has_inertia() && is_last_step(scene.time))
-        warn_of_coarse_grid(step, unknowns);
+      coarse_grid_watch.look(step,
+                             unknowns,
+                             scene.has_inertia(),
+                             scene.time.step + 1,
+                             is_last_step(scene.time));
       setup.evaluate(statistics);
     }
     {

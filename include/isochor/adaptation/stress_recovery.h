@@ -28,17 +28,15 @@ namespace isochor
     double              norm_square = 0; ///< the same of σ, of this rank (J)
   };
 
+  /** That of σ itself, of this rank (J). */
+  template <int dim>
+  double
+  energy_norm_square(const BodyState<dim> &state);
+
   /** Collective. */
   template <int dim>
   StressError
   recovered_error(const BodyState<dim> &state);
-
-  /** Warn if the estimated error of the stresses that @p unknowns make is as
-   * large as where forces and displacements are wrong by a tenth or more.
-   * Collective. */
-  template <int dim>
-  void
-  warn_of_coarse_grid(const StepContext<dim> &step, const NodalField &unknowns);
 } // namespace isochor
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef isochor_material_point_method_h
 #define isochor_material_point_method_h
 
+#include <isochor/adaptation/coarse_grid_watch.h>
 #include <isochor/base/statistics.h>
 #include <isochor/base/terminal.h>
 #include <isochor/dynamics/sudden_motions.h>
@@ -141,17 +142,18 @@ namespace isochor
     Scene<dim>     scene;
     /** Steps in succession that begin with a jump, and when the last one did.
      */
-    unsigned int       n_jumps      = 0;
-    double             time_of_jump = -1;
-    bool               is_unstable  = false; ///< as check_stability() has found
-    StepSetup<dim>     setup;
-    Equilibrium<dim>   equilibrium;
-    GridToPoints<dim>  grid_to_points;
-    Checkpoint<dim>    checkpoint;
-    FailureReport<dim> failure_report;
-    Statistics         statistics;
-    std::string        output_directory;
-    std::string        said_of_conditions; ///< by print_conditions()
+    unsigned int      n_jumps      = 0;
+    double            time_of_jump = -1;
+    bool              is_unstable  = false; ///< as check_stability() has found
+    StepSetup<dim>    setup;
+    Equilibrium<dim>  equilibrium;
+    GridToPoints<dim> grid_to_points;
+    Checkpoint<dim>   checkpoint;
+    CoarseGridWatch<dim> coarse_grid_watch;
+    FailureReport<dim>   failure_report;
+    Statistics           statistics;
+    std::string          output_directory;
+    std::string          said_of_conditions; ///< by print_conditions()
   };
 } // namespace isochor
 
