@@ -88,6 +88,37 @@ namespace
                           0.025);
       }
   }
+
+  /** A body that weighs next to nothing lands on a gel at rest, soon after
+   * t = 0.58: what carries the gel doesn't feel it. */
+  void
+  test_landing()
+  {
+    const std::string reaction = "Reaction y on bottom (N)";
+    test::record_columns({reaction});
+    const auto problem = test::run_scene<2>(
+      "Grid/Upper corner = 1, 2.5\nGrid/Subdivisions = 8, 20\n"
+      "Material points/Region = (y < 0.5 && x < 0.75) || (y > 2.125 && y < "
+      "2.375 && x > 0.25 && x < 0.5)\n"
+      "Material points/Materials in zones = 2: y > 1\n"
+      "Material/Young modulus = 100\nMaterial/Poisson ratio = 0.499\n"
+      "Material/Density = 1\nMaterial 2/Young modulus = 100\n"
+      "Material 2/Poisson ratio = 0.499\nMaterial 2/Density = 0.001\n"
+      "Boundary conditions/Displacement = bottom: x=0, y=0; left: x=0\n"
+      "Boundary conditions/Gravity = "
+      "0, -20*if(t < 0.4, (t/0.4)^2*(3-2*t/0.4), 1)\n"
+      "Dynamics/Inertia = true\nDynamics/Spectral radius = 0\n"
+      "Time/Step size = 0.01\nPostprocess/Reactions = bottom\n"
+      "Time/End time = 0.7\n");
+    const double               weight = 20 * 0.5 * 0.75;
+    const auto                &seen   = test::recorded();
+    const std::vector<double> &force  = seen.columns.at(reaction);
+    double                     worst  = 0;
+    for (unsigned int n = 0; n < force.size(); ++n)
+      if (seen.times[n] > 0.5)
+        worst = std::max(worst, test::relative(force[n], weight));
+    test::check_error("reaction below a gel that a body lands on", worst, 0.02);
+  }
 } // namespace
 
 int
@@ -106,4 +137,5 @@ main(int argc, char **argv)
   test_incompressible("box", "");
   test_incompressible("kept grid", "Grid reset/Steps between resets = 5\n");
   test_standing_wave("Grid/Subdivisions = 16, 20\n");
+  test_landing();
 }

@@ -65,10 +65,14 @@ namespace isochor
     if (scene.has_inertia() && gravity.norm() > 0)
       {
         // In free fall there is no weight; of bodies apart from each other some
-        // may fall. What depends on accelerations would feed them.
+        // may fall. What depends on accelerations would feed them. They stay
+        // with that when they meet: a pressure that is at rest under the weight
+        // all at once knocks at what holds it.
         if (setup.was_laid_out() || n_parts == 0)
           n_parts = number_of_parts(step, setup.all_elements());
-        if (n_parts > 1 || !is_supported(gravity))
+        bool &were_apart = last_motion.bodies_were_apart;
+        were_apart       = were_apart || n_parts > 1;
+        if (were_apart || !is_supported(gravity))
           weight = Tensor<1, dim>();
       }
     if (scene.kernel.axisymmetric)
