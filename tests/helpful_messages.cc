@@ -229,7 +229,7 @@ namespace
     const auto dropped = [](const std::string &step_size) {
       return messages<2>(
         "Grid/Lower corner = 0, -0.5\nGrid/Upper corner = 1.1, 0.2\n"
-        "Grid/Subdivisions = 22, 14\nMaterial points/Region = x < 1 && y > 0 "
+        "Grid/Subdivisions = 44, 28\nMaterial points/Region = x < 1 && y > 0 "
         "&& y < 0.1\nMaterial/Young modulus = 5e6\nMaterial/Poisson ratio = "
         "0.499\nBoundary conditions/Displacement = left: x=0, y=0\n"
         "Boundary conditions/Gravity = 0, -9.81\nDynamics/Inertia = true\n"

@@ -24,15 +24,18 @@ namespace isochor
                              const bool              is_last)
   {
     constexpr unsigned int each = 10;
-    if (!is_last && !(has_inertia && n % each == 0))
+    if (!is_last && !(has_inertia && (n <= each || n % each == 0)))
       return;
     const Squares of_step = squares(step, unknowns);
     if (has_inertia)
       {
-        of_run.error += of_step.error;
-        of_run.norm += of_step.norm;
-        of_run.least += of_step.least;
-        of_run.kinetic += of_step.kinetic;
+        // a step stands for those that were left out before it
+        const double weight = std::min(n - last_look, each);
+        last_look           = n;
+        of_run.error += weight * of_step.error;
+        of_run.norm += weight * of_step.norm;
+        of_run.least += weight * of_step.least;
+        of_run.kinetic += weight * of_step.kinetic;
         if (is_last)
           warn(step, of_run, true);
         return;

@@ -16,11 +16,11 @@ namespace isochor
    * are wrong (stress_recovery.h) by as much as where forces and displacements
    * are wrong by a tenth or more. In statics those of the last step count,
    * unless it unloads the body. In dynamics, where the last step may be any,
-   * it is the mean over time of the squares that count; each tenth step is
-   * looked at. A body whose kinetic energy is larger than what its stresses
-   * store, as one that flies or turns, moves rightly by and large even if its
-   * stresses are wrong: they are then measured against its kinetic energy,
-   * which is the same in a vibration.
+   * it is the mean over time of the squares that count; the first ten steps
+   * and each tenth one are looked at. A body whose kinetic energy is larger
+   * than what its stresses store, as one that flies or turns, moves rightly by
+   * and large even if its stresses are wrong: they are then measured against
+   * its kinetic energy, which is the same in a vibration.
    */
   template <int dim>
   class CoarseGridWatch
@@ -44,7 +44,8 @@ namespace isochor
       double least   = 0; ///< a norm below is none
       double kinetic = 0; ///< in dynamics
     };
-    Squares of_run; ///< in dynamics
+    Squares      of_run;        ///< in dynamics
+    unsigned int last_look = 0; ///< the step
 
     static Squares
     squares(const StepContext<dim> &step, const NodalField &unknowns);
