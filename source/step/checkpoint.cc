@@ -334,10 +334,20 @@ namespace isochor
     result.error = read_checkpoint_file(file_name(slot), dim, data);
     if (!result.error.empty())
       return result;
-    std::istringstream              stream(data, std::ios::binary);
-    boost::archive::binary_iarchive archive(stream);
-    result.contents = std::make_unique<Contents>();
-    archive >> *result.contents;
+    try
+      {
+        std::istringstream              stream(data, std::ios::binary);
+        boost::archive::binary_iarchive archive(stream);
+        auto                            contents = std::make_unique<Contents>();
+        archive >> *contents;
+        result.contents = std::move(contents);
+      }
+    catch (const std::exception &) // of any kind: lengths may be nonsense
+      {
+        result.error = "The file <" + file_name(slot) +
+                       "> can't be read: another version of the program has "
+                       "written it.";
+      }
     return result;
   }
 
