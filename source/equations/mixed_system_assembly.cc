@@ -60,13 +60,13 @@ namespace isochor
 
   /** The equations of a node follow one another, so that its rows do. */
   template <int dim>
+  template <unsigned int nc>
   void
   MixedSystem<dim>::add_free_element(const unsigned int  e,
                                      const unsigned int *node,
                                      const unsigned int  n_nodes,
                                      const double       *matrix)
   {
-    const unsigned int        nc     = n_components;
     const unsigned int        n_dofs = n_nodes * nc;
     const unsigned int       *offset = block_offset.data() + block_start[e];
     const std::size_t *const  start  = system.row_start.data();
@@ -162,7 +162,10 @@ namespace isochor
       }
     if (!element_is_constrained[e])
       {
-        add_free_element(e, node, n_nodes, element_matrix);
+        if (n_components == dim)
+          add_free_element<dim>(e, node, n_nodes, element_matrix);
+        else
+          add_free_element<dim + 1>(e, node, n_nodes, element_matrix);
         return;
       }
     const unsigned int n_dofs = n_nodes * n_components;

@@ -345,6 +345,7 @@ namespace isochor
     arrays.displacement.resize(point_layout.with_domains ? n : 0);
     arrays.seeded_volume.resize(point_layout.with_ancestry ? n : 0);
 
+    attach(arrays);
     const PointLayout &l = point_layout;
     for_each([&](const unsigned int k,
                  const unsigned int q,
@@ -355,6 +356,7 @@ namespace isochor
       arrays.material[q] = static_cast<unsigned char>(properties[l.material]);
       if (l.with_ancestry)
         arrays.seeded_volume[q] = seeded_volume<dim>(properties.data(), l);
+      read_state(q, location, properties, arrays);
       if (!l.with_domains)
         return;
       for (unsigned int d = 0; d < dim; ++d)
@@ -367,7 +369,6 @@ namespace isochor
           arrays.domain[q][0] -= arrays.domain[q][c + 1];
         }
     });
-    update(arrays);
   }
 
 
@@ -378,37 +379,58 @@ namespace isochor
   {
     if (!slots) // a resumed run
       order_by_cell();
+    attach(arrays);
     const PointLayout &l = point_layout;
-    // in 3D it is a tenth of a point's memory, and assembly less of the time
-    constexpr bool are_copied = (dim == 2);
-    arrays.volume.attach(slots, l.volume, are_copied);
-    arrays.mass.attach(slots, l.mass);
-    arrays.pressure.attach(slots, l.pressure);
-    arrays.F.attach(slots, l.F, are_copied);
-    if (!are_copied && !l.axisymmetric && l.n_history == 0 && !l.dynamic)
+    if (!fields_are_copied && !l.axisymmetric && l.n_history == 0 && !l.dynamic)
       return;
     for_each([&](const unsigned int /*k*/,
                  const unsigned int q,
                  const Point<dim>  &location,
                  ArrayView<double>  properties) {
-      if (are_copied)
-        {
-          arrays.volume.refresh(q, properties[l.volume]);
-          arrays.F.refresh(q, deformation_gradient<dim>(properties.data(), l));
-        }
-      if (l.axisymmetric)
-        arrays.radius[q] = location[0];
-      double *const history =
-        arrays.history.data() + q * std::size_t(l.n_history);
-      for (unsigned int i = 0; i < l.n_history; ++i)
-        history[i] = properties[l.history + i];
-      if (l.dynamic)
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            arrays.velocity[q][d]     = properties[l.velocity + d];
-            arrays.acceleration[q][d] = properties[l.acceleration + d];
-          }
+      read_state(q, location, properties, arrays);
     });
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::attach(PointArrays<dim> &arrays) const
+  {
+    const PointLayout &l = point_layout;
+    arrays.volume.attach(slots, l.volume, fields_are_copied);
+    arrays.mass.attach(slots, l.mass);
+    arrays.pressure.attach(slots, l.pressure);
+    arrays.F.attach(slots, l.F, fields_are_copied);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::read_state(const unsigned int             q,
+                                  const Point<dim>              &location,
+                                  const ArrayView<const double> &properties,
+                                  PointArrays<dim>              &arrays) const
+  {
+    const PointLayout &l = point_layout;
+    if (fields_are_copied)
+      {
+        arrays.volume.refresh(q, properties[l.volume]);
+        arrays.F.refresh(q, deformation_gradient<dim>(properties.data(), l));
+      }
+    if (l.axisymmetric)
+      arrays.radius[q] = location[0];
+    double *const history =
+      arrays.history.data() + q * std::size_t(l.n_history);
+    for (unsigned int i = 0; i < l.n_history; ++i)
+      history[i] = properties[l.history + i];
+    if (l.dynamic)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          arrays.velocity[q][d]     = properties[l.velocity + d];
+          arrays.acceleration[q][d] = properties[l.acceleration + d];
+        }
   }
 
 

@@ -351,8 +351,9 @@ namespace isochor
         exchange_particles(*handler, places, geometry, n_shipped);
       const std::size_t n = places.to.size() + received.size();
       n_out_of_order += places.n_moved + received.size();
-      // laying out anew costs about what disorder does in a step
-      if (places.n_lost == 0 && n_out_of_order > places.to.size() / 4 &&
+      // Points in any order cost a step half of what laying them out anew
+      // does; those that moved into neighbouring cells are far from that.
+      if (places.n_lost == 0 && n_out_of_order > places.to.size() &&
           fits_twice<dim>(n, received.n_payload))
         {
           auto fresh = std::make_unique<Particles::ParticleHandler<dim>>(

@@ -322,6 +322,7 @@ namespace isochor
   void
   Scene<dim>::create(const PointArrays<dim> &arrays)
   {
+    kernel.upper_blocks_only = symmetric;
     grid.create();
     adaptation.make_initial_grid(grid);
     check_axis();

@@ -181,7 +181,7 @@ namespace isochor
 
     /** t g of a symmetric tensor by its components. */
     template <int dim, std::size_t n>
-    Tensor<1, dim>
+    inline DEAL_II_ALWAYS_INLINE Tensor<1, dim>
     times(const std::array<double, n> &t, const Tensor<1, dim> &g)
     {
       Tensor<1, dim> result;

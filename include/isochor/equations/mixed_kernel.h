@@ -89,6 +89,10 @@ namespace isochor
     /** Whether pressures are unknowns: the u-p form. */
     bool has_pressures = false;
 
+    /** Whether of the matrix of an element only the blocks of nodes I and
+     * J >= I are asked for, as it is symmetric. The others are not set. */
+    bool upper_blocks_only = false;
+
     /** α of the Polynomial Pressure Projection (Dohrmann & Bochev 2004), P(26);
      * 0 for none. */
     double ppp_coefficient = 0;

@@ -17,12 +17,14 @@ namespace isochor
   namespace internal
   {
     /** Matrix block of displacements: material part sym(e_a ⊗ g_I) : c :
-     * sym(e_b ⊗ g_J) and geometric part δ_ab g_I · τ g_J. */
+     * sym(e_b ⊗ g_J) and geometric part δ_ab g_I · τ g_J. @p upper_blocks_only:
+     * see MixedKernel. */
     template <int dim, int n_components, std::size_t max_nodes>
     void
     add_stiffness(Element<dim, n_components, max_nodes>       &element,
                   const std::array<Tensor<1, dim>, max_nodes> &g,
-                  const ElementSums<dim, max_nodes>           &sums)
+                  const ElementSums<dim, max_nodes>           &sums,
+                  const bool upper_blocks_only)
     {
       const unsigned int n = element.nodes(), n_dofs = element.n_dofs();
       // c_aibl
@@ -46,7 +48,7 @@ namespace isochor
                   cg[a][i][b] = sum;
                 }
           const Tensor<1, dim> stress_g = times(sums.stress, g[J]);
-          for (unsigned int I = 0; I < n; ++I)
+          for (unsigned int I = 0; I < (upper_blocks_only ? J + 1 : n); ++I)
             {
               const double geometric = g[I] * stress_g;
               for (unsigned int a = 0; a < dim; ++a)
@@ -68,22 +70,23 @@ namespace isochor
     void
     add_coupling(Element<dim, dim + 1, max_nodes>            &element,
                  const std::array<Tensor<1, dim>, max_nodes> &g,
-                 const ElementSums<dim, max_nodes>           &sums)
+                 const ElementSums<dim, max_nodes>           &sums,
+                 const bool                                   upper_blocks_only)
     {
       const unsigned int     n = element.nodes(), n_dofs = element.n_dofs();
       constexpr unsigned int nc = dim + 1;
       for (unsigned int I = 0; I < n; ++I)
-        for (unsigned int J = 0; J < n; ++J)
+        for (unsigned int J = (upper_blocks_only ? I : 0); J < n; ++J)
           {
             const Tensor<1, dim> theta_g =
-              times(sums.volumetric_tangent[J], g[I]);
+              times(sums.volumetric_tangent[I], g[J]);
             Tensor<1, dim> force = sums.s[J] * g[I];
             if (sums.pressure_dependent)
               force += times(sums.pressure_tangent[J], g[I]);
             for (unsigned int a = 0; a < dim; ++a)
               {
                 element.matrix[(I * nc + a) * n_dofs + J * nc + dim] = force[a];
-                element.matrix[(J * nc + dim) * n_dofs + I * nc + a] =
+                element.matrix[(I * nc + dim) * n_dofs + J * nc + a] =
                   theta_g[a];
               }
             element.matrix[(I * nc + dim) * n_dofs + J * nc + dim] =
@@ -212,9 +215,9 @@ namespace isochor
       }
     if (with_matrix)
       {
-        internal::add_stiffness(element, g, sums);
+        internal::add_stiffness(element, g, sums, upper_blocks_only);
         if constexpr (mixed)
-          internal::add_coupling(element, g, sums);
+          internal::add_coupling(element, g, sums, upper_blocks_only);
       }
     return EvaluationStatus::success;
   }
@@ -248,7 +251,7 @@ namespace isochor
             for (unsigned int a = first; a < nc; ++a)
               element.residual[I * nc + a] -=
                 derivative[a] * entry * deviation[J];
-            if (!with_matrix)
+            if (!with_matrix || (upper_blocks_only && J < I))
               continue;
             for (unsigned int a = first; a < nc; ++a)
               for (unsigned int b = first; b < nc; ++b)

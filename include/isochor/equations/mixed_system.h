@@ -237,7 +237,9 @@ namespace isochor
     build_rows();
     void
     find_blocks();
-    /** The same for elements all of whose unknowns are free. */
+    /** The same for elements all of whose unknowns are free, @p nc at a node.
+     */
+    template <unsigned int nc>
     void
     add_free_element(const unsigned int  e,
                      const unsigned int *node,

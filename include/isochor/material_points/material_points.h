@@ -214,6 +214,7 @@ namespace isochor
       for (unsigned int k = 0; k + 1 < cell_start.size(); ++k)
         for (unsigned int q = cell_start[k]; q < cell_start[k + 1]; ++q)
           {
+            slots->prefetch(q, 0, slots->n_properties);
             const auto handle   = slots->slot[q];
             Point<dim> location = pool.get_location(handle);
             update(k, q, location, pool.get_properties(handle));
@@ -248,6 +249,19 @@ namespace isochor
     /** Forget the order: points have been located anew. */
     void
     forget_order();
+
+    /** Whether PointArrays copies what each iteration reads. In 3D it would be
+     * a tenth of a point's memory, and assembly is less of the time. */
+    static constexpr bool fields_are_copied = (dim == 2);
+    /** Let the fields of @p arrays that aren't copied read the points. */
+    void
+    attach(PointArrays<dim> &arrays) const;
+    /** Bring what a step changes at point @p q into @p arrays. */
+    void
+    read_state(const unsigned int             q,
+               const Point<dim>              &location,
+               const ArrayView<const double> &properties,
+               PointArrays<dim>              &arrays) const;
 
     void
     insert(const std::vector<Seed<dim>>                           &seeds,

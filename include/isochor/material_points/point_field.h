@@ -24,6 +24,35 @@ namespace isochor
     const double             *properties   = nullptr; ///< block 0
     unsigned int              n_properties = 0;       ///< of a block
     std::vector<unsigned int> slot;
+
+    /** The block of point @p q. */
+    const double *
+    block(const unsigned int q) const
+    {
+      return properties + slot[q] * static_cast<std::size_t>(n_properties);
+    }
+
+    /** Ask the memory for entries [@p first, @p first + @p n) of a point that
+     * a loop over all will come to after point @p q: points are read one after
+     * the other, but after some resets neighbours stand far from each other in
+     * memory. The wait for it took a fifth of the assembly. (Unless inlined at
+     * once, GCC 12 takes a call that does nothing else for superfluous.) */
+    inline DEAL_II_ALWAYS_INLINE void
+    prefetch(const unsigned int q,
+             const unsigned int first,
+             const unsigned int n) const
+    {
+      constexpr unsigned int n_ahead = 16;
+      constexpr std::size_t  line    = 64; // bytes of a line of a cache
+      if (q + n_ahead >= slot.size())
+        return;
+      const char *const values =
+        reinterpret_cast<const char *>(block(q + n_ahead) + first);
+      const std::size_t size = n * sizeof(double);
+      for (std::size_t byte = 0; byte < size; byte += line)
+        __builtin_prefetch(values + byte);
+      __builtin_prefetch(values + size - 1);
+    }
   };
 
   /**
@@ -131,37 +160,11 @@ namespace isochor
     }
 
   private:
-    /** Points are read one after the other, but after some resets neighbours
-     * stand far from each other in memory: the wait for it took a fifth of the
-     * assembly. So it is asked for this many points ahead. */
-    static constexpr unsigned int n_ahead = 16;
-
-    /** (Unless inlined at once, GCC 12 takes a call that does nothing else for
-     * superfluous.) */
-    static DEAL_II_ALWAYS_INLINE void
-    prefetch(const double *const values)
-    {
-      constexpr std::size_t line  = 64; // bytes of a line of a cache
-      const char *const     first = reinterpret_cast<const char *>(values);
-      for (std::size_t byte = 0; byte < sizeof(T); byte += line)
-        __builtin_prefetch(first + byte);
-      __builtin_prefetch(first + sizeof(T) - 1);
-    }
-
-    const double *
-    place(const unsigned int q) const
-    {
-      return slots->properties +
-             slots->slot[q] * static_cast<std::size_t>(slots->n_properties) +
-             entry;
-    }
-
     T
     read(const unsigned int q) const
     {
-      if (q + n_ahead < n_attached)
-        prefetch(place(q + n_ahead));
-      const double *const values = place(q);
+      slots->prefetch(q, entry, sizeof(T) / sizeof(double));
+      const double *const values = slots->block(q) + entry;
       if constexpr (std::is_same_v<T, double>)
         return *values;
       else
