@@ -235,6 +235,47 @@ namespace
                     std::to_string(n_steps));
       }
   }
+
+  /** A place that jumps at t = 0, or where the velocity has no bounds, is told;
+   * other motions, walls that press at once, and displacements that wait for
+   * their time aren't. */
+  void
+  test_places()
+  {
+    const std::string block =
+      "Grid/Upper corner = 1.5, 0.5\nGrid/Subdivisions = 12, 4\n"
+      "Material points/Region = x < 1\nMaterial/Young modulus = 1e6\n"
+      "Material/Density = 1\nDynamics/Inertia = true\n"
+      "Time/Step size = 0.005\nTime/End time = 0.01\n";
+    const auto check = [&](const std::string &motion, const bool is_told) {
+      const std::string text =
+        test::warning_of(*test::run_scene<2>(block + motion + '\n'),
+                         "a motion that jumps");
+      test::check((is_told ? "told: " : "silent: ") +
+                    motion.substr(motion.rfind('/') + 1),
+                  is_told ? text.find("at t = 0.") != std::string::npos :
+                            text.empty(),
+                  text);
+    };
+    for (const auto &[place, is_told] :
+         std::vector<std::pair<std::string, bool>>{{"0.01", true},
+                                                   {"0.01 + t", true},
+                                                   {"0.01*t^0.5", true},
+                                                   {"0.01*t^0.6", true},
+                                                   {"0.01*t", false},
+                                                   {"0.1*t^1.2", false},
+                                                   {"1e-9", false}})
+      for (const std::string condition :
+           {"Displacement = left: x=",
+            "Surfaces of body = end: left\nBoundary conditions/Displacement "
+            "of body = end: x=",
+            "Rigid sides = left: y=0, rotation=0, x="})
+        check("Boundary conditions/" + condition + place, is_told);
+    check("Boundary conditions/Displacement = left: x>=0.01", true);
+    check("Boundary conditions/Displacement = left: x>=-0.01", false);
+    check("Boundary conditions/Displacement = left: x>=0; bottom: y=0", false);
+    check("Boundary conditions/Walls = left: n=0", false);
+  }
 } // namespace
 
 
@@ -258,4 +299,5 @@ main(int argc, char **argv)
     test_block<3>(motions[2], of, "");
   test_strained_body();
   test_other_body();
+  test_places();
 }

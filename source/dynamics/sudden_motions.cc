@@ -244,10 +244,10 @@ namespace isochor
     {
       // Four times, or three, the changes of what is smooth halve, those of a
       // jump are half of it to all of it; where a derivative of lower order
-      // jumps, they double.
+      // jumps, they double (of t^a with a < 1 they grow by 2^(1 - a)).
       const unsigned int n_halvings = (order == 1 ? 8 : 4),
                          n_first = (order == 1 ? 4 : 1), n_more = 8;
-      constexpr double   least = 0.45, largest = 4;
+      constexpr double   least = 0.45, largest = 2.5;
       const unsigned int n_changes = order + 2;
       double             first = 0, last = 0;
       for (unsigned int b = 1; b <= n_halvings + (order == 1 ? n_more : 0); ++b)
@@ -278,6 +278,38 @@ namespace isochor
         return {};
       return {true, ratio > largest, time};
     }
+
+
+
+    /** Whether @p condition prescribes at t = 0 that the body is elsewhere than
+     * it is. Collective. */
+    template <int dim>
+    bool
+    starts_elsewhere(const StepContext<dim>       &step,
+                     const BoundaryCondition<dim> &condition)
+    {
+      constexpr double little = 1e-6; // of a cell
+      StepContext<dim> start  = step;
+      start.time              = 0;
+      double           most   = 0;
+      NodalConstraints constraints;
+      constraints.reinit(step.nodes.n_local() * step.n_components,
+                         step.nodes.control_entries(step.n_components));
+      condition.constrain(start, constraints);
+      for (unsigned int i = 0; i < constraints.increment.size(); ++i)
+        if (constraints.constrained[i] != NodalConstraints::is_free &&
+            i % step.n_components < dim)
+          most = std::max(most, std::abs(constraints.increment[i]));
+      if (condition.moves_body(step)) // by springs
+        {
+          std::vector<double> displacements;
+          condition.append_motion(start, displacements);
+          for (const double displacement : displacements)
+            most = std::max(most, std::abs(displacement));
+        }
+      return Utilities::MPI::max(most, step.grid.communicator()) >
+             little * smallest_cell(step);
+    }
   } // namespace
 
 
@@ -298,6 +330,8 @@ namespace isochor
     JumpSearch<dim>        search(step, condition);
     Jumps                  jumps;
     jumps.precision = 1e-3 * h;
+    if (step.old_time == 0 && starts_elsewhere(step, condition))
+      jumps.of_place = 0;
     if (n_past + n_after < fewest ||
         !search.moves(search.sample(step.old_time - n_past * part,
                                     (n_past + n_after) * part / 3,
@@ -318,7 +352,11 @@ namespace isochor
           if (!jump.is_there)
             continue;
           if (jump.is_of_place)
-            jumps.of_place = std::min(jumps.of_place, jump.time);
+            jumps.of_place =
+              std::min(jumps.of_place,
+                       std::abs(jump.time - step.old_time) <= precision ?
+                         step.old_time :
+                         jump.time);
           else if (jump.time >= step.old_time - precision && behind <= 0)
             jumps.at_start = true;
           else if (std::abs(jump.time - step.time) <= precision)
