@@ -118,6 +118,17 @@ test_consistency()
   test::check("old matrices were used",
               with_reuse.n_factorisations < 6,
               std::to_string(with_reuse.n_factorisations));
+
+  // an old matrix that is content with little, and never ends
+  MadeUpProblem      endless(0, [&](const double x) {
+    return endless.n_factorisations > 1 ? 0. : std::pow(0.85, x);
+  });
+  const NewtonReport report =
+    solve(endless, "Newton/Reuse factorisation = 0.9\n");
+  test::check("no more old matrices than iterations allowed",
+              report.converged && report.n_iterations() == 17 &&
+                endless.n_factorisations == 2,
+              std::to_string(report.n_iterations()) + ' ' + report.failure);
 }
 
 /** A condition that holds at first leaves nothing to find. The change of it is

@@ -262,6 +262,7 @@ def finite_elements(work):
     by CPU time. Factorisations are kept where they serve (the default), or each
     iteration has its own (`Newton/Reuse factorisation = 0`)."""
     kept = {"Grid reset/Steps between resets": 100000}
+    fourth = {"Grid reset/Steps between resets": 4}
     cases = {
         "finite elements: never put back, 1 point per cell": ("points", 1, kept),
         "finite elements: never put back, 3 points per cell": ("points", 3, kept),
@@ -269,6 +270,13 @@ def finite_elements(work):
         "put back in each step, points, 3 per cell": ("points", 3, {}),
         "put back in each step, cell-filled, 3 per cell": ("cell-filled", 3, {}),
         "put back in each step, CPDI, 3 per cell": ("CPDI", 3, {}),
+        "put back in every 4th step, points, 3 per cell": ("points", 3, fourth),
+        "put back in every 4th step, cell-filled, 3 per cell": (
+            "cell-filled",
+            3,
+            fourth,
+        ),
+        "put back in every 4th step, CPDI, 3 per cell": ("CPDI", 3, fourth),
     }
     settings = {
         (name, own): {

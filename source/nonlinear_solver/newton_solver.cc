@@ -45,9 +45,10 @@ namespace isochor
       Patterns::Double(0, 1),
       "A factorisation is kept over iterations and steps as "
       "long as each iteration reduces the residual to this "
-      "fraction or less. This changes the way to the solution, not the "
-      "solution. 0: a new factorisation for each iteration, Newton's method "
-      "proper. Iterative linear solvers always get the present matrix.");
+      "fraction or less, at most <Maximum iterations> times in a step. This "
+      "changes the way to the solution, not the solution. 0: a new "
+      "factorisation for each iteration, Newton's method proper. Iterative "
+      "linear solvers always get the present matrix.");
     prm.declare_entry(
       "Maximum backtracks",
       "4",
@@ -354,9 +355,10 @@ namespace isochor
       {
         // an old matrix is worth a try if the last iteration converged so fast
         // that it, or quadratic convergence, can be expected to be enough
-        const bool reuse = reuse_ratio > 0 && last_ratio <= reuse_ratio &&
-                           !problem.is_iterative() &&
-                           problem.has_factorisation();
+        const bool reuse =
+          reuse_ratio > 0 && last_ratio <= reuse_ratio &&
+          !problem.is_iterative() && problem.has_factorisation() &&
+          report.n_iterations() < report.n_factorisations + max_iterations;
         const bool need = !reuse || norms.pending;
         if (!matrix_is_current && need)
           norms = problem.assemble(true);

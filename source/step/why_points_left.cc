@@ -57,6 +57,11 @@ namespace isochor
         "'cell-filled + boundary' if it isn't set, smaller steps, more "
         "<Material points/Points per cell>, or <Formulation/Project volume "
         "change> in plastic flow.";
+    if (scene.time.step <= 1)
+      text += " That it does so in the first step may be a matter of units: "
+              "lengths, of the grid and the body, go with stiffnesses, loads "
+              "and <Material/Density> (m with Pa, N and kg/m^3; mm with MPa, N "
+              "and t/mm^3).";
     if (const std::string why = grid_reset.why(); !why.empty())
       text += (text.empty() ? "" : " ") + why;
     for (const auto &condition : scene.boundary_conditions)
