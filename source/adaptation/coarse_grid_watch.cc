@@ -37,13 +37,13 @@ namespace isochor
         of_run.least += weight * of_step.least;
         of_run.kinetic += weight * of_step.kinetic;
         if (is_last)
-          warn(step, of_run, true);
+          judge(step, of_run, true);
         return;
       }
     // what is left when the load is gone says nothing
     constexpr double unloaded = 0.5;
     if (of_step.norm > unloaded * norm_square_at_start(step, unknowns))
-      warn(step, of_step, false);
+      judge(step, of_step, false);
   }
 
 
@@ -91,25 +91,36 @@ namespace isochor
 
   template <int dim>
   void
-  CoarseGridWatch<dim>::warn(const StepContext<dim> &step,
-                             const Squares          &squares,
-                             const bool              of_whole_run)
+  CoarseGridWatch<dim>::judge(const StepContext<dim> &step,
+                              const Squares          &squares,
+                              const bool              of_whole_run)
   {
     constexpr double much = 0.36;
-    const double part = squares.error / std::max(squares.norm, squares.kinetic);
-    if (squares.norm <= squares.least || !(part > much * much))
+    if (squares.norm <= squares.least)
       return;
+    const double part = squares.error / std::max(squares.norm, squares.kinetic);
+    const auto   percent = [](const double share) {
+      const double tenths = std::round(1000 * share);
+      return tenths < 1 ? "less than 0.1 %" : rounded(tenths / 10) + " %";
+    };
+    const std::string of_stresses =
+      percent(std::sqrt(squares.error / squares.norm)) +
+      " (energy norm, by recovery" + (of_whole_run ? ", mean over time" : "") +
+      ")";
+    if (!(part > much * much))
+      {
+        estimate = "Estimated error of the grid: stresses " + of_stresses +
+                   ", resistance of an elastic body " + percent(part);
+        return;
+      }
     step.warnings.add(
       "a grid that is too coarse",
       (of_whole_run ? "Up to t = " : "At t = ") + rounded(step.time) +
-        " the stresses are wrong by an estimated " +
-        rounded(100 * std::sqrt(squares.error / squares.norm)) +
-        " % (energy norm, by recovery" +
-        (of_whole_run ? ", mean over time" : "") +
-        "): cells are too large for what the body "
+        " the stresses are wrong by an estimated " + of_stresses +
+        ": cells are too large for what the body "
         "does. By the square of that, some " +
-        rounded(100 * part) +
-        " %, an elastic body resists too much: forces are too large where "
+        percent(part) +
+        ", an elastic body resists too much: forces are too large where "
         "motions are given, displacements too small where forces are" +
         (of_whole_run ? ", vibrations too fast" : "") +
         ". Use smaller cells, <Grid/Shape functions = Q1>, or let "

@@ -41,6 +41,8 @@ namespace isochor
       }
     terminal.print_times();
     print_work();
+    if (!coarse_grid_watch.describe().empty())
+      terminal.out() << coarse_grid_watch.describe() << std::endl;
     terminal.print_summary(scene.warnings);
   }
 

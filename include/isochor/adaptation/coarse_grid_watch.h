@@ -7,20 +7,22 @@
 
 #include <isochor/equations/equation_term.h>
 
+#include <string>
+
 namespace isochor
 {
   using namespace dealii;
 
   /**
-   * Warns of a grid that is too coarse for what the body does: if the stresses
-   * are wrong (stress_recovery.h) by as much as where forces and displacements
-   * are wrong by a tenth or more. In statics those of the last step count,
-   * unless it unloads the body. In dynamics, where the last step may be any,
-   * it is the mean over time of the squares that count; the first ten steps
-   * and each tenth one are looked at. A body whose kinetic energy is larger
-   * than what its stresses store, as one that flies or turns, moves rightly by
-   * and large even if its stresses are wrong: they are then measured against
-   * its kinetic energy, which is the same in a vibration.
+   * Estimates by how much the grid is too coarse for what the body does, and
+   * warns if the stresses are wrong (stress_recovery.h) by as much as where
+   * forces and displacements are wrong by a tenth or more. In statics those of
+   * the last step count, unless it unloads the body. In dynamics, where the
+   * last step may be any, it is the mean over time of the squares that count;
+   * the first ten steps and each tenth one are looked at. A body whose kinetic
+   * energy is larger than what its stresses store, as one that flies or turns,
+   * moves rightly by and large even if its stresses are wrong: they are then
+   * measured against its kinetic energy, which is the same in a vibration.
    */
   template <int dim>
   class CoarseGridWatch
@@ -36,6 +38,14 @@ namespace isochor
          const unsigned int      n,
          const bool              is_last);
 
+    /** After the last step, what the estimate is, for the terminal: empty if
+     * there is none, or a warning has told it. */
+    const std::string &
+    describe() const
+    {
+      return estimate;
+    }
+
   private:
     /** Over the ranks, of a step or a sum over steps (J). */
     struct Squares
@@ -46,16 +56,18 @@ namespace isochor
     };
     Squares      of_run;        ///< in dynamics
     unsigned int last_look = 0; ///< the step
+    std::string  estimate;
 
     static Squares
     squares(const StepContext<dim> &step, const NodalField &unknowns);
     static double
     norm_square_at_start(const StepContext<dim> &step,
                          const NodalField       &unknowns);
-    static void
-    warn(const StepContext<dim> &step,
-         const Squares          &squares,
-         const bool              of_whole_run);
+    /** Warn, or note the estimate. */
+    void
+    judge(const StepContext<dim> &step,
+          const Squares          &squares,
+          const bool              of_whole_run);
   };
 } // namespace isochor
 
