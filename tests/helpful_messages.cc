@@ -172,6 +172,16 @@ namespace
             "a load on a support",
             "<bottom>",
             "acts in y where this component is prescribed"});
+    const std::string by_surface =
+      good + "Boundary conditions/Surfaces of body = end: top\nBoundary "
+             "conditions/Traction on body = end: 1e2*t, 0\nBoundary "
+             "conditions/Displacement of body = end: ";
+    expect("a load on a surface that is moved",
+           messages<2>(by_surface + "x=0.01*t\n", false),
+           {"WARNING", "a load on a support", "<end>", "acts in x"});
+    expect("a load across the motion of a surface",
+           messages<2>(by_surface + "y=0.01*t\n", false),
+           {});
     expect("a load on a side of which another component is held",
            messages<2>(load + "left: 0, -1e2*t\nBoundary conditions/"
                               "Displacement = left: x=0; bottom: y=0\n",

@@ -346,10 +346,9 @@ namespace isochor
               const double       part = std::abs(stencil.shape[I] * load[a]);
               const unsigned int i =
                 step.nodes.node(stencil.vertex[I]) * step.n_components + a;
-              sum[2 * a] +=
-                constraints.constrained[i] == NodalConstraints::prescribed ?
-                  part :
-                  0.;
+              if (constraints.constrained[i] == NodalConstraints::prescribed ||
+                  !forces.condition_at(b).displacement[a].empty())
+                sum[2 * a] += part;
               sum[2 * a + 1] += part;
             }
       }

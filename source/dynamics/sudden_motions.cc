@@ -288,10 +288,11 @@ namespace isochor
     starts_elsewhere(const StepContext<dim>       &step,
                      const BoundaryCondition<dim> &condition)
     {
-      constexpr double little = 1e-6; // of a cell
-      StepContext<dim> start  = step;
-      start.time              = 0;
-      double           most   = 0;
+      // of a cell; nodes of curved walls aren't quite on them
+      constexpr double little = 1e-6, little_of_equations = 1e-3;
+      StepContext<dim> start = step;
+      start.time             = 0;
+      double           most  = 0;
       NodalConstraints constraints;
       constraints.reinit(step.nodes.n_local() * step.n_components,
                          step.nodes.control_entries(step.n_components));
@@ -300,7 +301,11 @@ namespace isochor
         if (constraints.constrained[i] != NodalConstraints::is_free &&
             i % step.n_components < dim)
           most = std::max(most, std::abs(constraints.increment[i]));
-      if (condition.moves_body(step)) // by springs
+      for (const auto &equation : constraints.equations)
+        most =
+          std::max(most,
+                   std::abs(equation.value) * little / little_of_equations);
+      if (condition.moves_body(start)) // by springs
         {
           std::vector<double> displacements;
           condition.append_motion(start, displacements);
