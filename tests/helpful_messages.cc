@@ -52,6 +52,15 @@ namespace
     expect("= for ==",
            messages<2>(region + "x = 1\n"),
            {"ERROR", "'=' assigns", "'=='"});
+    const std::string inside = region + "x < 0.509\n";
+    expect("a region that is a little larger than the points' cells",
+           messages<2>(inside),
+           {}); // 1.8 %
+    expect("the same of a body of revolution",
+           messages<2>(inside + "Formulation/Geometry = axisymmetric\n"),
+           {"WARNING a region that is rounded to the points",
+            "stand for 0.7854 m^3, 3.", // 3.5, by samples of the cells
+            "% less"});
     expect("a region that compares nothing",
            messages<2>(region + "y\n"),
            {"WARNING a region that leaves nothing out",
@@ -139,9 +148,21 @@ namespace
                 three.find("  Material: 64 points, 0.5 m^2, 1000 kg/m^3, "
                            "Neo-Hookean, E = 1e+06 Pa, nu = 0.3\n"
                            "  Material 2: 64 points, 0.5 m^2, 1800 kg/m^3, "
-                           "J2, E = 1e+06 Pa, nu = 0.499\n"
+                           "J2, E = 1e+06 Pa, nu = 0.499, yield stress = "
+                           "1e+04 Pa\n"
                            "  Material 3: no points\n") != std::string::npos,
                 three);
+    const std::string soil =
+      printed("Material/Model = Mohr-Coulomb\nMaterial/Mohr-Coulomb/Cohesion = "
+              "2e3\nMaterial/Mohr-Coulomb/Friction angle = 30\n"
+              "Material/Poisson ratio = 0\nFormulation/Geometry = "
+              "axisymmetric\n",
+              1);
+    test::check("... with their strength",
+                soil.find(
+                  "nu = 0, cohesion = 2000 Pa, friction angle = 30\n") !=
+                  std::string::npos,
+                soil);
     const std::string one = printed("Material/Poisson ratio = 0.5\n", 1);
     test::check("... a single one, too",
                 one.find("Body: 1 m^2") != std::string::npos &&

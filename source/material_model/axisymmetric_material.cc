@@ -246,4 +246,12 @@ namespace isochor
   {
     return law->doubts();
   }
+
+
+
+  std::string
+  AxisymmetricMaterial::describe_strength() const
+  {
+    return law->describe_strength();
+  }
 } // namespace isochor

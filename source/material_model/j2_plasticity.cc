@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
+#include <isochor/base/plain_message.h>
 #include <isochor/material_model/isochoric_elasticity.h>
 #include <isochor/material_model/j2_return.h>
 #include <isochor/material_model/material_model.h>
@@ -107,6 +108,16 @@ namespace isochor
       return doubtful_strength("J2/Yield stress",
                                plasticity.yield_stress,
                                elasticity);
+    }
+
+    std::string
+    describe_strength() const override
+    {
+      const double last = plasticity.saturation_stress;
+      return "yield stress = " + rounded(plasticity.yield_stress) +
+             (plasticity.saturation_exponent > 0 ? " to " + rounded(last) :
+                                                   "") +
+             " Pa";
     }
 
   private:

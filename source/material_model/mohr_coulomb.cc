@@ -166,6 +166,13 @@ namespace isochor
     std::string
     doubts() const override;
 
+    std::string
+    describe_strength() const override
+    {
+      return "cohesion = " + rounded(surface.cohesion()) +
+             " Pa, friction angle = " + rounded(surface.friction_angle());
+    }
+
   private:
     IsotropicElasticity elasticity;
     MohrCoulombReturn   surface;
@@ -230,28 +237,8 @@ namespace isochor
     const double psi      = prm.get_double("Dilation angle");
     prm.leave_subsection();
 
-    AssertThrow(cohesion >= 0,
-                ExcMessage("<Mohr-Coulomb/Cohesion> must not be negative, but "
-                           "is " +
-                           std::to_string(cohesion) + "."));
-    AssertThrow(phi >= 0 && phi < 90,
-                ExcMessage("<Mohr-Coulomb/Friction angle> must be at least 0 "
-                           "and less than 90 degrees, not " +
-                           std::to_string(phi) + "."));
-    AssertThrow(psi >= 0 && psi <= phi,
-                ExcMessage("<Mohr-Coulomb/Dilation angle> must be at least 0 "
-                           "and at most the friction angle of " +
-                           std::to_string(phi) + " degrees, not " +
-                           std::to_string(psi) + "."));
-    AssertThrow(cohesion > 0 || phi > 0,
-                ExcMessage("<Mohr-Coulomb/Cohesion> must be positive where "
-                           "<Mohr-Coulomb/Friction angle> is 0: the material "
-                           "would have no strength."));
-
+    surface.set_strength(cohesion, phi, psi);
     surface.shear_modulus = elasticity.shear_modulus;
-    surface.sin_phi       = std::sin(phi * numbers::PI / 180);
-    surface.sin_psi       = std::sin(psi * numbers::PI / 180);
-    surface.c_cos_phi     = cohesion * std::cos(phi * numbers::PI / 180);
     surface.bulk_modulus  = (phi > 0 && elasticity.inverse_bulk_modulus > 0 ?
                                1 / elasticity.inverse_bulk_modulus :
                                0);
@@ -265,12 +252,11 @@ namespace isochor
   {
     // no soil has so little friction, but it is the angle of one in radians
     constexpr double most_radians = 1.;
-    const double     phi = std::asin(surface.sin_phi) * 180 / numbers::PI;
+    const double     phi = surface.friction_angle(), c = surface.cohesion();
     if (phi > 0 && phi <= most_radians)
       return "<Mohr-Coulomb/Friction angle> is " + rounded(phi) +
              " degrees. Angles are in degrees: if this one is in radians, write " +
              rounded(phi * 180 / numbers::PI) + ".";
-    const double c = surface.c_cos_phi / std::cos(phi * numbers::PI / 180);
     if (phi > 0 && c <= elasticity.shear_modulus)
       return ""; // a small one is as it should be
     return doubtful_strength("Mohr-Coulomb/Cohesion", c, elasticity);

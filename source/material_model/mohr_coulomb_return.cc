@@ -2,13 +2,50 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/numbers.h>
+
 #include <isochor/material_model/mohr_coulomb_return.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace isochor
 {
+  using namespace dealii;
+
+  void
+  MohrCoulombReturn::set_strength(const double cohesion,
+                                  const double phi,
+                                  const double psi)
+  {
+    AssertThrow(cohesion >= 0,
+                ExcMessage("<Mohr-Coulomb/Cohesion> must not be negative, but "
+                           "is " +
+                           std::to_string(cohesion) + "."));
+    AssertThrow(phi >= 0 && phi < 90,
+                ExcMessage("<Mohr-Coulomb/Friction angle> must be at least 0 "
+                           "and less than 90 degrees, not " +
+                           std::to_string(phi) + "."));
+    AssertThrow(psi >= 0 && psi <= phi,
+                ExcMessage("<Mohr-Coulomb/Dilation angle> must be at least 0 "
+                           "and at most the friction angle of " +
+                           std::to_string(phi) + " degrees, not " +
+                           std::to_string(psi) + "."));
+    AssertThrow(cohesion > 0 || phi > 0,
+                ExcMessage("<Mohr-Coulomb/Cohesion> must be positive where "
+                           "<Mohr-Coulomb/Friction angle> is 0: the material "
+                           "would have no strength."));
+
+    constexpr double degree = numbers::PI / 180;
+    sin_phi                 = std::sin(phi * degree);
+    sin_psi                 = std::sin(psi * degree);
+    c_cos_phi               = cohesion * std::cos(phi * degree);
+  }
+
+
+
   MohrCoulombReturn::Vector
   MohrCoulombReturn::deviatoric_normal(const unsigned int largest,
                                        const unsigned int smallest,

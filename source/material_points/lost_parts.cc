@@ -7,6 +7,7 @@
 
 #include <isochor/base/expression.h>
 #include <isochor/base/plain_message.h>
+#include <isochor/base/thickness.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/body_seeding.h>
 #include <isochor/material_points/places_in_cells.h>
@@ -85,7 +86,7 @@ namespace isochor
     }
 
     /** What points make of a region where its surface goes through cells
-     * (m^dim). */
+     * (m^dim, of a body of revolution m^3). */
     struct RoundedRegion
     {
       double body    = 0; ///< what the points stand for
@@ -95,15 +96,20 @@ namespace isochor
     };
 
     /** In the @p cells, of which points in the region stand for the part @p
-     * filled; below 0 in cells that no body is seeded in. */
+     * filled; below 0 in cells that no body is seeded in. Cells of a body of
+     * revolution (@p axisymmetric) stand for rings. */
     template <int dim>
     RoundedRegion
     measure_rounding(const SimplexGeometry<dim>      &geometry,
                      const std::vector<unsigned int> &cells,
                      const std::vector<double>       &filled,
                      const std::vector<unsigned int> &surroundings,
-                     const Expression<dim>           &in_body)
+                     const Expression<dim>           &in_body,
+                     const bool                       axisymmetric)
     {
+      const auto ring = [axisymmetric](const Point<dim> &x) {
+        return thickness(axisymmetric, x[0]);
+      };
       const auto is_cut = [&](const unsigned int cell) {
         unsigned int around = 0;
         for (const unsigned int v : geometry.vertex_indices(cell))
@@ -121,21 +127,28 @@ namespace isochor
         {
           if (filled[k] < 0)
             continue;
-          const double size = geometry.measure(cells[k]);
-          result.body += size * filled[k];
+          const double size      = geometry.measure(cells[k]),
+                       of_points = size * filled[k] *
+                                   ring(cell_centroid(geometry, cells[k]));
+          result.body += of_points;
           if (!is_cut(cells[k]))
             continue;
           const auto   corners = corners_of(geometry, cells[k]);
           unsigned int n_in    = 0;
+          double       rings   = 0;
           for (unsigned int i = 0; i < n_places; ++i)
-            n_in +=
-              in_body(spread_place<dim>(corners,
-                                        std::size_t(cells[k]) * n_places + i),
-                      0.) > 0;
+            {
+              const Point<dim> x =
+                spread_place<dim>(corners,
+                                  std::size_t(cells[k]) * n_places + i);
+              const bool is_in = in_body(x, 0.) > 0;
+              n_in += is_in;
+              rings += is_in ? ring(x) : 0.;
+            }
           const double part = double(n_in) / n_places;
-          result.added += size * (filled[k] - part);
           if ((n_in == 0 || n_in == n_places) && filled[k] == part)
             continue;
+          result.added += of_points - size * rings / n_places;
           // more than the places tell wrongly
           const double much = 0.05 + 4. / n_places;
           result.n_cut += 1;
@@ -146,9 +159,9 @@ namespace isochor
 
     /** Warn if the points have another volume than the region. Returns whether
      * the surface has steps. Collective. */
-    template <int dim>
-    bool
+    inline bool
     warn_of_rounding(const RoundedRegion &own,
+                     const unsigned int   dim_of_volume,
                      const MPI_Comm       comm,
                      Warnings            &warnings)
     {
@@ -161,7 +174,7 @@ namespace isochor
         warnings.add(
           "a region that is rounded to the points",
           "The points that <Material points/Region> holds stand for " +
-            rounded(body) + " m^" + std::to_string(dim) + ", " +
+            rounded(body) + " m^" + std::to_string(dim_of_volume) + ", " +
             rounded(100 * std::abs(added) / (body - added)) + " % " +
             (added > 0 ? "more" : "less") +
             " than the region in the grid: a point belongs to the body as a "
@@ -180,6 +193,7 @@ namespace isochor
   bool
   BodySeeding<dim>::check_fineness(const BackgroundGrid<dim> &grid,
                                    const bool                 with_domains,
+                                   const bool                 axisymmetric,
                                    Warnings                  &warnings) const
   {
     if (names_in_formula(parameters.region).empty() ||
@@ -239,9 +253,9 @@ namespace isochor
     RoundedRegion  rounding;
     try
       {
-        found = look_between_points(geometry, own, surroundings, in_body);
-        rounding =
-          measure_rounding(geometry, own, filled, surroundings, in_body);
+        found    = look_between_points(geometry, own, surroundings, in_body);
+        rounding = measure_rounding(
+          geometry, own, filled, surroundings, in_body, axisymmetric);
       }
     catch (const StandardExceptions::ExcMessage &)
       {} // the formula need have values at the points only
@@ -274,7 +288,7 @@ namespace isochor
             "points/Points per cell in zones>) or a <Body mesh>; what has no "
             "meaning leave out of the formula.");
       }
-    return warn_of_rounding<dim>(rounding, comm, warnings);
+    return warn_of_rounding(rounding, axisymmetric ? 3 : dim, comm, warnings);
   }
 
 
@@ -304,9 +318,11 @@ namespace isochor
   template bool
   BodySeeding<2>::check_fineness(const BackgroundGrid<2> &,
                                  const bool,
+                                 const bool,
                                  Warnings &) const;
   template bool
   BodySeeding<3>::check_fineness(const BackgroundGrid<3> &,
+                                 const bool,
                                  const bool,
                                  Warnings &) const;
 } // namespace isochor

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -71,16 +72,21 @@ namespace isochor
 
 
 
-  /** The law with its elasticity, as users give it. */
+  /** The law with its elasticity and strength, as users give them. */
   template <int dim>
   static std::string
   describe_law(const MaterialModel<dim> &material, const std::string &law)
   {
-    const double G     = material.shear_modulus(),
-                 per_K = material.inverse_bulk_modulus();
+    const double G              = material.shear_modulus(),
+                 per_K          = material.inverse_bulk_modulus();
+    constexpr double   rounding = 1e-14;
+    const double       nu       = (3 - 2 * G * per_K) / (6 + 2 * G * per_K);
     std::ostringstream text;
     text << law << ", E = " << 9 * G / (3 + G * per_K)
-         << " Pa, nu = " << (3 - 2 * G * per_K) / (6 + 2 * G * per_K);
+         << " Pa, nu = " << (std::abs(nu) < rounding ? 0. : nu);
+    if (const std::string strength = material.describe_strength();
+        !strength.empty())
+      text << ", " << strength;
     return text.str();
   }
 

@@ -79,6 +79,8 @@ namespace isochor
     density() const override;
     std::string
     doubts() const override;
+    std::string
+    describe_strength() const override;
 
   private:
     /** F of the law, with @p hoop = F_θθ. */

@@ -260,6 +260,14 @@ namespace isochor
       return "";
     }
 
+    /** The strength, for the line that lists a material when a run starts:
+     * "yield stress = 1e+06 Pa". Nothing of laws without one. */
+    virtual std::string
+    describe_strength() const
+    {
+      return "";
+    }
+
     /** Whether evaluate_pack() can be used: an offer of laws with elastic
      * volume change, θ^e = J - 1, that do not depend on the pressure. It makes
      * assembly faster and is not another law. */

@@ -5,7 +5,10 @@
 #ifndef isochor_mohr_coulomb_return_h
 #define isochor_mohr_coulomb_return_h
 
+#include <deal.II/base/numbers.h>
+
 #include <array>
+#include <cmath>
 
 namespace isochor
 {
@@ -28,6 +31,25 @@ namespace isochor
     double sin_phi       = 0;
     double sin_psi       = 0;
     double c_cos_phi     = 0; ///< Pa
+
+    /** Set the last three by c (Pa), φ and ψ (degrees). Throws if they aren't
+     * those of a material. */
+    void
+    set_strength(const double cohesion, const double phi, const double psi);
+
+    /** c (Pa). */
+    double
+    cohesion() const
+    {
+      return c_cos_phi / std::sqrt(1 - sin_phi * sin_phi);
+    }
+
+    /** φ (degrees). */
+    double
+    friction_angle() const
+    {
+      return std::asin(sin_phi) * 180 / dealii::numbers::PI;
+    }
 
     /** At a given mean stress beyond the apex, the share of the elastic shear
      * stiffness that the derivatives report in place of the exact one, which is

@@ -77,6 +77,7 @@ namespace isochor
     bool
     check_fineness(const BackgroundGrid<dim> &grid,
                    const bool                 with_domains,
+                   const bool                 axisymmetric,
                    Warnings                  &warnings) const;
 
     /** Warn if the points of a material have another volume than its zones of

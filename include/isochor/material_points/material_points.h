@@ -152,7 +152,10 @@ namespace isochor
       seeding.check_material_zones(grid, point_layout.with_domains, warnings);
       if (domains_are_integrated && point_layout.with_domains)
         seeding.check_domains(grid, warnings);
-      return seeding.check_fineness(grid, point_layout.with_domains, warnings);
+      return seeding.check_fineness(grid,
+                                    point_layout.with_domains,
+                                    point_layout.axisymmetric,
+                                    warnings);
     }
 
     /** How many parts the body has as it was seeded, by parts_by_domains(); 0
