@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -142,6 +143,39 @@ namespace isochor
 
 
 
+    /** For a formula that muParser can't read: what other languages allow in
+     * it, or nothing. */
+    std::string
+    hint_of_unread(const std::string &formula)
+    {
+      if (formula.find("**") != std::string::npos)
+        return " Powers are written a^b, not a**b.";
+      for (const std::string &name : names_in_formula(formula))
+        if (name == "time" || name == "T")
+          return " The time is t, not " + name + ".";
+      if (std::count(formula.begin(), formula.end(), '|') >= 2 &&
+          formula.find("||") == std::string::npos)
+        return " An absolute value is abs(a), not |a|.";
+      const std::regex name_or_number(
+        R"([A-Za-z_]\w*|(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)");
+      for (auto word = std::sregex_iterator(formula.begin(),
+                                            formula.end(),
+                                            name_or_number);
+           word != std::sregex_iterator();
+           ++word)
+        {
+          const std::string behind = word->suffix().str();
+          if (!(*word)[1].matched || behind.empty())
+            continue; // a name
+          if (behind[0] == '(' || behind[0] == '_' ||
+              std::isalpha(static_cast<unsigned char>(behind[0])))
+            return " A product needs a sign: 2*t, not 2t.";
+        }
+      return "";
+    }
+
+
+
     /** Throw if the formula depends on what it must not. */
     template <int dim>
     void
@@ -186,10 +220,10 @@ namespace isochor
   {
     check_words(formula, parameter);
     check_comparisons(formula, parameter);
+    const std::string space = FunctionParser<dim>::default_variable_names();
     try
       {
-        function->initialize(FunctionParser<dim>::default_variable_names() +
-                               ",t",
+        function->initialize(space + ",t",
                              with_blanks_at_operators(formula),
                              {{"pi", numbers::PI}},
                              true);
@@ -199,12 +233,16 @@ namespace isochor
     catch (const std::exception &)
       {
         AssertThrow(false,
-                    ExcMessage("The formula <" + formula +
-                               "> of the parameter <" + parameter +
-                               "> can't be read. Allowed are the variables " +
-                               FunctionParser<dim>::default_variable_names() +
-                               ",t, the constant pi and the usual "
-                               "mathematical functions."));
+                    ExcMessage(
+                      "The formula <" + formula + "> of the parameter <" +
+                      parameter + "> can't be read." + hint_of_unread(formula) +
+                      " Allowed are the variables " +
+                      (variables == FormulaVariables::time ?
+                         "t" :
+                         space +
+                           (variables == FormulaVariables::space ? "" : ",t")) +
+                      ", the constant pi and the usual mathematical "
+                      "functions."));
       }
     check_variables<dim>(formula, parameter, variables);
     const auto names = names_in_formula(formula);
