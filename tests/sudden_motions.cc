@@ -236,6 +236,28 @@ namespace
       }
   }
 
+  /** An acceleration that has no bounds at its start is found as one that jumps
+   * is, to a fiftieth of a step. */
+  void
+  test_unbounded_acceleration()
+  {
+    test::run_scene<2>(
+      "Grid/Upper corner = 1, 0.5\nGrid/Subdivisions = 8, 4\n" +
+      std::string(test::keep_grid) +
+      "Material/Young modulus = 1e10\nMaterial/Density = 1\n"
+      "Dynamics/Inertia = true\nTime/Step size = 0.005\n"
+      "Time/End time = 0.04\nBoundary conditions/Displacement = bottom: y=0; "
+      "top: y=0; right: x=0.1*max(0, t - 0.0213)^1.5\n");
+    const auto &times = test::recorded().times;
+    test::check("t^1.5: a step ends where it starts",
+                std::any_of(times.begin(),
+                            times.end(),
+                            [](const double time) {
+                              return std::abs(time - 0.0213) < 1e-4;
+                            }),
+                "");
+  }
+
   /** A place that jumps at t = 0, or where the velocity has no bounds, is told;
    * other motions, walls that press at once, and displacements that wait for
    * their time aren't. */
@@ -305,5 +327,6 @@ main(int argc, char **argv)
     test_block<3>(motions[2], of, "");
   test_strained_body();
   test_other_body();
+  test_unbounded_acceleration();
   test_places();
 }

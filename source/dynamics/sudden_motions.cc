@@ -247,7 +247,8 @@ namespace isochor
       // jumps, they double (of t^a with a < 1 they grow by 2^(1 - a)).
       const unsigned int n_halvings = (order == 1 ? 8 : 4),
                          n_first = (order == 1 ? 4 : 1), n_more = 8;
-      constexpr double   least = 0.45, largest = 2.5;
+      constexpr double   least     = 0.45;
+      const double       largest   = (order == 1 ? 2.5 : 4);
       const unsigned int n_changes = order + 2;
       double             first = 0, last = 0;
       for (unsigned int b = 1; b <= n_halvings + (order == 1 ? n_more : 0); ++b)
