@@ -11,6 +11,7 @@
 #include <isochor/step/checkpoint_file.h>
 #include <isochor/step/step_setup.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <type_traits>
@@ -102,7 +103,10 @@ namespace
     const std::string directory = "checkpoint_format-a";
     create_output_directory(directory, MPI_COMM_WORLD);
     for (unsigned int slot = 0; slot < 2; ++slot)
-      write(file_of_slot(directory, slot));
+      {
+        write(file_of_slot(directory, slot));
+        std::filesystem::remove(file_of_slot(directory, slot) + ".old");
+      }
     const std::string error =
       run(MPI_COMM_WORLD, directory, {{"Checkpoint/Resume", "true"}}).error;
     check(what + ", resumed", error.find(expected) != std::string::npos, error);

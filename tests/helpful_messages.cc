@@ -74,11 +74,11 @@ namespace
               "Material/Poisson ratio = 0\nFormulation/Geometry = "
               "axisymmetric\n",
               1);
-    test::check("... with their strength",
-                soil.find(
-                  "nu = 0, cohesion = 2000 Pa, friction angle = 30\n") !=
-                  std::string::npos,
-                soil);
+    test::check(
+      "... with their strength",
+      soil.find("nu = 0, cohesion = 2000 Pa, friction angle = 30 degrees\n") !=
+        std::string::npos,
+      soil);
     const std::string one = printed("Material/Poisson ratio = 0.5\n", 1);
     test::check("... a single one, too",
                 one.find("Body: 1 m^2") != std::string::npos &&

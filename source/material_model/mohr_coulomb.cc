@@ -170,7 +170,8 @@ namespace isochor
     describe_strength() const override
     {
       return "cohesion = " + rounded(surface.cohesion()) +
-             " Pa, friction angle = " + rounded(surface.friction_angle());
+             " Pa, friction angle = " + rounded(surface.friction_angle()) +
+             " degrees";
     }
 
   private:

@@ -58,7 +58,8 @@ namespace isochor
         "<Material points/Points per cell>, or <Formulation/Project volume "
         "change> in plastic flow.";
     if (scene.time.step <= 1)
-      text += " That it does so in the first step may be a matter of units: "
+      text += std::string(text.empty() ? "" : " ") +
+              "That it does so in the first step may be a matter of units: "
               "lengths, of the grid and the body, go with stiffnesses, loads "
               "and <Material/Density> (m with Pa, N and kg/m^3; mm with MPa, N "
               "and t/mm^3).";
