@@ -70,7 +70,8 @@ namespace isochor
 
   std::vector<NamedSection>
   named_subsections(const std::vector<ParameterStatement> &statements,
-                    const std::string                     &kind)
+                    const std::string                     &kind,
+                    const bool                             with_types)
   {
     std::vector<NamedSection>          sections;
     std::map<std::string, std::string> origins;
@@ -101,7 +102,7 @@ namespace isochor
               known.type = statement.value;
       }
     for (const NamedSection &known : sections)
-      if (known.type.empty())
+      if (with_types && known.type.empty())
         throw ParameterError(origins.at(known.section) + ": the subsection <" +
                              known.section + "> needs a parameter <" +
                              known.section +

@@ -209,7 +209,7 @@ namespace isochor
   void
   BodySurfaceConditions<dim>::seed(const BackgroundGrid<dim> &grid)
   {
-    std::vector<BodySurface<dim>> places;
+    std::vector<SurfaceRegion<dim>> places;
     for (const SurfaceCondition<dim> &surface : conditions.surfaces)
       places.push_back(surface.place);
     const std::vector<unsigned int> occupied =

@@ -28,7 +28,7 @@ namespace isochor
     for (unsigned int s = 0; s < covered_area.size(); ++s)
       {
         const SurfaceCondition<dim> &surface = conditions.surfaces[s];
-        const BodySurface<dim>      &place   = surface.place;
+        const SurfaceRegion<dim>      &place   = surface.place;
         const double share = covered_area[s] / candidate_area[s];
         if (place.on_grid_boundary || share > 0.99)
           continue;
@@ -110,7 +110,7 @@ namespace isochor
     for (const SurfaceCondition<dim> &surface : conditions.surfaces)
       if (is_doubtful(surface))
         {
-          const BodySurface<dim> &place = surface.place;
+          const SurfaceRegion<dim> &place = surface.place;
           std::vector<double>     values;
           try
             {

@@ -280,7 +280,7 @@ namespace isochor
   {
     for (SurfaceCondition<dim> &surface : surfaces)
       {
-        BodySurface<dim> &place = surface.place;
+        SurfaceRegion<dim> &place = surface.place;
         if (place.on_grid_boundary)
           {
             place.id = grid.boundary_id(place.name, place.parameter);

@@ -309,11 +309,14 @@ namespace isochor
         PointDomain<dim> part = domain;
         part.volume /= 2;
         ++part.n_halvings;
-        part.ancestry  = Ancestry<dim>::of_part(domain.ancestry, kept, lost);
-        unsigned int c = 0;
+        part.ancestry = Ancestry<dim>::of_part(domain.ancestry, kept, lost);
+        // what is opposite to the end of the edge is between the parts
+        part.outer_faces = ((domain.outer_faces >> lost) & 1) << dim;
+        unsigned int c   = 0;
         for (unsigned int other = 0; other <= dim; ++other)
           if (other != kept && other != lost)
             {
+              part.outer_faces |= ((domain.outer_faces >> other) & 1) << c;
               part.reference[c] = domain.reference[other];
               part.current[c++] = domain.current[other];
             }

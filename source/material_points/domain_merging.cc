@@ -159,6 +159,7 @@ namespace isochor
             }
         values.push_back(part.domain.volume);
         values.push_back(part.domain.ancestry);
+        values.push_back(part.domain.outer_faces);
         values.insert(values.end(),
                       part.properties,
                       part.properties + points.layout().n_properties);
@@ -177,9 +178,10 @@ namespace isochor
                 part.domain.reference[c][d] = *value++;
                 part.domain.current[c][d]   = *value++;
               }
-          part.domain.volume   = *value++;
-          part.domain.ancestry = *value++;
-          part.properties      = value;
+          part.domain.volume      = *value++;
+          part.domain.ancestry    = *value++;
+          part.domain.outer_faces = *value++;
+          part.properties         = value;
           value += points.layout().n_properties;
           parts.push_back(part);
         }
@@ -257,12 +259,20 @@ namespace isochor
     PointDomain<dim> &whole = pair.whole;
     whole                   = first.domain;
     whole.ancestry          = Ancestry<dim>::of_whole(first.domain.ancestry);
+    whole.outer_faces       = 0;
     for (unsigned int c = 0, other = 0; c <= dim; ++c)
       {
         const Part        &part = (c == lost ? second : first);
         const unsigned int from = (c == kept || c == lost ? end<dim> : other++);
-        whole.reference[c]      = part.domain.reference[from];
-        whole.current[c]        = part.domain.current[from];
+        // what is opposite to an end of the edge is opposite to the middle of
+        // the part that has the other end
+        const unsigned int face =
+          c == kept ? (second.domain.outer_faces >> middle<dim>) :
+          c == lost ? (first.domain.outer_faces >> middle<dim>) :
+                      (first.domain.outer_faces >> from);
+        whole.outer_faces |= (face & 1) << c;
+        whole.reference[c] = part.domain.reference[from];
+        whole.current[c]   = part.domain.current[from];
       }
     Tensor<2, dim> was, is;
     for (unsigned int c = 0; c < dim; ++c)

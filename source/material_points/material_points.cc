@@ -7,6 +7,7 @@
 #include <isochor/base/expression.h>
 #include <isochor/base/thickness.h>
 #include <isochor/material_points/material_points.h>
+#include <isochor/material_points/outer_faces.h>
 #include <isochor/material_points/parts_of_body.h>
 #include <isochor/material_points/point_domain.h>
 #include <isochor/material_points/relocation.h>
@@ -22,13 +23,15 @@ namespace isochor
                            const bool         with_domains,
                            const bool         with_cell_size,
                            const bool         with_ancestry,
-                           const bool         with_excess)
+                           const bool         with_excess,
+                           const bool         with_surface)
     : with_excess(with_excess)
     , n_history(n_history)
     , dynamic(dynamic)
     , with_domains(with_domains)
     , with_cell_size(with_cell_size)
     , with_ancestry(with_ancestry)
+    , with_surface(with_surface)
   {
     const auto place = [this](unsigned int &field, const unsigned int size) {
       field = n_properties;
@@ -55,6 +58,8 @@ namespace isochor
       place(cell_size, 1);
     if (with_ancestry)
       place(ancestry, 1);
+    if (with_surface)
+      place(outer_faces, 1);
   }
 
 
@@ -136,15 +141,18 @@ namespace isochor
                                with_domains,
                                grid.is_adaptive(),
                                grid.is_adaptive() || keeps_ancestry,
-                               with_excess);
+                               with_excess,
+                               with_domains && keeps_surface);
     point_layout.axisymmetric = axisymmetric;
     forget_order();
     particles->initialize(grid.triangulation(),
                           grid.mapping(),
                           point_layout.n_properties);
 
-    const auto seeds = seeding.seeds(grid, with_domains, materials.size());
+    auto seeds = seeding.seeds(grid, with_domains, materials.size());
     find_parts(seeds);
+    if (point_layout.with_surface)
+      find_outer_faces(seeds);
     insert(seeds, materials);
     if (!initial_velocity.empty())
       set_velocity(initial_velocity);
@@ -190,6 +198,8 @@ namespace isochor
             for (unsigned int d = 0; d < dim; ++d)
               properties[point_layout.domain + c * dim + d] =
                 seed.domain[c + 1][d];
+        if (point_layout.with_surface)
+          properties[point_layout.outer_faces] = seed.outer_faces;
 
         const Point<dim> reference = SimplexGeometry<dim>::reference_location(
           geometry.barycentric(seed.cell, seed.location));
@@ -344,6 +354,8 @@ namespace isochor
     arrays.domain.resize(point_layout.with_domains ? n : 0);
     arrays.displacement.resize(point_layout.with_domains ? n : 0);
     arrays.seeded_volume.resize(point_layout.with_ancestry ? n : 0);
+    arrays.outer_faces.resize(point_layout.with_surface ? n : 0);
+    arrays.id.resize(point_layout.with_surface ? n : 0);
 
     attach(arrays);
     const PointLayout &l = point_layout;
@@ -357,6 +369,12 @@ namespace isochor
       if (l.with_ancestry)
         arrays.seeded_volume[q] = seeded_volume<dim>(properties.data(), l);
       read_state(q, location, properties, arrays);
+      if (l.with_surface)
+        {
+          arrays.outer_faces[q] =
+            static_cast<unsigned char>(properties[l.outer_faces]);
+          arrays.id[q] = particles->get_property_pool().get_id(slots->slot[q]);
+        }
       if (!l.with_domains)
         return;
       for (unsigned int d = 0; d < dim; ++d)

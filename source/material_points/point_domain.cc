@@ -57,6 +57,8 @@ namespace isochor
         domain.point  = domains.size() - 1;
         if (l.with_ancestry)
           domain.ancestry = values[l.ancestry];
+        if (l.with_surface)
+          domain.outer_faces = values[l.outer_faces];
       }
     return domains;
   }
@@ -79,6 +81,8 @@ namespace isochor
       }
     if (l.with_ancestry)
       properties[l.ancestry] = domain.ancestry;
+    if (l.with_surface)
+      properties[l.outer_faces] = domain.outer_faces;
   }
 
 

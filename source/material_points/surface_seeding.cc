@@ -147,7 +147,7 @@ namespace isochor
     public:
       Seeding(const BackgroundGrid<dim>           &grid,
               const BodyShape<dim>                &shape,
-              const std::vector<BodySurface<dim>> &surfaces)
+              const std::vector<SurfaceRegion<dim>> &surfaces)
         : grid(grid)
         , shape(shape)
         , surfaces(surfaces)
@@ -251,7 +251,7 @@ namespace isochor
 
       const BackgroundGrid<dim>           &grid;
       const BodyShape<dim>                &shape;
-      const std::vector<BodySurface<dim>> &surfaces;
+      const std::vector<SurfaceRegion<dim>> &surfaces;
     };
 
 
@@ -290,7 +290,7 @@ namespace isochor
   seed_surfaces(const BackgroundGrid<dim>           &grid,
                 const BodyShape<dim>                &shape,
                 const std::vector<unsigned int>     &occupied,
-                const std::vector<BodySurface<dim>> &surfaces,
+                const std::vector<SurfaceRegion<dim>> &surfaces,
                 const std::string                   &body_mesh)
   {
     Seeding<dim> seeding(grid, shape, surfaces);
@@ -306,7 +306,7 @@ namespace isochor
 
     for (unsigned int s = 0; s < surfaces.size(); ++s)
       {
-        const BodySurface<dim> &surface = surfaces[s];
+        const SurfaceRegion<dim> &surface = surfaces[s];
         AssertThrow(
           seeding.result.covered[s] > 0,
           ExcMessage(
@@ -337,7 +337,7 @@ namespace isochor
   template <int dim>
   std::string
   describe_surfaces(const SeededSurfaces<dim>           &seeded,
-                    const std::vector<BodySurface<dim>> &surfaces)
+                    const std::vector<SurfaceRegion<dim>> &surfaces)
   {
     std::string text;
     for (unsigned int s = 0; s < surfaces.size(); ++s)
@@ -382,18 +382,18 @@ namespace isochor
   seed_surfaces<2>(const BackgroundGrid<2> &,
                    const BodyShape<2> &,
                    const std::vector<unsigned int> &,
-                   const std::vector<BodySurface<2>> &,
+                   const std::vector<SurfaceRegion<2>> &,
                    const std::string &);
   template std::string
   describe_surfaces<2>(const SeededSurfaces<2> &,
-                       const std::vector<BodySurface<2>> &);
+                       const std::vector<SurfaceRegion<2>> &);
   template std::string
   describe_surfaces<3>(const SeededSurfaces<3> &,
-                       const std::vector<BodySurface<3>> &);
+                       const std::vector<SurfaceRegion<3>> &);
   template SeededSurfaces<3>
   seed_surfaces<3>(const BackgroundGrid<3> &,
                    const BodyShape<3> &,
                    const std::vector<unsigned int> &,
-                   const std::vector<BodySurface<3>> &,
+                   const std::vector<SurfaceRegion<3>> &,
                    const std::string &);
 } // namespace isochor

@@ -5,6 +5,7 @@
 #include <isochor/base/parameter_list.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/base/plugin_registry.h>
+#include <isochor/interaction/interaction_term.h>
 #include <isochor/material_model/axisymmetric_material.h>
 #include <isochor/step/scene.h>
 #include <isochor/transfer/volume_projection.h>
@@ -98,6 +99,7 @@ namespace isochor
     sections.boundary_conditions =
       named_subsections(statements, "Boundary conditions");
     sections.postprocessors = named_subsections(statements, "Postprocess");
+    sections.interactions = named_subsections(statements, "Interaction", false);
     return sections;
   }
 
@@ -187,6 +189,12 @@ namespace isochor
     declare_plugins<Postprocessor<dim>>("Postprocess",
                                         sections.postprocessors,
                                         prm);
+    for (const NamedSection &entry : sections.interactions)
+      {
+        prm.enter_subsection(entry.section);
+        Interaction<dim>::declare_parameters(prm);
+        prm.leave_subsection();
+      }
   }
 
 
@@ -312,8 +320,36 @@ namespace isochor
   {
     create_plugins(prm, boundary_conditions);
     create_plugins(prm, postprocessors);
+    parse_interactions(prm);
     for (const auto &condition : boundary_conditions)
       symmetric = symmetric && condition->has_symmetric_matrix();
+  }
+
+
+
+  template <int dim>
+  void
+  Scene<dim>::parse_interactions(ParameterHandler &prm)
+  {
+    std::vector<std::unique_ptr<Interaction<dim>>> interactions;
+    for (const auto &path : ParameterList(prm).subsections)
+      if (path.size() == 1 && path.front().rfind("Interaction: ", 0) == 0)
+        {
+          prm.enter_subsection(path.front());
+          interactions.push_back(
+            std::make_unique<Interaction<dim>>(prm, path.front()));
+          prm.leave_subsection();
+        }
+    if (interactions.empty())
+      return;
+    AssertThrow(quadrature->is_linear_on_domains(),
+                ExcMessage(
+                  "The section <" + interactions.front()->section +
+                  "> needs <Quadrature/Type = CPDI>: only its "
+                  "subdomains have the surface of the body as faces."));
+    points.keep_surface();
+    boundary_conditions.push_back(
+      std::make_unique<InteractionTerm<dim>>(std::move(interactions)));
   }
 
 

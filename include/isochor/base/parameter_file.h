@@ -97,7 +97,8 @@ namespace isochor
    */
   std::vector<NamedSection>
   named_subsections(const std::vector<ParameterStatement> &statements,
-                    const std::string                     &kind);
+                    const std::string                     &kind,
+                    const bool                             with_types = true);
 
   /**
    * Set in @p prm, which has to be at its top level, what the statements say,

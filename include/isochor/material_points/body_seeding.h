@@ -29,6 +29,8 @@ namespace isochor
     /** The corners of its domain relative to it; zero if it has none. */
     CornerVectors<dim> domain;
     unsigned int       material = 0;
+    /** See PointArrays::outer_faces. */
+    unsigned int outer_faces = 0;
   };
 
   /**

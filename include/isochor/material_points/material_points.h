@@ -62,7 +62,11 @@ namespace isochor
      * Only on adaptive grids. */
     unsigned int ancestry      = 0;
     bool         with_ancestry = false;
-    unsigned int n_properties  = 0;
+    /** Which faces of the point's domain lie on the surface of the body, a sum
+     * of 1 << c for the face opposite to corner c; only if with_surface. */
+    unsigned int outer_faces  = 0;
+    bool         with_surface = false;
+    unsigned int n_properties = 0;
     /** Whether the plane is a section of a body of revolution, see
      * AxisymmetricMaterial. */
     bool axisymmetric = false;
@@ -74,7 +78,8 @@ namespace isochor
                 const bool         with_domains   = false,
                 const bool         with_cell_size = false,
                 const bool         with_ancestry  = false,
-                const bool         with_excess    = false);
+                const bool         with_excess    = false,
+                const bool         with_surface   = false);
   };
 
   /** F of a point from its @p properties. */
@@ -140,6 +145,14 @@ namespace isochor
     keep_ancestry()
     {
       keeps_ancestry = true;
+    }
+
+    /** Points that are seeded from now on, with domains, know which faces of
+     * these are on the surface of the body (PointArrays::outer_faces). */
+    void
+    keep_surface()
+    {
+      keeps_surface = true;
     }
 
     /** See BodySeeding::check_conditions(), check_material_zones(),
@@ -277,6 +290,7 @@ namespace isochor
     const BackgroundGrid<dim> &grid;
     BodySeeding<dim>           seeding;
     bool                       keeps_ancestry = false;
+    bool                       keeps_surface  = false;
     PointLayout                point_layout;
     /** Another one after relocate(). */
     std::unique_ptr<Particles::ParticleHandler<dim>> particles;

@@ -131,6 +131,11 @@ namespace isochor
     std::vector<double> seeded_volume;
     /** Domains at t = 0, relative to the points, if the layout has them. */
     std::vector<CornerVectors<dim>> domain;
+    /** Which faces of these are on the surface of the body: bit c stands for
+     * the face opposite to corner c; and the numbers of the points. If the
+     * layout has them. */
+    std::vector<unsigned char>         outer_faces;
+    std::vector<types::particle_index> id;
     /** Of the points since t = 0. Only if they see functions that are linear on
      * their domains (BodyQuadrature::is_linear_on_domains()): N_I at x in the
      * domain of point p is N_pI + ∇N_pI·(x - x_p). */

@@ -34,6 +34,8 @@ namespace isochor
     unsigned int n_halvings = 0; ///< of that point's domain
     /** What Ancestry makes of the bisections. */
     double ancestry = 0;
+    /** See PointArrays::outer_faces. */
+    unsigned int outer_faces = 0;
   };
 
   /** The domains of the points of this rank, in the order of the handler. */

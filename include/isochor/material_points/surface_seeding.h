@@ -19,7 +19,7 @@ namespace isochor
 
   /** A named part of the body's surface at t = 0. */
   template <int dim>
-  struct BodySurface
+  struct SurfaceRegion
   {
     std::string name;
     /** The parameter that asks for it, for messages. */
@@ -115,7 +115,7 @@ namespace isochor
   seed_surfaces(const BackgroundGrid<dim>           &grid,
                 const BodyShape<dim>                &shape,
                 const std::vector<unsigned int>     &occupied,
-                const std::vector<BodySurface<dim>> &surfaces,
+                const std::vector<SurfaceRegion<dim>> &surfaces,
                 const std::string                   &body_mesh);
 
   /** What was found of each of the @p surfaces, a line each: its area (2D: its
@@ -123,7 +123,7 @@ namespace isochor
   template <int dim>
   std::string
   describe_surfaces(const SeededSurfaces<dim>           &seeded,
-                    const std::vector<BodySurface<dim>> &surfaces);
+                    const std::vector<SurfaceRegion<dim>> &surfaces);
 } // namespace isochor
 
 #endif

@@ -28,6 +28,8 @@ namespace isochor
     unsigned int n_materials = 1;
     /** "Boundary conditions: name" and "Postprocess: name". */
     std::vector<NamedSection> boundary_conditions, postprocessors;
+    /** "Interaction: body - partner". */
+    std::vector<NamedSection> interactions;
 
     SceneSections(const unsigned int n_materials = 1)
       : n_materials(n_materials)
@@ -159,6 +161,8 @@ namespace isochor
                    const unsigned int        m) const;
     void
     parse_plugins(ParameterHandler &prm);
+    void
+    parse_interactions(ParameterHandler &prm);
   };
 } // namespace isochor
 

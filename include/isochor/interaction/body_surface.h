@@ -1,0 +1,97 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_body_surface_h
+#define isochor_body_surface_h
+
+#include <isochor/equations/equation_term.h>
+#include <isochor/equations/nodal_unknowns.h>
+
+#include <array>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * Where the bodies end: the outer faces of the CPDI subdomains of this rank's
+   * points (PointArrays::outer_faces), with Gauss points on them. A place of a
+   * face belongs to the subdomain and sees its functions, so that what acts on
+   * the surface is integrated like stresses: the faces move with the body,
+   * whatever the grid's cells, and nothing but the numbers of a stencil changes
+   * when the grid is reset.
+   */
+  template <int dim>
+  class BodySurface
+  {
+  public:
+    /** Gauss points of a face: exact for polynomials of degree 3 (2D), 2 (3D).
+     */
+    static constexpr unsigned int n_gauss = dim == 2 ? 2 : 3;
+
+    /** An outer face of a subdomain. */
+    struct Face
+    {
+      unsigned int          k, q;     ///< cell of the list and point
+      types::particle_index id;       ///< number of the point
+      unsigned int          opposite; ///< the corner that the face doesn't have
+      Tensor<1, dim>        normal;   ///< outward, at t = 0
+      double area; ///< at t = 0 (m^(dim-1), of the plane in axisymmetry)
+      /** Areas of all outer faces of the subdomain over its volume (1/m): the
+       * constant of the trace inequality for functions linear on it. */
+      double area_per_volume;
+      /** At t = 0, from the point of the subdomain (m). */
+      std::array<Tensor<1, dim>, dim> corners;
+      Point<dim>                      reference; ///< of the point, at t = 0
+      Tensor<1, dim> displacement; ///< of the point since t = 0, at t_n (m)
+    };
+
+    /** A Gauss point. */
+    struct Place
+    {
+      Point<dim>     X;            ///< at t = 0
+      Point<dim>     x;            ///< at the start of the step
+      Tensor<1, dim> displacement; ///< x - X, not as that difference (m)
+      Tensor<1, dim> r;            ///< from the subdomain's point, at t_n (m)
+      double         weight;       ///< of the face's area
+    };
+
+    /** Find the faces of @p points, as gathered. */
+    void
+    find(const SimplexGeometry<dim> &geometry, const PointArrays<dim> &points);
+
+    /** Move with the increments of @p unknowns, at the end of a step. */
+    void
+    advance(const StepContext<dim> &step, const NodalField &unknowns);
+
+    const std::vector<Face> &
+    faces() const
+    {
+      return all_faces;
+    }
+
+    /** Gauss point @p g of @p face at the start of the step. */
+    static Place
+    place(const StepContext<dim> &step, const Face &face, const unsigned int g);
+
+    /** Its barycentric coordinates on the face. */
+    static std::array<double, dim>
+    coordinates(const unsigned int g);
+
+    /** The centre of a face at t = 0. */
+    static Point<dim>
+    centre(const Face &face);
+
+    /** A number for @p face that no other one has, on no rank. */
+    static std::uint64_t
+    key(const Face &face)
+    {
+      return static_cast<std::uint64_t>(face.id) * (dim + 1) + face.opposite;
+    }
+
+  private:
+    std::vector<Face> all_faces;
+  };
+} // namespace isochor
+
+#endif

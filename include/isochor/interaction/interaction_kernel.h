@@ -1,0 +1,137 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_interaction_kernel_h
+#define isochor_interaction_kernel_h
+
+#include <isochor/equations/surface_stress.h>
+#include <isochor/interaction/interaction_law.h>
+
+#include <array>
+#include <vector>
+
+namespace isochor
+{
+  /** What the partner is to a place of the surface: its gap and the derivatives
+   * of this, x the place's position. */
+  template <int dim>
+  struct PartnerPlace
+  {
+    Tensor<1, dim> gap;    ///< g (m), the total one
+    Tensor<1, dim> normal; ///< n, of the partner, towards the body
+    double normal_gap = 0; ///< g·n: distance, negative in the partner (m)
+    Tensor<2, dim> gap_by_x, normal_by_x;
+    /** What of the traction the partner can exert; 1 but for components that
+     * are left free. */
+    Tensor<2, dim> mask = unit_symmetric_tensor<dim>();
+  };
+
+  /**
+   * The contribution of one Gauss point of a surface to the equations, for all
+   * partners and laws the only place where it stands. With t the body's own
+   * traction, or the mean κ₁ t₁ - κ₂ t₂ of two bodies, f of InteractionLaw, M
+   * the projection to the constrained components and the trace v of a test
+   * function (of two bodies v₁ - v₂):
+   *   R(v) = - ∫ f·v + θ ∫ (f - M t)·B[v] / γ,
+   *   R(q) = ∫ (f - M t)·q s F^{-T}N / γ,
+   * over areas at t = 0. θ = 0: without the adjoint term, for statics. θ = 1
+   * in dynamics, where it keeps the equations symmetric up to second order,
+   * with B the elastic change of the traction frozen at the start of the step
+   * (SurfaceStress::elastic_traction_by_displacement()).
+   */
+  template <int dim>
+  class InteractionKernel
+  {
+  public:
+    using Projection = typename InteractionLaw<dim>::Projection;
+
+    /** The subdomain of a body at the place: its unknowns stand at the nodes
+     * from @p first_node on. */
+    struct Side
+    {
+      const SurfaceStress<dim> *stress;
+      unsigned int              first_node, n_nodes;
+      const double             *shape;       ///< N_I at the place
+      const double             *point_shape; ///< of pressures at the point
+      double                    pressure;    ///< p at the place
+      /** κ₁ or -κ₂, the factor of t. */
+      double weight;
+      /** 1, or -1 of the partner: the factor of v. */
+      double sign;
+      /** B_J,b by J * dim + b, if θ is not 0. */
+      const Tensor<1, dim> *adjoint = nullptr;
+    };
+
+    /** How a place is integrated, and γ. */
+    struct Measure
+    {
+      double weight;         ///< of the area at t = 0 (m^(dim-1))
+      double gamma;          ///< Pa/m
+      double theta      = 0; ///< θ
+      double area_ratio = 1; ///< see InteractionLaw::project()
+    };
+
+    /** Begin with an element of @p n_nodes nodes with @p n_components unknowns.
+     */
+    void
+    start_element(const unsigned int n_nodes,
+                  const unsigned int n_components,
+                  const bool         with_matrix);
+
+    /** Begin with a place. */
+    void
+    start_place();
+    void
+    add_side(const Side &side);
+    /** An unknown by which the partner moves: changes of its place, of its
+     * normal and of the gap that turns with it. */
+    struct PartnerMotion
+    {
+      Tensor<1, dim> place, normal, gap;
+    };
+    /** The partner moves by the unknowns at node @p node, from component 0 on.
+     */
+    void
+    add_partner(const unsigned int                node,
+                const std::vector<PartnerMotion> &motion);
+    /** Add what acts at the place by @p law. */
+    Projection
+    add(const InteractionLaw<dim> &law,
+        const PartnerPlace<dim>   &place,
+        const Measure             &measure);
+
+    /** t at the place, after add_side(). */
+    const Tensor<1, dim> &
+    traction() const
+    {
+      return t;
+    }
+
+    /** Of the element, as MixedSystem::add_element() wants them. */
+    std::vector<double> residual, matrix;
+
+  private:
+    void
+    add_to_residual(const Projection     &projection,
+                    const Measure        &measure,
+                    const Tensor<1, dim> &mismatch);
+    void
+    add_to_matrix(const InteractionLaw<dim> &law,
+                  const PartnerPlace<dim>   &place,
+                  const Projection          &projection,
+                  const Measure             &measure,
+                  const Tensor<1, dim>      &mismatch);
+
+    unsigned int n_components = 0, n_dofs = 0;
+    bool         with_matrix = false;
+    /** By unknown of the element: the trace of its function, relative to the
+     * partner; ∂t; what n and g turn by with the partner; the adjoint B. */
+    std::vector<Tensor<1, dim>> trace, t_by, turn_of_normal, turn_of_gap,
+      adjoint;
+    Tensor<1, dim>    t;
+    std::vector<Side> sides;
+  };
+} // namespace isochor
+
+#endif

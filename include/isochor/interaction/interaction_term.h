@@ -1,0 +1,156 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_interaction_term_h
+#define isochor_interaction_term_h
+
+#include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/interaction/body_surface.h>
+#include <isochor/interaction/interaction.h>
+#include <isochor/interaction/interaction_kernel.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * All that acts on the surface of the bodies by interactions. An element is a
+   * face of BodySurface with all its partners: its nodes are those of the
+   * face's subdomain, so that neither contact nor its loss changes the pattern
+   * of the matrix.
+   */
+  template <int dim>
+  class InteractionTerm : public BoundaryCondition<dim>
+  {
+  public:
+    explicit InteractionTerm(
+      std::vector<std::unique_ptr<Interaction<dim>>> &&interactions);
+
+    void
+    initialize(const BackgroundGrid<dim> &grid) override
+    {
+      this->grid = &grid;
+    }
+    void
+    set_body(const BodyShape<dim> & /*shape*/,
+             const PointArrays<dim> &points) override
+    {
+      this->points = &points;
+    }
+    void
+    touch_vertices(std::vector<unsigned int> &vertices) override;
+    void
+    collect_elements(const StepContext<dim> &step,
+                     ElementNodes           &elements) override;
+    /** Find γ and the adjoint of the step. */
+    void
+    prepare_contact(const StepContext<dim> &step) override;
+    EvaluationStatus
+    assemble(const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             const NodalField       &pending,
+             const unsigned int      first_element,
+             const bool              with_matrix,
+             MixedSystem<dim>       &system) override;
+    void
+    add_unit_residual(const StepContext<dim> &step,
+                      NodalField             &scale) const override;
+    void
+    add_boundary_force(const StepContext<dim> &step,
+                       const NodalField       &unknowns,
+                       NodalField             &force) const override;
+    bool
+    has_symmetric_matrix() const override
+    {
+      return false;
+    }
+    bool
+    moves_body(const StepContext<dim> & /*step*/) const override
+    {
+      return !faces.empty();
+    }
+    void
+    evaluate(const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             const MixedSystem<dim> &system,
+             const NodalConstraints &constraints,
+             Statistics             &statistics) const override;
+    void
+    advance(const StepContext<dim> &step, const NodalField &unknowns) override;
+    std::string
+    save_state() const override;
+    void
+    load_state(const std::string &state) override;
+
+  private:
+    using Slips = std::array<Tensor<1, dim>, BodySurface<dim>::n_gauss>;
+
+    /** A face that takes part, with what is constant in a step. */
+    struct FaceElement
+    {
+      unsigned int                face;     ///< in the surface
+      std::vector<unsigned int>   partners; ///< numbers of its interactions
+      double                      gamma      = 0;
+      double                      area_ratio = 1;
+      std::vector<Tensor<1, dim>> adjoint; ///< B, if θ is not 0
+    };
+
+    /** What acts at a Gauss point of a face by one of its interactions. */
+    struct Action
+    {
+      unsigned int   interaction, gauss_point;
+      Point<dim>     x;     ///< at the iterate
+      Tensor<1, dim> force; ///< on the body (N)
+      Tensor<1, dim> slip;  ///< to be remembered (m)
+      SurfaceState   state;
+    };
+
+    typename SurfaceStress<dim>::Domain
+    domain(const StepContext<dim> &step, const unsigned int face) const;
+    /** Residual and matrix of a face. @p pressures_of_points: take p from the
+     * points, not from the nodes. @p actions, if not null, gets what acts. */
+    EvaluationStatus
+    evaluate_face(const StepContext<dim> &step,
+                  const NodalField       &unknowns,
+                  const FaceElement      &element,
+                  const bool              pressures_of_points,
+                  const bool              with_matrix,
+                  InteractionKernel<dim> &kernel,
+                  std::vector<Action>    *actions) const;
+    /** The interaction that acts at @p place: the tie or, of contacts, that
+     * with the nearest partner which the surface faces; and the place of the
+     * partner. -1: none. */
+    int
+    choose(const FaceElement                         &element,
+           const typename Partner<dim>::SurfacePlace &place,
+           PartnerPlace<dim>                         &found) const;
+    void
+    set_nodes(const StepContext<dim>    &step,
+              const FaceElement         &element,
+              std::vector<unsigned int> &nodes) const;
+    void
+    start_faces();
+    /** Bring what is remembered of faces to the ranks that have them.
+     * Collective. */
+    void
+    send_slips();
+
+    std::vector<std::unique_ptr<Interaction<dim>>> interactions;
+    const BackgroundGrid<dim>                     *grid   = nullptr;
+    const PointArrays<dim>                        *points = nullptr;
+    BodySurface<dim>                               surface;
+    std::vector<FaceElement>                       faces;
+    /** T (t - f) / γ of the last step by BodySurface::key(), where there is
+     * friction. */
+    std::map<std::uint64_t, Slips> slips;
+    /** The same of the step that has converged. */
+    mutable std::map<std::uint64_t, Slips> next_slips;
+    mutable SurfaceStress<dim>             stress;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,86 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_partner_h
+#define isochor_partner_h
+
+#include <isochor/interaction/body_surface.h>
+#include <isochor/interaction/interaction_kernel.h>
+
+#include <vector>
+
+namespace isochor
+{
+  /** What a surface interacts with, other than another body. Poses are those at
+   * the end of the step. */
+  template <int dim>
+  class Partner
+  {
+  public:
+    virtual ~Partner() = default;
+
+    /** A place of the surface at the iterate. */
+    struct SurfacePlace
+    {
+      const typename BodySurface<dim>::Place
+                    *start;     ///< at the start of the step
+      Tensor<1, dim> increment; ///< Δu (m)
+      /** The tangential gap of the last step (m), for laws with friction. */
+      Tensor<1, dim> slip;
+    };
+
+    /** The @p step goes to its end with the nodal @p unknowns: find the pose.
+     */
+    virtual void
+    update(const StepContext<dim> & /*step*/, const NodalField & /*unknowns*/)
+    {}
+
+    /** Where @p place is from the nearest place of the partner, for laws that
+     * are unilateral. */
+    virtual PartnerPlace<dim>
+    nearest(const SurfacePlace &place) const = 0;
+
+    /** Where it is from the place of the partner that it was at, at t = 0. */
+    virtual PartnerPlace<dim>
+    original(const SurfacePlace &place) const = 0;
+
+    /** The vertices of control nodes whose unknowns move the partner. */
+    virtual std::vector<unsigned int>
+    control_vertices(const ActiveNodes<dim> & /*nodes*/) const
+    {
+      return {};
+    }
+
+    /** How unknowns at the control nodes move the partner at the place that was
+     * asked for last: by node, by component. */
+    virtual void
+    motion(
+      const SurfacePlace & /*place*/,
+      const PartnerPlace<dim> & /*found*/,
+      std::vector<std::vector<typename InteractionKernel<dim>::PartnerMotion>>
+        &motions) const
+    {
+      motions.clear();
+    }
+
+    /** The force on the partner at @p x (N). */
+    virtual void
+    add_force(const Point<dim> & /*x*/, const Tensor<1, dim> & /*force*/)
+    {}
+  };
+
+  /** What is left of the distance of a place x from the nearest place of a
+   * partner and its slip: g = g_n n + T s with T = 1 - n ⊗ n, n the normal and
+   * @p curvature its change with x, s the @p slip that changes by
+   * @p slip_by_x. */
+  template <int dim>
+  PartnerPlace<dim>
+  nearest_place(const double                   distance,
+                const Tensor<1, dim>          &normal,
+                const SymmetricTensor<2, dim> &curvature,
+                const Tensor<1, dim>          &slip,
+                const Tensor<2, dim>          &slip_by_x);
+} // namespace isochor
+
+#endif

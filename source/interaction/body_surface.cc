@@ -1,0 +1,152 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/interaction/body_surface.h>
+
+#include <cmath>
+
+namespace isochor
+{
+  namespace
+  {
+    /** The area vector of the face of a simplex opposite to corner @p c,
+     * outward. */
+    template <int dim>
+    Tensor<1, dim>
+    area_vector(const CornerVectors<dim> &corners, const unsigned int c)
+    {
+      std::array<Tensor<1, dim>, dim> face;
+      for (unsigned int other = 0, i = 0; other <= dim; ++other)
+        if (other != c)
+          face[i++] = corners[other];
+      Tensor<1, dim> area;
+      if constexpr (dim == 2)
+        area = cross_product_2d(face[1] - face[0]);
+      else
+        area = cross_product_3d(face[1] - face[0], face[2] - face[0]) / 2;
+      return area * (face[0] - corners[c]) > 0 ? area : -area;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  BodySurface<dim>::find(const SimplexGeometry<dim> &geometry,
+                         const PointArrays<dim>     &points)
+  {
+    all_faces.clear();
+    if (points.outer_faces.empty())
+      return;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          if (points.outer_faces[q] == 0)
+            continue;
+          const CornerVectors<dim> &corners = points.domain[q];
+          const std::size_t         first   = all_faces.size();
+          double                    area = 0, volume = 0;
+          for (unsigned int c = 0; c <= dim; ++c)
+            {
+              const Tensor<1, dim> A = area_vector<dim>(corners, c);
+              // the height is (dim + 1) times the distance of the centroid
+              const unsigned int other = (c == 0 ? 1 : 0);
+              volume = (corners[other] - corners[c]) * A / dim;
+              if (((points.outer_faces[q] >> c) & 1) == 0)
+                continue;
+              Face face;
+              face.k            = k;
+              face.q            = q;
+              face.id           = points.id[q];
+              face.opposite     = c;
+              face.area         = A.norm();
+              face.normal       = A / face.area;
+              face.reference    = Point<dim>(points.location(geometry, k, q) -
+                                          points.displacement[q]);
+              face.displacement = points.displacement[q];
+              for (unsigned int o = 0, i = 0; o <= dim; ++o)
+                if (o != c)
+                  face.corners[i++] = corners[o];
+              area += face.area;
+              all_faces.push_back(face);
+            }
+          for (std::size_t f = first; f < all_faces.size(); ++f)
+            all_faces[f].area_per_volume = area / volume;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  BodySurface<dim>::advance(const StepContext<dim> &step,
+                            const NodalField       &unknowns)
+  {
+    const NodalUnknowns<dim> nodal(step, unknowns);
+    for (Face &face : all_faces)
+      face.displacement += nodal.increment_at(
+        step.points.stencil(step.grid.geometry(), face.k, face.q));
+  }
+
+
+
+  template <int dim>
+  std::array<double, dim>
+  BodySurface<dim>::coordinates(const unsigned int g)
+  {
+    if constexpr (dim == 2)
+      {
+        const double half = 0.5 / std::sqrt(3.);
+        const double x    = (g == 0 ? 0.5 - half : 0.5 + half);
+        return {{1 - x, x}};
+      }
+    else
+      {
+        std::array<double, dim> lambda;
+        lambda.fill(1. / 6);
+        lambda[g] = 2. / 3;
+        return lambda;
+      }
+  }
+
+
+
+  template <int dim>
+  typename BodySurface<dim>::Place
+  BodySurface<dim>::place(const StepContext<dim> &step,
+                          const Face             &face,
+                          const unsigned int      g)
+  {
+    const auto     lambda = coordinates(g);
+    Tensor<1, dim> R;
+    for (unsigned int i = 0; i < dim; ++i)
+      R += lambda[i] * face.corners[i];
+    Place place;
+    place.r = step.points.F[face.q] * R;
+    place.X = face.reference + R;
+    place.x =
+      step.points.location(step.grid.geometry(), face.k, face.q) + place.r;
+    place.displacement = face.displacement + place.r - R;
+    place.weight       = 1. / n_gauss;
+    return place;
+  }
+
+
+
+  template <int dim>
+  Point<dim>
+  BodySurface<dim>::centre(const Face &face)
+  {
+    Point<dim> X = face.reference;
+    for (const Tensor<1, dim> &corner : face.corners)
+      X += corner / static_cast<double>(dim);
+    return X;
+  }
+
+
+
+  template class BodySurface<2>;
+  template class BodySurface<3>;
+} // namespace isochor

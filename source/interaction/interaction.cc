@@ -1,0 +1,63 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/interaction/interaction.h>
+#include <isochor/interaction/prescribed_place.h>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  Interaction<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    InteractionLaw<dim>::declare_laws(prm);
+    prm.declare_entry(
+      "Surface",
+      "",
+      Patterns::Anything(),
+      "Which part of the body's surface takes part: where this "
+      "formula in x, y(, z) is positive at the centre of a face "
+      "at t = 0. Empty: all of it.");
+    prm.declare_entry("Displacement",
+                      "",
+                      Patterns::Anything(),
+                      "Of an interaction with 'place': where the surface goes, "
+                      "as displacements (m) since t = 0, formulas in x, y(, z) "
+                      "at t = 0 and t: 'x=0, y=-0.1*t'. Components that are "
+                      "left out are free.");
+  }
+
+
+
+  template <int dim>
+  Interaction<dim>::Interaction(ParameterHandler  &prm,
+                                const std::string &section)
+    : section(section)
+  {
+    const std::string kind  = "Interaction: ",
+                      title = section.substr(kind.size());
+    const std::size_t dash  = title.find(" - ");
+    AssertThrow(dash != std::string::npos && dash > 0 &&
+                  dash + 3 < title.size(),
+                ExcMessage("The subsection <" + section +
+                           "> must name a body and its partner: <" + kind +
+                           "body - partner>."));
+    body         = title.substr(0, dash);
+    partner_name = title.substr(dash + 3);
+    law          = InteractionLaw<dim>::create(prm);
+    if (!prm.get("Surface").empty())
+      region = std::make_unique<Expression<dim>>(prm.get("Surface"),
+                                                 section + "/Surface",
+                                                 FormulaVariables::space);
+    if (partner_name == "place")
+      partner =
+        std::make_unique<PrescribedPlace<dim>>(prm.get("Displacement"),
+                                               section + "/Displacement");
+  }
+
+
+
+  template class Interaction<2>;
+  template class Interaction<3>;
+} // namespace isochor

@@ -1,0 +1,173 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/interaction/interaction_kernel.h>
+
+namespace isochor
+{
+  template <int dim>
+  void
+  InteractionKernel<dim>::start_element(const unsigned int n_nodes,
+                                        const unsigned int components,
+                                        const bool         matrix_too)
+  {
+    n_components = components;
+    n_dofs       = n_nodes * n_components;
+    with_matrix  = matrix_too;
+    residual.assign(n_dofs, 0.);
+    if (with_matrix)
+      matrix.assign(n_dofs * n_dofs, 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionKernel<dim>::start_place()
+  {
+    for (auto *field : {&trace, &t_by, &turn_of_normal, &turn_of_gap, &adjoint})
+      field->assign(n_dofs, Tensor<1, dim>());
+    t = Tensor<1, dim>();
+    sides.clear();
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionKernel<dim>::add_side(const Side &side)
+  {
+    sides.push_back(side);
+    const SurfaceStress<dim> &stress = *side.stress;
+    t += side.weight * stress.traction(side.pressure);
+    for (unsigned int J = 0; J < side.n_nodes; ++J)
+      {
+        const unsigned int first = (side.first_node + J) * n_components;
+        for (unsigned int b = 0; b < dim; ++b)
+          {
+            trace[first + b][b] += side.sign * side.shape[J];
+            if (with_matrix)
+              t_by[first + b] +=
+                side.weight *
+                stress.traction_by_displacement(J, b, side.pressure);
+            if (side.adjoint != nullptr)
+              adjoint[first + b] += side.weight * side.adjoint[J * dim + b];
+          }
+        if (with_matrix && stress.mixed)
+          t_by[first + dim] +=
+            side.weight * (side.shape[J] * stress.volume +
+                           side.point_shape[J] * stress.deviatoric_by_p);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionKernel<dim>::add_partner(const unsigned int                node,
+                                      const std::vector<PartnerMotion> &motion)
+  {
+    for (unsigned int a = 0; a < motion.size(); ++a)
+      {
+        const unsigned int i = node * n_components + a;
+        trace[i] -= motion[a].place;
+        turn_of_normal[i] += motion[a].normal;
+        turn_of_gap[i] += motion[a].gap;
+      }
+  }
+
+
+
+  template <int dim>
+  typename InteractionKernel<dim>::Projection
+  InteractionKernel<dim>::add(const InteractionLaw<dim> &law,
+                              const PartnerPlace<dim>   &place,
+                              const Measure             &measure)
+  {
+    Projection projection = law.project(t - measure.gamma * place.gap,
+                                        place.normal,
+                                        measure.area_ratio);
+    projection.f          = place.mask * projection.f;
+    projection.f_by_w     = place.mask * projection.f_by_w;
+    projection.f_by_n     = place.mask * projection.f_by_n;
+    // (f - M t) / γ
+    const Tensor<1, dim> constrained = law.constrains_tangent() ?
+                                         place.mask * t :
+                                         (t * place.normal) * place.normal;
+    const Tensor<1, dim> mismatch =
+      (projection.f - constrained) / measure.gamma;
+    add_to_residual(projection, measure, mismatch);
+    if (with_matrix)
+      add_to_matrix(law, place, projection, measure, mismatch);
+    return projection;
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionKernel<dim>::add_to_residual(const Projection     &projection,
+                                          const Measure        &measure,
+                                          const Tensor<1, dim> &mismatch)
+  {
+    const double W = measure.weight;
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      residual[i] +=
+        W * (measure.theta * (mismatch * adjoint[i]) - projection.f * trace[i]);
+    for (const Side &side : sides)
+      for (unsigned int I = 0; I < side.n_nodes && side.stress->mixed; ++I)
+        residual[(side.first_node + I) * n_components + dim] +=
+          W * side.weight * side.shape[I] * (mismatch * side.stress->volume);
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionKernel<dim>::add_to_matrix(const InteractionLaw<dim> &law,
+                                        const PartnerPlace<dim>   &place,
+                                        const Projection          &projection,
+                                        const Measure             &measure,
+                                        const Tensor<1, dim>      &mismatch)
+  {
+    const double          W = measure.weight;
+    const Tensor<1, dim> &n = place.normal;
+    for (unsigned int j = 0; j < n_dofs; ++j)
+      {
+        const Tensor<1, dim> dn =
+          place.normal_by_x * trace[j] + turn_of_normal[j];
+        const Tensor<1, dim> dg = place.gap_by_x * trace[j] + turn_of_gap[j];
+        const Tensor<1, dim> df =
+          projection.f_by_w * (t_by[j] - measure.gamma * dg) +
+          projection.f_by_n * dn;
+        const Tensor<1, dim> constrained =
+          law.constrains_tangent() ? place.mask * t_by[j] :
+                                     (t_by[j] * n + t * dn) * n + (t * n) * dn;
+        const Tensor<1, dim> d_mismatch = (df - constrained) / measure.gamma;
+        for (unsigned int i = 0; i < n_dofs; ++i)
+          matrix[i * n_dofs + j] +=
+            W * (measure.theta * (d_mismatch * adjoint[i]) - df * trace[i]);
+        for (const Side &side : sides)
+          {
+            if (!side.stress->mixed)
+              continue;
+            double             change = d_mismatch * side.stress->volume;
+            const unsigned int node = j / n_components, b = j % n_components;
+            if (b < dim && node >= side.first_node &&
+                node < side.first_node + side.n_nodes)
+              change +=
+                mismatch *
+                side.stress->volume_by_u[(node - side.first_node) * dim + b];
+            for (unsigned int I = 0; I < side.n_nodes; ++I)
+              matrix[((side.first_node + I) * n_components + dim) * n_dofs +
+                     j] += W * side.weight * side.shape[I] * change;
+          }
+      }
+  }
+
+
+
+  template class InteractionKernel<2>;
+  template class InteractionKernel<3>;
+} // namespace isochor

@@ -1,0 +1,475 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/base/mpi_sums.h>
+#include <isochor/interaction/interaction_term.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+namespace isochor
+{
+  template <int dim>
+  InteractionTerm<dim>::InteractionTerm(
+    std::vector<std::unique_ptr<Interaction<dim>>> &&interactions)
+    : interactions(std::move(interactions))
+  {
+    this->name = "Interactions";
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::touch_vertices(std::vector<unsigned int> & /*vertices*/)
+  {
+    if (interactions.empty())
+      return;
+    surface.find(grid->geometry(), *points);
+    faces.clear();
+    for (unsigned int f = 0; f < surface.faces().size(); ++f)
+      {
+        FaceElement      element;
+        const Point<dim> X = BodySurface<dim>::centre(surface.faces()[f]);
+        element.face       = f;
+        for (unsigned int i = 0; i < interactions.size(); ++i)
+          if (interactions[i]->has(X))
+            element.partners.push_back(i);
+        if (!element.partners.empty())
+          faces.push_back(element);
+      }
+    send_slips();
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::send_slips()
+  {
+    const MPI_Comm comm = grid->communicator();
+    if (Utilities::MPI::n_mpi_processes(comm) == 1)
+      return;
+    std::map<std::uint64_t, Slips> kept;
+    for (const FaceElement &element : faces)
+      {
+        const auto found =
+          slips.find(BodySurface<dim>::key(surface.faces()[element.face]));
+        if (found != slips.end())
+          kept.insert(slips.extract(found));
+      }
+    // what is left belongs to points that went to other ranks
+    using Orphans = std::vector<std::pair<std::uint64_t, Slips>>;
+    for (const Orphans &orphans :
+         Utilities::MPI::all_gather(comm, Orphans(slips.begin(), slips.end())))
+      for (const auto &orphan : orphans)
+        kept.insert(orphan);
+    slips.clear();
+    for (const FaceElement &element : faces)
+      {
+        const auto found =
+          kept.find(BodySurface<dim>::key(surface.faces()[element.face]));
+        if (found != kept.end())
+          slips.insert(kept.extract(found));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::set_nodes(const StepContext<dim>    &step,
+                                  const FaceElement         &element,
+                                  std::vector<unsigned int> &nodes) const
+  {
+    const auto &face    = surface.faces()[element.face];
+    const auto  stencil = points->stencil(grid->geometry(), face.k, face.q);
+    nodes.clear();
+    for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+      nodes.push_back(step.nodes.node(stencil.vertex[I]));
+    for (const unsigned int i : element.partners)
+      for (const unsigned int vertex :
+           interactions[i]->partner->control_vertices(step.nodes))
+        nodes.push_back(step.nodes.node(vertex));
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::collect_elements(const StepContext<dim> &step,
+                                         ElementNodes           &elements)
+  {
+    std::vector<unsigned int> nodes;
+    for (const FaceElement &element : faces)
+      {
+        set_nodes(step, element, nodes);
+        elements.add(nodes.begin(), nodes.end());
+      }
+  }
+
+
+
+  template <int dim>
+  typename SurfaceStress<dim>::Domain
+  InteractionTerm<dim>::domain(const StepContext<dim> &step,
+                               const unsigned int      f) const
+  {
+    const auto &face = surface.faces()[f];
+    return {step.kernel.materials[points->material[face.q]].get(),
+            points->F[face.q],
+            points->history.data() + face.q * std::size_t(points->n_history),
+            points->radius.empty() ? 0. : points->radius[face.q],
+            points->stencil(grid->geometry(), face.k, face.q)};
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::prepare_contact(const StepContext<dim> &step)
+  {
+    for (FaceElement &element : faces)
+      {
+        const auto &face   = surface.faces()[element.face];
+        const auto  of     = domain(step, element.face);
+        const auto  status = stress.evaluate(
+          step.kernel,
+          of,
+          face.normal,
+          [](const unsigned int) { return Tensor<1, dim>(); },
+          [&](const unsigned int) { return double(points->pressure[face.q]); },
+          true);
+        AssertThrow(status == EvaluationStatus::success,
+                    ExcMessage("The stress of a point can't be evaluated as it "
+                               "was at the end of the last step."));
+        element.gamma      = 2 * stress.normal_modulus * face.area_per_volume;
+        element.area_ratio = stress.area.norm();
+        element.adjoint.clear();
+        for (unsigned int J = 0; J < of.stencil.n_nodes && step.has_inertia;
+             ++J)
+          for (unsigned int b = 0; b < dim; ++b)
+            element.adjoint.push_back(
+              stress.elastic_traction_by_displacement(J, b));
+      }
+  }
+
+
+
+  template <int dim>
+  int
+  InteractionTerm<dim>::choose(const FaceElement &element,
+                               const typename Partner<dim>::SurfacePlace &place,
+                               PartnerPlace<dim> &found) const
+  {
+    int    chosen  = -1;
+    double nearest = std::numeric_limits<double>::max();
+    for (const unsigned int i : element.partners)
+      {
+        const Interaction<dim> &interaction = *interactions[i];
+        if (!interaction.law->is_unilateral())
+          {
+            found = interaction.partner->original(place);
+            return i;
+          }
+        const PartnerPlace<dim> candidate = interaction.partner->nearest(place);
+        if (candidate.normal_gap < nearest &&
+            candidate.normal * stress.area < 0)
+          {
+            chosen  = i;
+            nearest = candidate.normal_gap;
+            found   = candidate;
+          }
+      }
+    return chosen;
+  }
+
+
+
+  template <int dim>
+  EvaluationStatus
+  InteractionTerm<dim>::evaluate_face(const StepContext<dim> &step,
+                                      const NodalField       &unknowns,
+                                      const FaceElement      &element,
+                                      const bool pressures_of_points,
+                                      const bool with_matrix,
+                                      InteractionKernel<dim> &kernel,
+                                      std::vector<Action>    *actions) const
+  {
+    const auto              &face = surface.faces()[element.face];
+    const auto               of   = domain(step, element.face);
+    const auto              &N_p  = of.stencil;
+    const NodalUnknowns<dim> nodal(step, unknowns);
+    const auto               pressure = [&](const unsigned int I) {
+      return pressures_of_points ? double(points->pressure[face.q]) :
+                                                 nodal.pressure(N_p.vertex[I]);
+    };
+    const EvaluationStatus status = stress.evaluate(
+      step.kernel,
+      of,
+      face.normal,
+      [&](const unsigned int I) { return nodal.increment(N_p.vertex[I]); },
+      pressure,
+      with_matrix);
+    if (status != EvaluationStatus::success)
+      return status;
+
+    std::vector<unsigned int> first_of_partner;
+    unsigned int              n_nodes = N_p.n_nodes;
+    for (const unsigned int i : element.partners)
+      {
+        first_of_partner.push_back(n_nodes);
+        n_nodes +=
+          interactions[i]->partner->control_vertices(step.nodes).size();
+      }
+    kernel.start_element(n_nodes, step.n_components, with_matrix);
+    const auto          remembered = slips.find(BodySurface<dim>::key(face));
+    std::vector<double> N(N_p.n_nodes);
+    std::vector<std::vector<typename InteractionKernel<dim>::PartnerMotion>>
+      motions;
+    for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
+      {
+        const auto start = BodySurface<dim>::place(step, face, g);
+        typename Partner<dim>::SurfacePlace place{&start, {}, {}};
+        double                              p = 0;
+        for (unsigned int I = 0; I < N_p.n_nodes; ++I)
+          {
+            const double by_r = N_p.gradient[I] * start.r;
+            N[I]              = N_p.shape[I] + by_r;
+            place.increment += N[I] * nodal.increment(N_p.vertex[I]);
+            if (step.mixed())
+              p += (N_p.pressure_shape[I] + by_r) * pressure(I);
+          }
+        if (pressures_of_points)
+          p = points->pressure[face.q];
+        if (remembered != slips.end())
+          place.slip = remembered->second[g];
+        PartnerPlace<dim> found;
+        const int         chosen = choose(element, place, found);
+        if (chosen < 0)
+          continue;
+        kernel.start_place();
+        kernel.add_side(
+          {&stress,
+           0,
+           N_p.n_nodes,
+           N.data(),
+           N_p.pressure_shape,
+           p,
+           1.,
+           1.,
+           element.adjoint.empty() ? nullptr : element.adjoint.data()});
+        const Interaction<dim> &interaction = *interactions[chosen];
+        interaction.partner->motion(place, found, motions);
+        const unsigned int position =
+          std::find(element.partners.begin(),
+                    element.partners.end(),
+                    static_cast<unsigned int>(chosen)) -
+          element.partners.begin();
+        for (unsigned int c = 0; c < motions.size(); ++c)
+          kernel.add_partner(first_of_partner[position] + c, motions[c]);
+        const typename InteractionKernel<dim>::Measure measure{
+          start.weight * face.area *
+            thickness(step.kernel.axisymmetric, start.X[0]),
+          element.gamma,
+          step.has_inertia ? 1. : 0.,
+          element.area_ratio};
+        const auto projection = kernel.add(*interaction.law, found, measure);
+        if (actions == nullptr)
+          continue;
+        Tensor<1, dim> slip;
+        if (interaction.law->is_unilateral() &&
+            interaction.law->constrains_tangent() &&
+            projection.state != SurfaceState::open)
+          {
+            slip = (kernel.traction() - projection.f) / measure.gamma;
+            slip -= (slip * found.normal) * found.normal;
+          }
+        actions->push_back({static_cast<unsigned int>(chosen),
+                            g,
+                            start.x + place.increment,
+                            measure.weight * projection.f,
+                            slip,
+                            projection.state});
+      }
+    return EvaluationStatus::success;
+  }
+
+
+
+  template <int dim>
+  EvaluationStatus
+  InteractionTerm<dim>::assemble(const StepContext<dim> &step,
+                                 const NodalField       &unknowns,
+                                 const NodalField       &pending,
+                                 const unsigned int      first_element,
+                                 const bool              with_matrix,
+                                 MixedSystem<dim>       &system)
+  {
+    for (const auto &interaction : interactions)
+      interaction->partner->update(step, unknowns);
+    InteractionKernel<dim> kernel;
+    for (unsigned int e = 0; e < faces.size(); ++e)
+      {
+        const EvaluationStatus status = evaluate_face(
+          step, unknowns, faces[e], false, with_matrix, kernel, nullptr);
+        if (status != EvaluationStatus::success)
+          return status;
+        system.add_element(first_element + e,
+                           kernel.residual.data(),
+                           with_matrix ? kernel.matrix.data() : nullptr,
+                           pending);
+      }
+    return EvaluationStatus::success;
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::add_unit_residual(const StepContext<dim> &step,
+                                          NodalField             &scale) const
+  {
+    // of places a unit of the last digit remains in gaps
+    constexpr double rounding = 0.1;
+    for (const FaceElement &element : faces)
+      {
+        const auto &face    = surface.faces()[element.face];
+        const auto  stencil = points->stencil(grid->geometry(), face.k, face.q);
+        const Point<dim> x = points->location(grid->geometry(), face.k, face.q);
+        const double     force = element.gamma * face.area *
+                             thickness(step.kernel.axisymmetric, x[0]) *
+                             x.norm();
+        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+          for (unsigned int a = 0; a < dim; ++a)
+            scale.local_element(
+              step.nodes.node(stencil.vertex[I]) * step.n_components + a) +=
+              rounding * force * std::abs(stencil.shape[I]);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::add_boundary_force(const StepContext<dim> &step,
+                                           const NodalField       &unknowns,
+                                           NodalField             &force) const
+  {
+    // at the start of a step nodes don't have pressures yet
+    const bool at_rest = step.time == step.old_time &&
+                         std::all_of(unknowns.begin(),
+                                     unknowns.end(),
+                                     [](const double u) { return u == 0.; });
+    for (const auto &interaction : interactions)
+      interaction->partner->update(step, unknowns);
+    InteractionKernel<dim>    kernel;
+    std::vector<unsigned int> nodes;
+    for (const FaceElement &element : faces)
+      {
+        // what can't be evaluated stops assemble(), too
+        if (evaluate_face(
+              step, unknowns, element, at_rest, false, kernel, nullptr) !=
+            EvaluationStatus::success)
+          return;
+        set_nodes(step, element, nodes);
+        for (unsigned int I = 0; I < nodes.size(); ++I)
+          for (unsigned int a = 0; a < dim; ++a)
+            force.local_element(nodes[I] * step.n_components + a) -=
+              kernel.residual[I * step.n_components + a];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::evaluate(const StepContext<dim> &step,
+                                 const NodalField       &unknowns,
+                                 const MixedSystem<dim> & /*system*/,
+                                 const NodalConstraints & /*constraints*/,
+                                 Statistics &statistics) const
+  {
+    if (interactions.empty())
+      return;
+    for (const auto &interaction : interactions)
+      interaction->partner->update(step, unknowns);
+    std::vector<double>    forces(interactions.size() * dim);
+    InteractionKernel<dim> kernel;
+    std::vector<Action>    actions;
+    next_slips.clear();
+    for (const FaceElement &element : faces)
+      {
+        actions.clear();
+        evaluate_face(step, unknowns, element, false, false, kernel, &actions);
+        for (const Action &action : actions)
+          {
+            for (unsigned int a = 0; a < dim; ++a)
+              forces[action.interaction * dim + a] += action.force[a];
+            if (action.slip.norm_square() > 0)
+              next_slips[BodySurface<dim>::key(surface.faces()[element.face])]
+                        [action.gauss_point] = action.slip;
+          }
+      }
+    Utilities::MPI::sum(forces, step.grid.communicator(), forces);
+    for (unsigned int i = 0; i < interactions.size(); ++i)
+      for (unsigned int a = 0; a < dim; ++a)
+        statistics.set(std::string("Force ") + "xyz"[a] + " on " +
+                         interactions[i]->body + " by " +
+                         interactions[i]->partner_name + " (N)",
+                       forces[i * dim + a]);
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::advance(const StepContext<dim> &step,
+                                const NodalField       &unknowns)
+  {
+    slips.swap(next_slips);
+    surface.advance(step, unknowns);
+  }
+
+
+
+  template <int dim>
+  std::string
+  InteractionTerm<dim>::save_state() const
+  {
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(grid->communicator(), slips))
+      for (const auto &[key, values] : of_rank)
+        {
+          text << key;
+          for (const Tensor<1, dim> &slip : values)
+            text << ' ' << slip;
+          text << '\n';
+        }
+    return text.str();
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::load_state(const std::string &state)
+  {
+    // all of them: the next reset finds out whose they are
+    std::istringstream text(state);
+    std::uint64_t      key;
+    while (text >> key)
+      for (Tensor<1, dim> &slip : slips[key])
+        for (unsigned int d = 0; d < dim; ++d)
+          text >> slip[d];
+  }
+
+
+
+  template class InteractionTerm<2>;
+  template class InteractionTerm<3>;
+} // namespace isochor
