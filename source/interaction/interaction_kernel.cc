@@ -30,6 +30,7 @@ namespace isochor
       field->assign(n_dofs, Tensor<1, dim>());
     t = Tensor<1, dim>();
     sides.clear();
+    xi_by.clear();
   }
 
 
@@ -65,16 +66,18 @@ namespace isochor
 
   template <int dim>
   void
-  InteractionKernel<dim>::add_partner(const unsigned int                node,
-                                      const std::vector<PartnerMotion> &motion)
+  InteractionKernel<dim>::add_sliding(
+    const std::vector<FaceCoordinates> &by_unknown,
+    const std::vector<FaceCoordinates> &by_xi,
+    const FaceCoordinates              &pressure_by_xi)
   {
-    for (unsigned int a = 0; a < motion.size(); ++a)
-      {
-        const unsigned int i = node * n_components + a;
-        trace[i] -= motion[a].place;
-        turn_of_normal[i] += motion[a].normal;
-        turn_of_gap[i] += motion[a].gap;
-      }
+    xi_by            = by_unknown;
+    shape_by_xi      = by_xi;
+    const Side &side = sides.back();
+    if (side.stress->mixed)
+      for (unsigned int j = 0; j < n_dofs; ++j)
+        t_by[j] +=
+          side.weight * (pressure_by_xi * xi_by[j]) * side.stress->volume;
   }
 
 
@@ -99,7 +102,11 @@ namespace isochor
       (projection.f - constrained) / measure.gamma;
     add_to_residual(projection, measure, mismatch);
     if (with_matrix)
-      add_to_matrix(law, place, projection, measure, mismatch);
+      {
+        add_to_matrix(law, place, projection, measure, mismatch);
+        if (!xi_by.empty())
+          add_sliding_to_matrix(projection, measure, mismatch);
+      }
     return projection;
   }
 
@@ -164,6 +171,28 @@ namespace isochor
                      j] += W * side.weight * side.shape[I] * change;
           }
       }
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionKernel<dim>::add_sliding_to_matrix(const Projection &projection,
+                                                const Measure    &measure,
+                                                const Tensor<1, dim> &mismatch)
+  {
+    const Side &side = sides.back();
+    for (unsigned int I = 0; I < side.n_nodes; ++I)
+      for (unsigned int j = 0; j < n_dofs; ++j)
+        {
+          const double       dN  = measure.weight * (shape_by_xi[I] * xi_by[j]);
+          const unsigned int row = (side.first_node + I) * n_components;
+          for (unsigned int b = 0; b < dim; ++b)
+            matrix[(row + b) * n_dofs + j] -= side.sign * dN * projection.f[b];
+          if (side.stress->mixed)
+            matrix[(row + dim) * n_dofs + j] +=
+              side.weight * dN * (mismatch * side.stress->volume);
+        }
   }
 
 

@@ -40,40 +40,7 @@ namespace isochor
         if (!element.partners.empty())
           faces.push_back(element);
       }
-    send_slips();
-  }
-
-
-
-  template <int dim>
-  void
-  InteractionTerm<dim>::send_slips()
-  {
-    const MPI_Comm comm = grid->communicator();
-    if (Utilities::MPI::n_mpi_processes(comm) == 1)
-      return;
-    std::map<std::uint64_t, Slips> kept;
-    for (const FaceElement &element : faces)
-      {
-        const auto found =
-          slips.find(BodySurface<dim>::key(surface.faces()[element.face]));
-        if (found != slips.end())
-          kept.insert(slips.extract(found));
-      }
-    // what is left belongs to points that went to other ranks
-    using Orphans = std::vector<std::pair<std::uint64_t, Slips>>;
-    for (const Orphans &orphans :
-         Utilities::MPI::all_gather(comm, Orphans(slips.begin(), slips.end())))
-      for (const auto &orphan : orphans)
-        kept.insert(orphan);
-    slips.clear();
-    for (const FaceElement &element : faces)
-      {
-        const auto found =
-          kept.find(BodySurface<dim>::key(surface.faces()[element.face]));
-        if (found != kept.end())
-          slips.insert(kept.extract(found));
-      }
+    slips.send(surface, grid->communicator());
   }
 
 
@@ -225,7 +192,6 @@ namespace isochor
           interactions[i]->partner->control_vertices(step.nodes).size();
       }
     kernel.start_element(n_nodes, step.n_components, with_matrix);
-    const auto          remembered = slips.find(BodySurface<dim>::key(face));
     std::vector<double> N(N_p.n_nodes);
     std::vector<std::vector<typename InteractionKernel<dim>::PartnerMotion>>
       motions;
@@ -244,8 +210,7 @@ namespace isochor
           }
         if (pressures_of_points)
           p = points->pressure[face.q];
-        if (remembered != slips.end())
-          place.slip = remembered->second[g];
+        place.slip = slips.get(BodySurface<dim>::key(face), g);
         PartnerPlace<dim> found;
         const int         chosen = choose(element, place, found);
         if (chosen < 0)
@@ -269,7 +234,10 @@ namespace isochor
                     static_cast<unsigned int>(chosen)) -
           element.partners.begin();
         for (unsigned int c = 0; c < motions.size(); ++c)
-          kernel.add_partner(first_of_partner[position] + c, motions[c]);
+          for (unsigned int a = 0; a < motions[c].size(); ++a)
+            kernel.add_partner(first_of_partner[position] + c,
+                               a,
+                               motions[c][a]);
         const typename InteractionKernel<dim>::Measure measure{
           start.weight * face.area *
             thickness(step.kernel.axisymmetric, start.X[0]),
@@ -399,7 +367,7 @@ namespace isochor
     std::vector<double>    forces(interactions.size() * dim);
     InteractionKernel<dim> kernel;
     std::vector<Action>    actions;
-    next_slips.clear();
+    slips.start_noting();
     for (const FaceElement &element : faces)
       {
         actions.clear();
@@ -409,8 +377,10 @@ namespace isochor
             for (unsigned int a = 0; a < dim; ++a)
               forces[action.interaction * dim + a] += action.force[a];
             if (action.slip.norm_square() > 0)
-              next_slips[BodySurface<dim>::key(surface.faces()[element.face])]
-                        [action.gauss_point] = action.slip;
+              slips.set_next(BodySurface<dim>::key(
+                               surface.faces()[element.face]),
+                             action.gauss_point,
+                             action.slip);
           }
       }
     Utilities::MPI::sum(forces, step.grid.communicator(), forces);
@@ -429,43 +399,8 @@ namespace isochor
   InteractionTerm<dim>::advance(const StepContext<dim> &step,
                                 const NodalField       &unknowns)
   {
-    slips.swap(next_slips);
+    slips.accept();
     surface.advance(step, unknowns);
-  }
-
-
-
-  template <int dim>
-  std::string
-  InteractionTerm<dim>::save_state() const
-  {
-    std::ostringstream text;
-    text.precision(std::numeric_limits<double>::max_digits10);
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(grid->communicator(), slips))
-      for (const auto &[key, values] : of_rank)
-        {
-          text << key;
-          for (const Tensor<1, dim> &slip : values)
-            text << ' ' << slip;
-          text << '\n';
-        }
-    return text.str();
-  }
-
-
-
-  template <int dim>
-  void
-  InteractionTerm<dim>::load_state(const std::string &state)
-  {
-    // all of them: the next reset finds out whose they are
-    std::istringstream text(state);
-    std::uint64_t      key;
-    while (text >> key)
-      for (Tensor<1, dim> &slip : slips[key])
-        for (unsigned int d = 0; d < dim; ++d)
-          text >> slip[d];
   }
 
 

@@ -84,17 +84,38 @@ namespace isochor
     start_place();
     void
     add_side(const Side &side);
-    /** An unknown by which the partner moves: changes of its place, of its
-     * normal and of the gap that turns with it. */
+    /** What an unknown moves of the partner: its place, its normal and the gap
+     * that turns with it. */
     struct PartnerMotion
     {
       Tensor<1, dim> place, normal, gap;
     };
-    /** The partner moves by the unknowns at node @p node, from component 0 on.
-     */
+    /** The unknown @p component of node @p node moves the partner. */
     void
-    add_partner(const unsigned int                node,
-                const std::vector<PartnerMotion> &motion);
+    add_partner(const unsigned int   node,
+                const unsigned int   component,
+                const PartnerMotion &motion)
+    {
+      const unsigned int i = node * n_components + component;
+      trace[i] -= motion.place;
+      turn_of_normal[i] += motion.normal;
+      turn_of_gap[i] += motion.gap;
+    }
+
+    using FaceCoordinates = Tensor<1, dim - 1>;
+    /** The place slides on the side that was added last: its coordinates ξ on
+     * the face there change with the unknowns, by @p by_unknown. @p
+     * shape_by_xi: ∂N_I/∂ξ. @p pressure_by_xi: ∂p/∂ξ. */
+    void
+    add_sliding(const std::vector<FaceCoordinates> &by_unknown,
+                const std::vector<FaceCoordinates> &shape_by_xi,
+                const FaceCoordinates              &pressure_by_xi);
+    /** δv of an unknown relative to the partner, after all sides are added. */
+    const Tensor<1, dim> &
+    trace_of(const unsigned int i) const
+    {
+      return trace[i];
+    }
     /** Add what acts at the place by @p law. */
     Projection
     add(const InteractionLaw<dim> &law,
@@ -116,6 +137,11 @@ namespace isochor
     add_to_residual(const Projection     &projection,
                     const Measure        &measure,
                     const Tensor<1, dim> &mismatch);
+    /** What comes from sliding: N_I there are those of another place. */
+    void
+    add_sliding_to_matrix(const Projection     &projection,
+                          const Measure        &measure,
+                          const Tensor<1, dim> &mismatch);
     void
     add_to_matrix(const InteractionLaw<dim> &law,
                   const PartnerPlace<dim>   &place,

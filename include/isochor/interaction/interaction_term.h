@@ -9,8 +9,8 @@
 #include <isochor/interaction/body_surface.h>
 #include <isochor/interaction/interaction.h>
 #include <isochor/interaction/interaction_kernel.h>
+#include <isochor/interaction/slip_memory.h>
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -82,13 +82,17 @@ namespace isochor
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override;
     std::string
-    save_state() const override;
+    save_state() const override
+    {
+      return slips.save(grid->communicator());
+    }
     void
-    load_state(const std::string &state) override;
+    load_state(const std::string &state) override
+    {
+      slips.load(state);
+    }
 
   private:
-    using Slips = std::array<Tensor<1, dim>, BodySurface<dim>::n_gauss>;
-
     /** A face that takes part, with what is constant in a step. */
     struct FaceElement
     {
@@ -132,24 +136,13 @@ namespace isochor
     set_nodes(const StepContext<dim>    &step,
               const FaceElement         &element,
               std::vector<unsigned int> &nodes) const;
-    void
-    start_faces();
-    /** Bring what is remembered of faces to the ranks that have them.
-     * Collective. */
-    void
-    send_slips();
-
     std::vector<std::unique_ptr<Interaction<dim>>> interactions;
     const BackgroundGrid<dim>                     *grid   = nullptr;
     const PointArrays<dim>                        *points = nullptr;
     BodySurface<dim>                               surface;
     std::vector<FaceElement>                       faces;
-    /** T (t - f) / γ of the last step by BodySurface::key(), where there is
-     * friction. */
-    std::map<std::uint64_t, Slips> slips;
-    /** The same of the step that has converged. */
-    mutable std::map<std::uint64_t, Slips> next_slips;
-    mutable SurfaceStress<dim>             stress;
+    mutable SlipMemory<dim>                        slips;
+    mutable SurfaceStress<dim>                     stress;
   };
 } // namespace isochor
 

@@ -1,0 +1,86 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_face_copies_h
+#define isochor_face_copies_h
+
+#include <deal.II/numerics/rtree.h>
+
+#include <isochor/equations/surface_stress.h>
+#include <isochor/interaction/body_surface.h>
+
+#include <utility>
+#include <vector>
+
+namespace isochor
+{
+  /** A face of a body's surface with all that its subdomain's stress needs, as
+   * any rank may have it. */
+  template <int dim>
+  struct FaceCopy
+  {
+    unsigned int              body, material;
+    std::uint64_t             key;
+    Tensor<2, dim>            F; ///< of the subdomain, at the start of the step
+    std::vector<double>       history;
+    double                    radius = 0;
+    double                    pressure; ///< of its point (Pa)
+    std::vector<unsigned int> vertex;
+    std::vector<double>       shape, pressure_shape; ///< at its point
+    std::vector<Tensor<1, dim>> gradient;
+    Tensor<1, dim>              normal; ///< outward, at t = 0
+    double                      area, area_per_volume;
+    std::array<Point<dim>, dim> X; ///< corners at t = 0
+    std::array<Point<dim>, dim> x; ///< at the start of the step
+    std::array<Tensor<1, dim>, dim>
+                   r;            ///< from the subdomain's point, at t_n (m)
+    Tensor<1, dim> displacement; ///< of its point since t = 0 (m)
+    double         gamma = 0;    ///< |N·A·N| times area_per_volume (Pa/m)
+
+    /** The shape functions of all nodes at @p r from the subdomain's point. */
+    double
+    shape_at(const unsigned int I, const Tensor<1, dim> &r) const
+    {
+      return shape[I] + gradient[I] * r;
+    }
+
+    /** For SurfaceStress. */
+    typename SurfaceStress<dim>::Domain
+    domain(const MixedKernel<dim> &kernel) const
+    {
+      return {kernel.materials[material].get(),
+              F,
+              history.data(),
+              radius,
+              {static_cast<unsigned int>(vertex.size()),
+               vertex.data(),
+               shape.data(),
+               gradient.data(),
+               pressure_shape.data()}};
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &body &material &key &F &history &radius &pressure &vertex &shape
+        &pressure_shape &gradient &normal &area &area_per_volume &X &x &r
+          &displacement &gamma;
+    }
+  };
+
+  /** Of all ranks' faces, first those of rank 0, without gamma. Collective. */
+  template <int dim>
+  std::vector<FaceCopy<dim>>
+  copy_faces(const BackgroundGrid<dim> &grid,
+             const PointArrays<dim>    &points,
+             const BodySurface<dim>    &surface);
+
+  /** Set gamma of a copy. */
+  template <int dim>
+  void
+  set_gamma(const MixedKernel<dim> &kernel, FaceCopy<dim> &copy);
+} // namespace isochor
+
+#endif

@@ -1,0 +1,125 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/interaction/face_copies.h>
+
+namespace isochor
+{
+  namespace
+  {
+    /** Let the corners be in the order in which the area vector is outward. */
+    template <int dim>
+    void
+    orient(FaceCopy<dim> &copy)
+    {
+      Tensor<1, dim> area;
+      if constexpr (dim == 2)
+        area = cross_product_2d(copy.X[1] - copy.X[0]);
+      else
+        area = cross_product_3d(copy.X[1] - copy.X[0], copy.X[2] - copy.X[0]);
+      if (area * copy.normal > 0)
+        return;
+      std::swap(copy.X[0], copy.X[1]);
+      std::swap(copy.x[0], copy.x[1]);
+      std::swap(copy.r[0], copy.r[1]);
+    }
+
+    template <int dim>
+    FaceCopy<dim>
+    copy_face(const BackgroundGrid<dim>             &grid,
+              const PointArrays<dim>                &points,
+              const typename BodySurface<dim>::Face &face)
+    {
+      const auto stencil  = points.stencil(grid.geometry(), face.k, face.q);
+      const Point<dim> at = points.location(grid.geometry(), face.k, face.q);
+      FaceCopy<dim>    copy;
+      copy.body     = grid.layer_of_cell(points.cell[face.k]);
+      copy.material = points.material[face.q];
+      copy.key      = BodySurface<dim>::key(face);
+      copy.F        = points.F[face.q];
+      const double *const history =
+        points.history.data() + face.q * std::size_t(points.n_history);
+      copy.history.assign(history, history + points.n_history);
+      if (!points.radius.empty())
+        copy.radius = points.radius[face.q];
+      copy.pressure = points.pressure[face.q];
+      copy.vertex.assign(stencil.vertex, stencil.vertex + stencil.n_nodes);
+      copy.shape.assign(stencil.shape, stencil.shape + stencil.n_nodes);
+      copy.pressure_shape.assign(stencil.pressure_shape,
+                                 stencil.pressure_shape + stencil.n_nodes);
+      copy.gradient.assign(stencil.gradient,
+                           stencil.gradient + stencil.n_nodes);
+      copy.normal          = face.normal;
+      copy.area            = face.area;
+      copy.area_per_volume = face.area_per_volume;
+      copy.displacement    = face.displacement;
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          copy.X[i] = face.reference + face.corners[i];
+          copy.r[i] = copy.F * face.corners[i];
+          copy.x[i] = at + copy.r[i];
+        }
+      orient(copy);
+      return copy;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<FaceCopy<dim>>
+  copy_faces(const BackgroundGrid<dim> &grid,
+             const PointArrays<dim>    &points,
+             const BodySurface<dim>    &surface)
+  {
+    std::vector<FaceCopy<dim>> own;
+    for (const auto &face : surface.faces())
+      own.push_back(copy_face(grid, points, face));
+    if (Utilities::MPI::n_mpi_processes(grid.communicator()) == 1)
+      return own;
+    std::vector<FaceCopy<dim>> all;
+    for (auto &of_rank : Utilities::MPI::all_gather(grid.communicator(), own))
+      all.insert(all.end(),
+                 std::make_move_iterator(of_rank.begin()),
+                 std::make_move_iterator(of_rank.end()));
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  set_gamma(const MixedKernel<dim> &kernel, FaceCopy<dim> &copy)
+  {
+    SurfaceStress<dim> stress;
+    const auto         status = stress.evaluate(
+      kernel,
+      copy.domain(kernel),
+      copy.normal,
+      [](const unsigned int) { return Tensor<1, dim>(); },
+      [&](const unsigned int) { return copy.pressure; },
+      true);
+    AssertThrow(status == EvaluationStatus::success,
+                ExcMessage("The stress of a point can't be evaluated as it was "
+                           "at the end of the last step."));
+    copy.gamma = stress.normal_modulus * copy.area_per_volume;
+  }
+
+
+
+  template std::vector<FaceCopy<2>>
+  copy_faces(const BackgroundGrid<2> &,
+             const PointArrays<2> &,
+             const BodySurface<2> &);
+  template void
+  set_gamma(const MixedKernel<2> &, FaceCopy<2> &);
+  template std::vector<FaceCopy<3>>
+  copy_faces(const BackgroundGrid<3> &,
+             const PointArrays<3> &,
+             const BodySurface<3> &);
+  template void
+  set_gamma(const MixedKernel<3> &, FaceCopy<3> &);
+} // namespace isochor
