@@ -417,7 +417,10 @@ namespace isochor
     const unsigned int n_ranks =
       Utilities::MPI::n_mpi_processes(grid.communicator());
     const auto weights    = leaf_weights(old, n_points, leaves);
-    const auto owners     = partition_leaves(weights, n_ranks);
+    const auto owners     = partition_leaves(leaves,
+                                         weights,
+                                         forest.n_trees() / grid.n_layers(),
+                                         n_ranks);
     const bool is_refined = !(leaves == old);
     // the points may have moved, or have been split, so that the same grid has
     // to be divided among the ranks anew

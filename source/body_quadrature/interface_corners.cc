@@ -140,7 +140,7 @@ namespace isochor
   InterfaceCorners<dim>::find_owners(const PointArrays<dim> &points)
   {
     // those of all but the softest in cells that aren't of theirs only
-    using Entry = std::array<double, dim + 1>; // X and the group
+    using Entry = std::array<double, dim + 2>; // X, the group, the layer
     std::vector<Entry>                         foreign;
     std::map<unsigned int, std::vector<Entry>> sent;
     for (const Corner &corner : corners)
@@ -149,7 +149,8 @@ namespace isochor
           Entry entry;
           for (unsigned int d = 0; d < dim; ++d)
             entry[d] = corner.X[d];
-          entry[dim] = corner.group;
+          entry[dim]     = corner.group;
+          entry[dim + 1] = locator.geometry().layer_of_cell(corner.place.cell);
           foreign.push_back(entry);
           for (const unsigned int rank :
                occupancy.ranks_near_cell(corner.place.cell))
@@ -170,21 +171,26 @@ namespace isochor
         length = std::min(length, (domain[c] - domain[0]).norm());
     // the same place but for rounding
     PlaceTable<dim>           table({corners.front().X, 1e-4 * length});
-    std::vector<unsigned int> groups;
+    const unsigned int        n_layers = locator.geometry().n_layers();
+    std::vector<unsigned int> groups; // by place and layer
     for (const Entry &entry : foreign)
       {
         Point<dim> X;
         for (unsigned int d = 0; d < dim; ++d)
           X[d] = entry[d];
-        const unsigned int number = table.find_or_add(X);
-        groups.resize(table.size(), 0);
+        const unsigned int number = table.find_or_add(X) * n_layers +
+                                    static_cast<unsigned int>(entry[dim + 1]);
+        groups.resize(table.size() * n_layers, 0);
         groups[number] =
           std::max(groups[number], static_cast<unsigned int>(entry[dim]));
       }
     for (Corner &corner : corners)
       if (const unsigned int number = table.find(corner.X);
           number != PlaceTable<dim>::none)
-        corner.owner = std::max(corner.owner, groups[number]);
+        corner.owner =
+          std::max(corner.owner,
+                   groups[number * n_layers +
+                          locator.geometry().layer_of_cell(corner.place.cell)]);
   }
 
 

@@ -102,7 +102,7 @@ namespace isochor
       material.set(conditions, reference);
       for (auto &condition : conditions)
         if (condition.side != 0)
-          condition.place_walls(reference);
+          condition.place_walls(reference, grid);
     }
 
     void

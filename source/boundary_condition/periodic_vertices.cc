@@ -18,12 +18,15 @@ namespace isochor
     std::vector<unsigned int>
     vertices_on(const BackgroundGrid<dim> &grid,
                 const std::string         &boundary,
-                const std::string         &parameter)
+                const std::string         &parameter,
+                const unsigned int         layer)
     {
       const types::boundary_id id = grid.boundary_id(boundary, parameter);
       std::set<unsigned int>   found;
       for (const BoundaryFace &face : grid.boundary_faces())
-        for (unsigned int v = 0; v <= dim && face.id == id; ++v)
+        for (unsigned int v = 0; v <= dim && face.id == id &&
+                                 grid.layer_of_cell(face.cell) == layer;
+             ++v)
           if (v != face.opposite_vertex)
             found.insert(grid.geometry().vertex_indices(face.cell)[v]);
       return {found.begin(), found.end()};
@@ -49,6 +52,22 @@ namespace isochor
                                const std::string         &second,
                                const std::string         &parameter)
   {
+    std::map<unsigned int, unsigned int> image;
+    for (unsigned int layer = 0; layer < grid.n_layers(); ++layer)
+      image.merge(match_in_layer(grid, first, second, parameter, layer));
+    return image;
+  }
+
+
+
+  template <int dim>
+  std::map<unsigned int, unsigned int>
+  PeriodicVertices<dim>::match_in_layer(const BackgroundGrid<dim> &grid,
+                                        const std::string         &first,
+                                        const std::string         &second,
+                                        const std::string         &parameter,
+                                        const unsigned int         layer)
+  {
     const std::string pair =
       "the sides <" + first + "> and <" + second + "> of <" + parameter + ">";
     const std::string remedy =
@@ -58,8 +77,8 @@ namespace isochor
         "the same on both and small enough for the other criteria." :
         " Periodic sides need the same mesh.";
     const auto &x    = grid.geometry().vertices();
-    const auto  from = vertices_on(grid, first, parameter);
-    const auto  to   = vertices_on(grid, second, parameter);
+    const auto  from = vertices_on(grid, first, parameter, layer);
+    const auto  to   = vertices_on(grid, second, parameter, layer);
     AssertThrow(from.size() == to.size(),
                 ExcMessage("The vertices of " + pair +
                            " don't match: there are " +

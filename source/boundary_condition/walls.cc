@@ -99,9 +99,7 @@ namespace isochor
           wall.nodes.clear();
           for (const auto &at : wall.surface.nodes())
             {
-              Node node;
-              node.vertex = at.vertex;
-              node.normal = at.normal;
+              Node node = Wall::node_at(at.vertex, at.normal, grid);
               if (wall.one_sided)
                 {
                   // a node in the wall is pushed out by the first step

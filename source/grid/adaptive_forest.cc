@@ -72,30 +72,31 @@ namespace isochor
       return quadrant->level < static_cast<int>(Leaf<dim>::max_level) &&
              is_split(to_leaf<dim>(tree, *quadrant));
     }
-
-    /** The coordinates' bits in turn, the highest first: the order along the
-     * curve. Whether the place @p a comes before @p b. */
-    template <int dim>
-    bool
-    is_before(const std::array<std::uint32_t, dim> &a,
-              const std::array<std::uint32_t, dim> &b)
-    {
-      // the axis whose coordinates differ in the highest bit decides, of
-      // several the last axis
-      unsigned int  axis = dim - 1;
-      std::uint32_t most = a[axis] ^ b[axis];
-      for (int d = dim - 2; d >= 0; --d)
-        {
-          const std::uint32_t difference = a[d] ^ b[d];
-          if (most < difference && most < (most ^ difference))
-            {
-              most = difference;
-              axis = d;
-            }
-        }
-      return a[axis] < b[axis];
-    }
   } // namespace
+
+
+
+  /** The coordinates' bits in turn, the highest first. */
+  template <int dim>
+  bool
+  is_before(const std::array<std::uint32_t, dim> &a,
+            const std::array<std::uint32_t, dim> &b)
+  {
+    // the axis whose coordinates differ in the highest bit decides, of
+    // several the last axis
+    unsigned int  axis = dim - 1;
+    std::uint32_t most = a[axis] ^ b[axis];
+    for (int d = dim - 2; d >= 0; --d)
+      {
+        const std::uint32_t difference = a[d] ^ b[d];
+        if (most < difference && most < (most ^ difference))
+          {
+            most = difference;
+            axis = d;
+          }
+      }
+    return a[axis] < b[axis];
+  }
 
 
 
@@ -252,6 +253,12 @@ namespace isochor
 
   template class AdaptiveForest<2>;
   template class AdaptiveForest<3>;
+  template bool
+  is_before<2>(const std::array<std::uint32_t, 2> &,
+               const std::array<std::uint32_t, 2> &);
+  template bool
+  is_before<3>(const std::array<std::uint32_t, 3> &,
+               const std::array<std::uint32_t, 3> &);
   template unsigned int
   find_leaf<2>(const std::vector<Leaf<2>> &,
                const unsigned int,

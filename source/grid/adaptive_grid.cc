@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace isochor
@@ -201,6 +202,50 @@ namespace isochor
 
 
 
+  template <int dim>
+  std::vector<unsigned int>
+  partition_leaves(const std::vector<Leaf<dim>> &leaves,
+                   const std::vector<double>    &weights,
+                   const unsigned int            n_trees,
+                   const unsigned int            n_ranks)
+  {
+    AssertDimension(leaves.size(), weights.size());
+    if (leaves.back().tree < n_trees)
+      return partition_leaves(weights, n_ranks);
+    std::vector<unsigned int> order(leaves.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(),
+                     order.end(),
+                     [&](const unsigned int a, const unsigned int b) {
+                       const unsigned int tree_a = leaves[a].tree % n_trees,
+                                          tree_b = leaves[b].tree % n_trees;
+                       return tree_a != tree_b ?
+                                tree_a < tree_b :
+                                is_before<dim>(leaves[a].corner,
+                                               leaves[b].corner);
+                     });
+    std::vector<double> ordered;
+    for (const unsigned int i : order)
+      ordered.push_back(weights[i]);
+    const auto                of_ordered = partition_leaves(ordered, n_ranks);
+    std::vector<unsigned int> owners(leaves.size());
+    for (unsigned int i = 0; i < order.size(); ++i)
+      owners[order[i]] = of_ordered[i];
+    return owners;
+  }
+
+
+
+  template std::vector<unsigned int>
+  partition_leaves(const std::vector<Leaf<2>> &,
+                   const std::vector<double> &,
+                   const unsigned int,
+                   const unsigned int);
+  template std::vector<unsigned int>
+  partition_leaves(const std::vector<Leaf<3>> &,
+                   const std::vector<double> &,
+                   const unsigned int,
+                   const unsigned int);
   template class AdaptiveGrid<2>;
   template class AdaptiveGrid<3>;
   template CoarseGrid<2>

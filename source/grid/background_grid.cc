@@ -7,6 +7,7 @@
 
 #include <isochor/grid/background_grid.h>
 #include <isochor/grid/coordinate_bisection.h>
+#include <isochor/grid/grid_layers.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/grid/vertex_owners.h>
 
@@ -79,7 +80,7 @@ namespace isochor
         return;
       }
     groups = grid_source->make_mesh(*tria);
-    read_mesh_data();
+    read_mesh_data(1);
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(comm);
     if (n_ranks > 1)
       set_owners(
@@ -97,6 +98,7 @@ namespace isochor
                               const std::vector<unsigned int> &owners,
                               const double                     time)
   {
+    const unsigned int        n_layers_now = cached_geometry ? n_layers() : 1;
     std::vector<unsigned int> new_leaves;
     for (const Leaf<dim> &leaf : forest->leaves())
       new_leaves.push_back(find_leaf<dim>(leaves, leaf.tree, leaf.corner));
@@ -104,52 +106,114 @@ namespace isochor
     if (cached_geometry)
       for (unsigned int cell = 0; cell < cached_geometry->n_cells(); ++cell)
         new_cells.push_back(new_leaves[forest->leaf_of_cell(cell)]);
-    const SimplexMesh<dim> mesh = forest->set_leaves(leaves, owners);
+    auto old = mesh_leaves(leaves, owners, n_layers_now, time);
     for (unsigned int &cell : new_cells)
       cell = forest->first_cell(cell);
-    std::vector<CellData<dim>> cells;
-    cells.reserve(mesh.cells.size());
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      {
-        cells.emplace_back(dim + 1);
-        std::copy(mesh.cells[c].begin(),
-                  mesh.cells[c].end(),
-                  cells.back().vertices.begin());
-        cells.back().material_id = forest->material_of_cell(c);
-      }
-    SubCellData boundary;
-    for (const auto &face : mesh.boundary)
-      if constexpr (dim == 2)
-        {
-          boundary.boundary_lines.emplace_back(2);
-          auto &line = boundary.boundary_lines.back();
-          std::copy(face.vertices.begin(),
-                    face.vertices.end(),
-                    line.vertices.begin());
-          line.boundary_id = face.id;
-        }
-      else
-        {
-          boundary.boundary_quads.emplace_back(3);
-          auto &triangle = boundary.boundary_quads.back();
-          std::copy(face.vertices.begin(),
-                    face.vertices.end(),
-                    triangle.vertices.begin());
-          triangle.boundary_id = face.id;
-        }
+    return old;
+  }
 
-    auto tria_with_mesh = new_triangulation();
+
+
+  template <int dim>
+  std::unique_ptr<Triangulation<dim>>
+  BackgroundGrid<dim>::mesh_leaves(const std::vector<Leaf<dim>>    &leaves,
+                                   const std::vector<unsigned int> &owners,
+                                   const unsigned int               n_layers,
+                                   const double                     time)
+  {
+    const SimplexMesh<dim> mesh           = forest->set_leaves(leaves, owners);
+    auto                   tria_with_mesh = new_triangulation();
     tria_with_mesh->signals.create.connect([this, &tria_with_mesh]() {
       for (const auto &cell : tria_with_mesh->active_cell_iterators())
         cell->set_subdomain_id(
           forest->leaf_owner(forest->leaf_of_cell(cell->active_cell_index())));
     });
-    tria_with_mesh->create_triangulation(mesh.vertices, cells, boundary);
+    create_triangulation<dim>(
+      mesh,
+      [this](const unsigned int cell) {
+        return forest->material_of_cell(cell);
+      },
+      *tria_with_mesh);
     tria_with_mesh.swap(tria);
-    read_mesh_data();
+    read_mesh_data(n_layers);
     if (is_moving())
       set_vertices(vertices_at_time(time));
     return tria_with_mesh;
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::set_layers(const unsigned int n_layers)
+  {
+    Assert(n_layers > 0 && this->n_layers() == 1, ExcInternalError());
+    if (n_layers == 1)
+      return;
+    const SimplexGeometry<dim> &geometry = *cached_geometry;
+    const unsigned int          n_cells  = geometry.n_cells();
+    AssertThrow(n_cells < numbers::invalid_unsigned_int / n_layers,
+                ExcMessage("The scene has " + std::to_string(n_layers) +
+                           " bodies, each with a copy of the " +
+                           std::to_string(n_cells) +
+                           " cells of the grid: these are too many cells. Let "
+                           "bodies share a name in <Material points/Bodies>, "
+                           "or take larger cells."));
+    if (is_adaptive())
+      {
+        std::vector<Leaf<dim>>    leaves;
+        std::vector<unsigned int> owners;
+        const CoarseGrid<dim>     coarse = grid_source->coarse_cells(groups);
+        const auto                one    = forest->leaves();
+        for (unsigned int layer = 0; layer < n_layers; ++layer)
+          for (unsigned int i = 0; i < one.size(); ++i)
+            {
+              leaves.push_back(one[i]);
+              leaves.back().tree += layer * coarse.cells.size();
+              owners.push_back(forest->leaf_owner(i));
+            }
+        forest = std::make_unique<AdaptiveGrid<dim>>(
+          layers_of_coarse_grid(coarse, n_layers));
+        mesh_leaves(leaves, owners, n_layers, 0.);
+        return;
+      }
+    auto layers = new_triangulation();
+    layers->signals.create.connect([&]() {
+      for (const auto &cell : layers->active_cell_iterators())
+        cell->set_subdomain_id(
+          geometry.owner(cell->active_cell_index() % n_cells));
+    });
+    create_triangulation<dim>(
+      layers_of_mesh(*tria, reference_vertices, n_layers),
+      [&](const unsigned int cell) {
+        return geometry.cell_iterator(cell % n_cells)->material_id();
+      },
+      *layers);
+    layers.swap(tria);
+    read_mesh_data(n_layers);
+    if (is_moving())
+      set_vertices(vertices_at_time(0.));
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  BackgroundGrid<dim>::first_cells_of_layers(const unsigned int n_layers) const
+  {
+    const unsigned int        n_cells = cached_geometry->n_cells();
+    std::vector<unsigned int> first_cells;
+    for (unsigned int layer = 0; layer <= n_layers; ++layer)
+      if (!is_adaptive() || layer == n_layers)
+        first_cells.push_back(n_cells / n_layers * layer);
+      else
+        {
+          const unsigned int tree = forest->n_trees() / n_layers * layer;
+          first_cells.push_back(
+            forest->first_cell(find_leaf<dim>(forest->leaves(), tree, {})));
+        }
+    first_cells.back() = n_cells;
+    return first_cells;
   }
 
 
@@ -182,7 +246,7 @@ namespace isochor
 
   template <int dim>
   void
-  BackgroundGrid<dim>::read_mesh_data()
+  BackgroundGrid<dim>::read_mesh_data(const unsigned int n_layers)
   {
     ++n_meshes;
     reference_vertices = tria->get_vertices();
@@ -190,6 +254,15 @@ namespace isochor
       cached_geometry->replace(*tria);
     else
       cached_geometry = std::make_unique<SimplexGeometry<dim>>(*tria);
+    layers_of_vertices.clear();
+    if (n_layers > 1)
+      {
+        cached_geometry->set_layers(first_cells_of_layers(n_layers));
+        layers_of_vertices.assign(reference_vertices.size(), 0);
+        for (unsigned int c = 0; c < cached_geometry->n_cells(); ++c)
+          for (const unsigned int v : cached_geometry->vertex_indices(c))
+            layers_of_vertices[v] = cached_geometry->layer_of_cell(c);
+      }
     functions->set_grid(*grid_source, *cached_geometry);
     assign_owners();
     collect_boundary();

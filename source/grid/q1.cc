@@ -112,6 +112,19 @@ namespace isochor
                   ", as those of <Grid/Type = box> and <Grid/Type = trapezoid> "
                   "do, while gmsh and adaptive grids don't. Use <Grid/Shape "
                   "functions = P1>, or another <Grid/Type>."));
+    // copies of those of the first layer
+    const unsigned int n_layers = geometry.n_layers(),
+                       n_cubes  = hypercubes.size();
+    hypercubes.reserve(n_layers * n_cubes);
+    for (unsigned int layer = 1; layer < n_layers; ++layer)
+      for (unsigned int h = 0; h < n_cubes; ++h)
+        {
+          hypercubes.push_back(hypercubes[h]);
+          for (unsigned int &v : hypercubes.back().vertices)
+            v += layer * (geometry.vertices().size() / n_layers);
+          for (unsigned int &c : hypercubes.back().cells)
+            c += layer * (geometry.n_cells() / n_layers);
+        }
     hypercube_of.assign(geometry.n_cells(), numbers::invalid_unsigned_int);
     Values values;
     for (unsigned int h = 0; h < hypercubes.size(); ++h)

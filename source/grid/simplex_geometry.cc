@@ -10,6 +10,7 @@
 
 #include <isochor/grid/simplex_geometry.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -89,6 +90,28 @@ namespace isochor
   {
     AssertDimension(ranks.size(), owners.size());
     owners = ranks;
+  }
+
+
+
+  template <int dim>
+  void
+  SimplexGeometry<dim>::set_layers(const std::vector<unsigned int> &first_cells)
+  {
+    Assert(first_cells.size() >= 2 && first_cells.front() == 0 &&
+             first_cells.back() == n_cells() &&
+             std::is_sorted(first_cells.begin(), first_cells.end()),
+           ExcMessage("Layers must cover all cells, one after the other."));
+    first_cell_of_layer = first_cells;
+    if (n_layers() == 1)
+      first_cell_of_layer.clear();
+#ifdef DEBUG
+    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+      for (const unsigned int neighbour : cell_neighbours[cell])
+        Assert(neighbour == no_cell ||
+                 layer_of_cell(neighbour) == layer_of_cell(cell),
+               ExcMessage("Layers must not be connected."));
+#endif
   }
 
 

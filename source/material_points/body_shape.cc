@@ -34,9 +34,11 @@ namespace isochor
   template <int dim>
   void
   BodyShape<dim>::initialize(const BackgroundGrid<dim> &grid,
-                             const bool                 with_domains)
+                             const bool                 with_domains,
+                             const Bodies<dim>         &bodies)
   {
     this->grid         = &grid;
+    this->bodies       = &bodies;
     this->with_domains = with_domains;
     if (everywhere)
       return;
@@ -65,6 +67,17 @@ namespace isochor
   template <int dim>
   bool
   BodyShape<dim>::contains(const Point<dim> &x, const unsigned int cell) const
+  {
+    return any_contains(x, cell) &&
+           (bodies->size() == 1 || bodies->at(x) == grid->layer_of_cell(cell));
+  }
+
+
+
+  template <int dim>
+  bool
+  BodyShape<dim>::any_contains(const Point<dim>  &x,
+                               const unsigned int cell) const
   {
     if (everywhere)
       return true;

@@ -63,7 +63,8 @@ namespace isochor
     if (!parameters.body_mesh.empty() || !compares_nothing(parameters.region))
       return;
     const Expression<dim> in_body(parameters.region, "Material points/Region");
-    for (unsigned int cell = 0; cell < grid.geometry().n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < grid.geometry().n_cells_of_first_layer();
+         ++cell)
       if (!(in_body(cell_centroid(grid.geometry(), cell), 0.) > 0))
         return;
     warnings.add("a region that leaves nothing out",
@@ -87,7 +88,8 @@ namespace isochor
   {
     const Expression<dim> in_body(parameters.region, "Material points/Region");
     std::vector<Point<dim>> places;
-    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < geometry.n_cells_of_first_layer();
+         ++cell)
       if (in_groups(geometry.cell_iterator(cell)->material_id(),
                     parameters.groups,
                     group_ids))

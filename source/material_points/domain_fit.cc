@@ -70,7 +70,8 @@ namespace isochor
     const unsigned int    none = zones.size();
     const Expression<dim> in_body(parameters.region, "Material points/Region");
     std::vector<unsigned int> zone_of(geometry.n_cells(), none);
-    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < geometry.n_cells_of_first_layer();
+         ++cell)
       {
         const Point<dim> centroid = cell_centroid(geometry, cell);
         if (in_body(centroid, 0.) > 0 &&
@@ -81,7 +82,8 @@ namespace isochor
       }
 
     std::map<std::pair<unsigned int, unsigned int>, unsigned int> n_faces;
-    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < geometry.n_cells_of_first_layer();
+         ++cell)
       for (const unsigned int other : geometry.neighbours(cell))
         if (other != SimplexGeometry<dim>::no_cell && other > cell &&
             zone_of[cell] != none && zone_of[other] != none &&

@@ -206,7 +206,8 @@ namespace isochor
     const Expression<dim> in_body(parameters.region, "Material points/Region");
     std::vector<unsigned int> own, surroundings(geometry.vertices().size(), 0);
     std::vector<double>       filled; // the part of the cells
-    for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < geometry.n_cells_of_first_layer();
+         ++cell)
       if (geometry.owner(cell) == rank)
         {
           own.push_back(cell);

@@ -108,6 +108,7 @@ namespace isochor
   MaterialPoints<dim>::declare_parameters(ParameterHandler &prm)
   {
     BodySeeding<dim>::declare_parameters(prm);
+    Bodies<dim>::declare_parameters(prm);
   }
 
 
@@ -117,6 +118,7 @@ namespace isochor
   MaterialPoints<dim>::parse_parameters(ParameterHandler &prm)
   {
     seeding.parse_parameters(prm);
+    all_bodies.parse_parameters(prm);
   }
 
 
@@ -129,7 +131,8 @@ namespace isochor
     const std::string                                      &initial_velocity,
     const bool                                              with_domains,
     const bool                                              axisymmetric,
-    const bool                                              with_excess)
+    const bool                                              with_excess,
+    const std::function<void(const unsigned int)>          &make_layers)
   {
     unsigned int n_history = 0;
     for (const auto &material : materials)
@@ -145,17 +148,36 @@ namespace isochor
                                with_domains && keeps_surface);
     point_layout.axisymmetric = axisymmetric;
     forget_order();
+    auto seeds = seeding.seeds(grid, with_domains, materials.size());
+    find_parts(seeds);
+    divide_into_bodies(make_layers, seeds);
     particles->initialize(grid.triangulation(),
                           grid.mapping(),
                           point_layout.n_properties);
-
-    auto seeds = seeding.seeds(grid, with_domains, materials.size());
-    find_parts(seeds);
-    if (point_layout.with_surface)
-      find_outer_faces(seeds);
     insert(seeds, materials);
     if (!initial_velocity.empty())
       set_velocity(initial_velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::divide_into_bodies(
+    const std::function<void(const unsigned int)> &make_layers,
+    std::vector<Seed<dim>>                        &seeds)
+  {
+    const auto body_of_seed = all_bodies.divide(seeds, part_of_seed);
+    AssertThrow(all_bodies.size() == 1 || make_layers,
+                ExcMessage("The body can't be seeded anew in a scene of "
+                           "several <Material points/Bodies>. Set <Adaptive "
+                           "grid/Repetitions of first step = 0>."));
+    if (make_layers)
+      make_layers(all_bodies.size());
+    for (unsigned int i = 0; i < body_of_seed.size(); ++i)
+      seeds[i].cell = grid.cell_in_layer(seeds[i].cell, body_of_seed[i]);
+    if (point_layout.with_surface)
+      find_outer_faces(seeds, body_of_seed);
   }
 
 

@@ -196,7 +196,9 @@ namespace isochor
         previous = cell;
         cell     = next;
       }
-    return search(x);
+    return search(x,
+                  hint_cell == no_cell ? 0 :
+                                         simplices.layer_of_cell(hint_cell));
   }
 
 
@@ -215,7 +217,7 @@ namespace isochor
 
   template <int dim>
   LocateResult<dim>
-  PointLocator<dim>::search(const Point<dim> &x) const
+  PointLocator<dim>::search(const Point<dim> &x, const unsigned int layer) const
   {
     LocateResult<dim> best;
     for (unsigned int d = 0; d < dim; ++d)
@@ -227,10 +229,12 @@ namespace isochor
     for (const auto &leaf :
          tree->get(simplices) | bgi::adaptors::queried(bgi::intersects(x)))
       {
-        const unsigned int cell   = leaf.second;
-        const auto         lambda = simplices.barycentric(cell, x);
-        const double       error  = rounding(simplices, cell, x);
-        double             lowest = minimum(lambda);
+        const unsigned int cell = leaf.second;
+        if (simplices.layer_of_cell(cell) != layer)
+          continue;
+        const auto   lambda = simplices.barycentric(cell, x);
+        const double error  = rounding(simplices, cell, x);
+        double       lowest = minimum(lambda);
         if (lowest < -std::max(clamp_tolerance, error))
           continue;
         // Ties are decided by the cells' numbers, not by the tree's order, nor

@@ -80,7 +80,7 @@ namespace isochor
         std::vector<int>          at_vertex(body.vertices().size(), -1);
         std::vector<unsigned int> mixed;
         for (unsigned int cell = Utilities::MPI::this_mpi_process(comm);
-             cell < body.n_cells();
+             cell < body.n_cells_of_first_layer();
              cell += Utilities::MPI::n_mpi_processes(comm))
           {
             const Point<dim> centroid = cell_centroid(body, cell);

@@ -183,7 +183,7 @@ namespace isochor
             {
               const unsigned int behind = geometry.neighbours(cell)[v];
               if (behind != SimplexGeometry<dim>::no_cell &&
-                  std::binary_search(occupied.begin(), occupied.end(), behind))
+                  holds_body(occupied, behind, of_grid))
                 continue;
               const Point<dim> centre =
                 centre_of<dim>(corners_of(geometry, cell, v));
@@ -196,6 +196,26 @@ namespace isochor
       SeededSurfaces<dim> result;
 
     private:
+      /** Whether @p cell is one of @p occupied. In a grid of several layers
+       * also whether a copy of it is: faces between bodies are no surface. */
+      bool
+      holds_body(const std::vector<unsigned int> &occupied,
+                 const unsigned int               cell,
+                 const bool                       of_grid) const
+      {
+        const auto is_occupied = [&](const unsigned int c) {
+          return std::binary_search(occupied.begin(), occupied.end(), c);
+        };
+        if (!of_grid || grid.n_layers() == 1 || grid.is_adaptive())
+          return is_occupied(cell);
+        const unsigned int of_first_layer =
+          cell % grid.geometry().n_cells_of_first_layer();
+        for (unsigned int layer = 0; layer < grid.n_layers(); ++layer)
+          if (is_occupied(grid.cell_in_layer(of_first_layer, layer)))
+            return true;
+        return false;
+      }
+
       static FaceCorners<dim>
       corners_of(const SimplexGeometry<dim> &geometry,
                  const unsigned int          cell,
@@ -223,7 +243,12 @@ namespace isochor
         result.candidate[surface] += area.norm();
         if (!of_grid || shape.is_everywhere())
           {
-            add_piece(face, area, surface, of_grid ? cell : 0);
+            add_piece(face,
+                      area,
+                      surface,
+                      of_grid ?
+                        cell :
+                        shape.cell_of_layer_at(cell_centroid(geometry, cell)));
             return;
           }
         // seen from within the cell, as a region may end right at the face

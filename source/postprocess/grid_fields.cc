@@ -26,6 +26,8 @@ namespace isochor
     all_rows.push_back({&unknowns,
                         patches.add_vector("displacement_increment"),
                         step.mixed() ? patches.add_scalar("pressure") : 0});
+    const bool         has_bodies = step.grid.n_layers() > 1;
+    const unsigned int body_row   = has_bodies ? patches.add_scalar("body") : 0;
     const bool         is_adaptive = step.grid.is_adaptive();
     const unsigned int level_row =
       is_adaptive ? patches.add_scalar("level") : 0;
@@ -51,6 +53,9 @@ namespace isochor
           corners[v] = step.points.corner(geometry, k, v);
         auto &patch = patches.add_patch(
           ArrayView<const Point<dim>>(corners.data(), dim + 1));
+        for (unsigned int v = 0; v <= dim && has_bodies; ++v)
+          patch.data(body_row, v) =
+            step.grid.layer_of_cell(step.points.cell[k]);
         if (is_adaptive)
           {
             const AdaptiveGrid<dim> &forest = step.grid.adaptive_grid();

@@ -17,7 +17,7 @@ namespace isochor
     struct Rows
     {
       unsigned int id, material, displacement, F, J, stress, pressure, volume,
-        velocity, acceleration;
+        velocity, acceleration, body;
       /** First of the history, number of names, and for each material the row
        * of each history variable. */
       unsigned int                           first_history, n_history;
@@ -82,6 +82,8 @@ namespace isochor
           rows.velocity     = patches.add_vector("velocity");
           rows.acceleration = patches.add_vector("acceleration");
         }
+      if (points.bodies().size() > 1)
+        rows.body = patches.add_scalar("body");
       declare_history(patches, kernel, rows);
       return rows;
     }
@@ -147,7 +149,9 @@ namespace isochor
       {
         const Point<dim> &x = particle.get_location();
         auto &patch = patches.add_patch(ArrayView<const Point<dim>>(&x, 1));
-        patch.data(rows.id, 0)         = particle.get_id();
+        patch.data(rows.id, 0) = particle.get_id();
+        if (points.bodies().size() > 1)
+          patch.data(rows.body, 0) = points.body_of(particle);
         const double *const properties = particle.get_properties().data();
         const double        hoop =
           kernel.hoop_stretch(properties + points.layout().history);

@@ -91,6 +91,8 @@ namespace isochor
           result.step.grid.communicator()) > 0;
       for (Probe &probe : probes)
         {
+          if (result.points.bodies().size() > 1)
+            probe.body = result.points.bodies().at(probe.origin);
           if (probe.is_new)
             place_in_moved_body(result, probe);
           Values     values;
@@ -159,6 +161,17 @@ namespace isochor
       Tensor<1, dim> displacement;
       /** Added at a restart: still where it was at t = 0. */
       bool is_new = false;
+      /** The body that it belongs to; unknown before the first step, and if
+       * there is one only. */
+      unsigned int body = numbers::invalid_unsigned_int;
+
+      /** Whether a @p cell of the grid may hold its body. */
+      bool
+      may_be_in(const BackgroundGrid<dim> &grid, const unsigned int cell) const
+      {
+        return body == numbers::invalid_unsigned_int ||
+               body == grid.layer_of_cell(cell);
+      }
     };
 
     void
@@ -183,6 +196,9 @@ namespace isochor
       std::array<double, dim> place{};
       for (const auto &particle : result.points.handler())
         {
+          if (probe.body != numbers::invalid_unsigned_int &&
+              probe.body != result.points.body_of(particle))
+            continue;
           const double *properties = particle.get_properties().data();
           Point<dim>    X          = particle.get_location();
           for (unsigned int d = 0; d < dim; ++d)
@@ -234,8 +250,9 @@ namespace isochor
         for (unsigned int q = step.points.cell_start[k];
              q < step.points.cell_start[k + 1];
              ++q)
-          near = near || place_of(step, k, q).distance(probe.location) <
-                           1.5 * std::pow(step.points.volume[q], 1. / dim);
+          near = near || (probe.may_be_in(step.grid, step.points.cell[k]) &&
+                          place_of(step, k, q).distance(probe.location) <
+                            1.5 * std::pow(step.points.volume[q], 1. / dim));
       return Utilities::MPI::max(near ? 1 : 0, step.grid.communicator()) == 1;
     }
 
@@ -320,6 +337,8 @@ namespace isochor
       best.inside = in_body ? -1 : -1e-2;
       for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         {
+          if (!probe.may_be_in(step.grid, step.points.cell[k]))
+            continue;
           const auto vertices =
             step.grid.shape_functions().nodes(step.points.cell[k]);
           if (!std::all_of(vertices.begin(), vertices.end(), moves_with_body))
@@ -354,7 +373,8 @@ namespace isochor
                                                   q) -
                                  points.cell_start.begin() - 1;
           const Tensor<1, dim> r = probe.location - place_of(step, k, q);
-          if (least_coordinate(points, q, r) < -1e-6)
+          if (!probe.may_be_in(step.grid, points.cell[k]) ||
+              least_coordinate(points, q, r) < -1e-6)
             continue;
           const auto stencil = points.stencil(step.grid.geometry(), k, q);
           const Tensor<1, dim> increment =
@@ -449,7 +469,8 @@ namespace isochor
           {
             const double distance =
               probe.location.distance(place_of(step, k, q));
-            if (distance < nearest)
+            if (distance < nearest &&
+                probe.may_be_in(step.grid, step.points.cell[k]))
               {
                 nearest = distance;
                 cell    = k;

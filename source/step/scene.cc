@@ -367,8 +367,11 @@ namespace isochor
                 inertia.initial_velocity,
                 points_have_domains(),
                 kernel.axisymmetric,
-                inertia.is_from_stresses());
-    shape.initialize(grid, points_have_domains());
+                inertia.is_from_stresses(),
+                [this](const unsigned int n_bodies) {
+                  grid.set_layers(n_bodies);
+                });
+    shape.initialize(grid, points_have_domains(), points.bodies());
     for (auto &condition : boundary_conditions)
       {
         condition->set_body(shape, arrays);

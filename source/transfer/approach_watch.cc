@@ -358,7 +358,8 @@ namespace isochor
     constexpr double far = 2, spacing = 0.5; // cell sizes
     constexpr double nearer = 0.5;           // of what it was
     // all ranks have the same marks
-    std::vector<unsigned int> cells, at_vertex;
+    const SimplexGeometry<dim> &geometry = step.grid.geometry();
+    std::vector<unsigned int>   cells, at_vertex;
     for (const auto &[vertex, mark] : marks)
       for (unsigned int d = 0; d < dim; ++d)
         {
@@ -368,13 +369,18 @@ namespace isochor
           if (way[d] < far * mark.cell_size ||
               (last.to - first.to).norm() > nearer * way.norm())
             continue;
-          const unsigned int n = way.norm() / (spacing * mark.cell_size);
+          const unsigned int n     = way.norm() / (spacing * mark.cell_size);
+          const unsigned int layer = step.grid.layer_of_vertex(vertex);
           for (unsigned int i = 1; i < n; ++i)
             {
+              const unsigned int hint =
+                !cells.empty() &&
+                    geometry.layer_of_cell(cells.back()) == layer ?
+                  cells.back() :
+                layer == 0 ? SimplexGeometry<dim>::no_cell :
+                             geometry.first_cell(layer);
               const LocateResult<dim> found =
-                locator.locate(first.from + double(i) / n * way,
-                               cells.empty() ? SimplexGeometry<dim>::no_cell :
-                                               cells.back());
+                locator.locate(first.from + double(i) / n * way, hint);
               if (!found.found)
                 continue;
               cells.push_back(found.cell);

@@ -35,6 +35,8 @@ namespace isochor
     /** The body meets the wall elsewhere first: to begin a step with the node
      * held would pull at the body by the gap, however small the step. */
     bool starts_free = false;
+    /** The layer of the grid that the node is in. */
+    unsigned int layer = 0;
 
     bool
     knows_body() const

@@ -81,6 +81,13 @@ namespace isochor
           const std::string         &first,
           const std::string         &second,
           const std::string         &parameter);
+    /** The same of the vertices of one layer of the grid. */
+    static std::map<unsigned int, unsigned int>
+    match_in_layer(const BackgroundGrid<dim> &grid,
+                   const std::string         &first,
+                   const std::string         &second,
+                   const std::string         &parameter,
+                   const unsigned int         layer);
 
     std::vector<Image>                                all_images;
     std::map<unsigned int, std::vector<unsigned int>> images_of_root;

@@ -41,13 +41,15 @@ namespace isochor
     /** The walls at t = 0, with the vertices of the grid at @p reference. A
      * node in one is pushed out by the first step. */
     void
-    place_walls(const std::vector<Point<dim>> &reference)
+    place_walls(const std::vector<Point<dim>> &reference,
+                const BackgroundGrid<dim>     &grid)
     {
       wall.assign(vertices.size(), WallNode());
       for (unsigned int i = 0; i < vertices.size(); ++i)
         {
           WallNode &node = wall[i];
           node.gap       = -displacement(reference[vertices[i]], 0.);
+          node.layer     = grid.layer_of_vertex(vertices[i]);
           node.touched   = (node.gap == 0);
           node.released = node.was_released = (side * node.gap > 0);
         }
@@ -216,7 +218,7 @@ namespace isochor
             {
               const double distance =
                 x.distance_square(old_reference[old.vertices[j]]);
-              if (distance < best)
+              if (distance < best && wall[i].layer == old.wall[j].layer)
                 {
                   best = distance;
                   from = j;

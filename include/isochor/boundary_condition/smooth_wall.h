@@ -29,7 +29,8 @@ namespace isochor
     struct Node
     {
       unsigned int   vertex;
-      Tensor<1, dim> normal; ///< at the vertex
+      Tensor<1, dim> normal;    ///< at the vertex
+      unsigned int   layer = 0; ///< of the grid
       WallNode       contact;
       /** At a curved wall: how far the wall has come along its normal since the
        * last reset, from the boundary (m), and the node (m); and the normal and
@@ -38,6 +39,19 @@ namespace isochor
       Tensor<1, dim> moved, normal_now;
       double         gap_now = 0;
     };
+
+    /** A node that knows nothing of the wall yet. */
+    static Node
+    node_at(const unsigned int         vertex,
+            const Tensor<1, dim>      &normal,
+            const BackgroundGrid<dim> &grid)
+    {
+      Node node;
+      node.vertex = vertex;
+      node.normal = normal;
+      node.layer  = grid.layer_of_vertex(vertex);
+      return node;
+    }
 
     std::string       boundary;
     bool              one_sided;
@@ -228,10 +242,12 @@ namespace isochor
             old.nodes.begin(),
             old.nodes.end(),
             [&](const Node &a, const Node &b) {
+              if ((a.layer == node.layer) != (b.layer == node.layer))
+                return a.layer == node.layer;
               return x.distance_square(old_reference[a.vertex]) <
                      x.distance_square(old_reference[b.vertex]);
             });
-          if (nearest == old.nodes.end())
+          if (nearest == old.nodes.end() || nearest->layer != node.layer)
             continue;
           node.gap_now = nearest->gap_now;
           node.offset  = -node.gap_now;

@@ -47,6 +47,13 @@ namespace isochor
     std::unique_ptr<Connectivity> connectivity;
   };
 
+  /** Whether the place @p a of a tree comes before @p b along its
+   * space-filling curve. */
+  template <int dim>
+  bool
+  is_before(const std::array<std::uint32_t, dim> &a,
+            const std::array<std::uint32_t, dim> &b);
+
   /** The index of the leaf that holds the place @p corner of @p tree: the last
    * one along the curve that doesn't begin behind it. @p leaves are those of a
    * whole forest. */

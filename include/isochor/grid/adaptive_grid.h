@@ -58,6 +58,13 @@ namespace isochor
       return current;
     }
 
+    /** How many coarse cells there are. */
+    unsigned int
+    n_trees() const
+    {
+      return materials.size();
+    }
+
     unsigned int
     leaf_of_cell(const unsigned int cell) const
     {
@@ -127,6 +134,16 @@ namespace isochor
   std::vector<unsigned int>
   partition_leaves(const std::vector<double> &weights,
                    const unsigned int         n_ranks);
+
+  /** The same for @p leaves of several layers, each of @p n_trees trees that
+   * are copies of those of the first one: such that leaves at the same place
+   * belong to the same rank, but for sizes that differ. */
+  template <int dim>
+  std::vector<unsigned int>
+  partition_leaves(const std::vector<Leaf<dim>> &leaves,
+                   const std::vector<double>    &weights,
+                   const unsigned int            n_trees,
+                   const unsigned int            n_ranks);
 } // namespace isochor
 
 #endif

@@ -44,6 +44,11 @@ namespace isochor
    * a step has to be told, or to look at mesh_number(). The cells of any other
    * grid may get other owners, see set_owners().
    *
+   * If a scene has several bodies, each has a *layer* of its own, see
+   * set_layers(): a copy of the mesh at the same place, which is not connected
+   * to the others. A body's points are in cells of its layer, so that all that
+   * is kept by cell or vertex is kept by body.
+   *
    * Every rank knows the whole mesh (parallel::shared::Triangulation); cells
    * are addressed by their active cell index, nodes by their vertex index.
    */
@@ -61,6 +66,53 @@ namespace isochor
     /** Generate or read the mesh. */
     void
     create();
+
+    /**
+     * Replace the grid of one layer by @p n_layers copies of it. As long as no
+     * change() has been made since, cell_in_layer() and vertex_in_layer() say
+     * which ones are copies of each other. All iterators are void, and nothing
+     * may be attached to the triangulation yet. Collective.
+     */
+    void
+    set_layers(const unsigned int n_layers);
+
+    unsigned int
+    n_layers() const
+    {
+      return cached_geometry->n_layers();
+    }
+
+    unsigned int
+    layer_of_cell(const unsigned int cell) const
+    {
+      return cached_geometry->layer_of_cell(cell);
+    }
+
+    unsigned int
+    layer_of_vertex(const unsigned int vertex) const
+    {
+      AssertIndexRange(vertex, reference_vertices.size());
+      return layers_of_vertices.empty() ? 0 : layers_of_vertices[vertex];
+    }
+
+    /** The copy in @p layer of a @p cell of layer 0. */
+    unsigned int
+    cell_in_layer(const unsigned int cell, const unsigned int layer) const
+    {
+      AssertIndexRange(cell, cached_geometry->n_cells_of_first_layer());
+      AssertIndexRange(layer, n_layers());
+      return cell + layer * cached_geometry->n_cells_of_first_layer();
+    }
+
+    /** The copy in @p layer of a @p vertex of layer 0; not on adaptive
+     * grids. */
+    unsigned int
+    vertex_in_layer(const unsigned int vertex, const unsigned int layer) const
+    {
+      Assert(!is_adaptive(), ExcInternalError());
+      AssertIndexRange(layer, n_layers());
+      return vertex + layer * (reference_vertices.size() / n_layers());
+    }
 
     /** How the grid is made. */
     const GridSource<dim> &
@@ -197,9 +249,18 @@ namespace isochor
     /** An empty one. */
     std::unique_ptr<SharedTriangulation>
     new_triangulation() const;
-    /** Take over what follows from a new mesh. */
+    /** Take over what follows from a new mesh of @p n_layers. */
     void
-    read_mesh_data();
+    read_mesh_data(const unsigned int n_layers);
+    /** Make the mesh of @p leaves, see change(). */
+    std::unique_ptr<Triangulation<dim>>
+    mesh_leaves(const std::vector<Leaf<dim>>    &leaves,
+                const std::vector<unsigned int> &owners,
+                const unsigned int               n_layers,
+                const double                     time);
+    /** By layer: its first cell; and behind the last one. */
+    std::vector<unsigned int>
+    first_cells_of_layers(const unsigned int n_layers) const;
     void
     collect_boundary();
     void
@@ -217,6 +278,7 @@ namespace isochor
     MeshGroups                            groups; ///< names and their ids
     std::vector<BoundaryFace>             faces;
     std::vector<unsigned int>             vertex_owners;
+    std::vector<unsigned int> layers_of_vertices; ///< empty if there is one
     /** Vertices as generated, before any motion of the grid. */
     std::vector<Point<dim>> reference_vertices;
   };

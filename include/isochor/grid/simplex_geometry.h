@@ -12,6 +12,7 @@
 #include <deal.II/base/types.h>
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -121,6 +122,29 @@ namespace isochor
     static Point<dim>
     reference_location(const Barycentric &lambda);
 
+    /**
+     * Tell that the cells form layers, which are not connected to each other:
+     * those from @p first_cells[l] to @p first_cells[l + 1] - 1 are layer l. Of
+     * a new triangulation, and after replace(), there is one layer.
+     */
+    void
+    set_layers(const std::vector<unsigned int> &first_cells);
+
+    unsigned int
+    n_layers() const;
+
+    /** The layer that a cell belongs to. */
+    unsigned int
+    layer_of_cell(const unsigned int cell) const;
+
+    /** The first cell of a layer; of n_layers() the number of all cells. */
+    unsigned int
+    first_cell(const unsigned int layer) const;
+
+    /** How many cells the first layer has: all, if there is one. */
+    unsigned int
+    n_cells_of_first_layer() const;
+
     /** The triangulation's iterator to a cell. */
     active_cell_iterator
     cell_iterator(const unsigned int cell) const;
@@ -154,6 +178,8 @@ namespace isochor
     std::vector<std::array<unsigned int, dim + 1>> cell_vertices;
     std::vector<std::array<unsigned int, dim + 1>> cell_neighbours;
     std::vector<unsigned int>                      owners;
+    /** Of each layer, and behind the last one; empty if there is one. */
+    std::vector<unsigned int> first_cell_of_layer;
     /** Empty if the mesh isn't refined: they then follow from the numbers, and
      * 16 bytes a cell are saved. */
     std::vector<active_cell_iterator> iterators;
@@ -177,6 +203,43 @@ namespace isochor
   SimplexGeometry<dim>::generation() const
   {
     return n_changes;
+  }
+
+  template <int dim>
+  inline unsigned int
+  SimplexGeometry<dim>::n_layers() const
+  {
+    return first_cell_of_layer.empty() ? 1 : first_cell_of_layer.size() - 1;
+  }
+
+  template <int dim>
+  inline unsigned int
+  SimplexGeometry<dim>::layer_of_cell(const unsigned int cell) const
+  {
+    AssertIndexRange(cell, n_cells());
+    if (first_cell_of_layer.empty())
+      return 0;
+    return std::upper_bound(first_cell_of_layer.begin(),
+                            first_cell_of_layer.end(),
+                            cell) -
+           first_cell_of_layer.begin() - 1;
+  }
+
+  template <int dim>
+  inline unsigned int
+  SimplexGeometry<dim>::first_cell(const unsigned int layer) const
+  {
+    AssertIndexRange(layer, n_layers() + 1);
+    if (first_cell_of_layer.empty())
+      return layer * n_cells();
+    return first_cell_of_layer[layer];
+  }
+
+  template <int dim>
+  inline unsigned int
+  SimplexGeometry<dim>::n_cells_of_first_layer() const
+  {
+    return first_cell(1);
   }
 
   template <int dim>

@@ -9,6 +9,7 @@
 
 #include <isochor/base/warnings.h>
 #include <isochor/grid/background_grid.h>
+#include <isochor/material_points/bodies.h>
 #include <isochor/material_points/point_locator.h>
 
 #include <map>
@@ -34,19 +35,30 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm);
 
-    /** After the grid is made, at t = 0; @p grid must outlive this object.
-     * @p with_domains: whether the points of a lattice have simplex domains. */
+    /** After the grid is made, at t = 0; @p grid must outlive this object, as
+     * @p bodies. @p with_domains: whether the points of a lattice have simplex
+     * domains. */
     void
-    initialize(const BackgroundGrid<dim> &grid, const bool with_domains);
+    initialize(const BackgroundGrid<dim> &grid,
+               const bool                 with_domains,
+               const Bodies<dim>         &bodies);
 
     /** Whether all of the grid belongs to the body. */
     bool
     is_everywhere() const
     {
-      return everywhere;
+      return everywhere && bodies->size() == 1;
     }
 
-    /** Whether the body is at @p x in the grid's cell @p cell. Of a lattice:
+    /** A cell of the layer whose body is at @p x. */
+    unsigned int
+    cell_of_layer_at(const Point<dim> &x) const
+    {
+      return grid->geometry().first_cell(bodies->at(x));
+    }
+
+    /** Whether the body is at @p x in the grid's cell @p cell, of several the
+     * one that the layer of the cell belongs to. Of a lattice:
      * whether the domain around x has its point in the region. */
     bool
     contains(const Point<dim> &x, const unsigned int cell) const;
@@ -57,6 +69,10 @@ namespace isochor
     check_mesh(Warnings &warnings) const;
 
   private:
+    /** contains(), of any body. */
+    bool
+    any_contains(const Point<dim> &x, const unsigned int cell) const;
+
     /** Whether a cell belongs to the physical groups asked for. */
     bool
     belongs(const SimplexGeometry<dim>                      &geometry,
@@ -75,6 +91,7 @@ namespace isochor
     bool                             everywhere   = true;
     bool                             with_domains = false;
     const BackgroundGrid<dim>       *grid         = nullptr;
+    const Bodies<dim>               *bodies       = nullptr;
     std::unique_ptr<Expression<dim>> in_region;
     Point<dim>                       lattice_origin;
 

@@ -12,6 +12,7 @@
 #include <isochor/grid/background_grid.h>
 #include <isochor/material_model/material_model.h>
 #include <isochor/material_model/tensor_tools.h>
+#include <isochor/material_points/bodies.h>
 #include <isochor/material_points/body_seeding.h>
 #include <isochor/material_points/point_arrays.h>
 #include <isochor/material_points/point_locator.h>
@@ -134,10 +135,27 @@ namespace isochor
     void
     seed(const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
          const bool                                              dynamic,
-         const std::string &initial_velocity,
-         const bool         with_domains = false,
-         const bool         axisymmetric = false,
-         const bool         with_excess  = false);
+         const std::string                             &initial_velocity,
+         const bool                                     with_domains = false,
+         const bool                                     axisymmetric = false,
+         const bool                                     with_excess  = false,
+         const std::function<void(const unsigned int)> &make_layers  = {});
+
+    /** The bodies that the points belong to, by layer of the grid. */
+    const Bodies<dim> &
+    bodies() const
+    {
+      return all_bodies;
+    }
+
+    /** The number of the body that a point belongs to, which is the layer of
+     * its cell. */
+    unsigned int
+    body_of(const Particles::ParticleAccessor<dim> &particle) const
+    {
+      return grid.layer_of_cell(
+        particle.get_surrounding_cell()->active_cell_index());
+    }
 
     /** Points that are seeded from now on remember what they were part of
      * before they were split. On adaptive grids they do anyway. */
@@ -279,6 +297,12 @@ namespace isochor
                const ArrayView<const double> &properties,
                PointArrays<dim>              &arrays) const;
 
+    /** Put each of @p seeds into the layer of its body, once @p make_layers
+     * has made them. */
+    void
+    divide_into_bodies(
+      const std::function<void(const unsigned int)> &make_layers,
+      std::vector<Seed<dim>>                        &seeds);
     void
     insert(const std::vector<Seed<dim>>                           &seeds,
            const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials);
@@ -289,6 +313,7 @@ namespace isochor
 
     const BackgroundGrid<dim> &grid;
     BodySeeding<dim>           seeding;
+    Bodies<dim>                all_bodies;
     bool                       keeps_ancestry = false;
     bool                       keeps_surface  = false;
     PointLayout                point_layout;

@@ -46,6 +46,9 @@ namespace isochor
    * cell; its location is left alone. Far from the origin, from 1e3 times the
    * height of a cell on, the tolerances grow with the coordinates' rounding.
    *
+   * On a grid of several layers (SimplexGeometry::set_layers()) the cell is of
+   * the layer of the hint; without a hint, of the first one.
+   *
    * locate() may be called concurrently.
    */
   template <int dim>
@@ -96,7 +99,7 @@ namespace isochor
     struct SearchTree;
 
     LocateResult<dim>
-    search(const Point<dim> &x) const;
+    search(const Point<dim> &x, const unsigned int layer) const;
 
     const SimplexGeometry<dim>       &simplices;
     const std::unique_ptr<SearchTree> tree;

@@ -1,0 +1,250 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <isochor/base/expression.h>
+#include <isochor/material_points/bodies.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace isochor
+{
+  namespace
+  {
+    constexpr const char *parameter_name = "Material points/Bodies";
+    constexpr const char *automatic      = "auto";
+    /** The name of the only body, and of what is in no zone. */
+    constexpr const char *unnamed = "body";
+
+    /** The least barycentric coordinate of @p x in the domain of @p seed; -1
+     * if it has none. */
+    template <int dim>
+    double
+    least_coordinate(const Seed<dim> &seed, const Point<dim> &x)
+    {
+      Tensor<2, dim> edges;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          edges[d][c] = seed.domain[c + 1][d] - seed.domain[0][d];
+      if (!(determinant(edges) != 0))
+        return -1;
+      const Tensor<1, dim> lambda =
+        invert(edges) * (x - seed.location - seed.domain[0]);
+      double first = 1, least = std::numeric_limits<double>::max();
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          first -= lambda[c];
+          least = std::min(least, lambda[c]);
+        }
+      return std::min(first, least);
+    }
+
+    template <int dim>
+    BoundingBox<dim>
+    box_of(const Seed<dim> &seed)
+    {
+      std::pair<Point<dim>, Point<dim>> ends(seed.location, seed.location);
+      for (const Tensor<1, dim> &corner : seed.domain)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            ends.first[d] =
+              std::min(ends.first[d], seed.location[d] + corner[d]);
+            ends.second[d] =
+              std::max(ends.second[d], seed.location[d] + corner[d]);
+          }
+      return BoundingBox<dim>(ends);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  struct Bodies<dim>::SearchTree
+  {
+    std::vector<Seed<dim>>                           seeds;
+    std::vector<unsigned int>                        body_of_seed;
+    RTree<std::pair<BoundingBox<dim>, unsigned int>> boxes;
+  };
+
+
+
+  template <int dim>
+  Bodies<dim>::Bodies() = default;
+
+
+
+  template <int dim>
+  Bodies<dim>::~Bodies() = default;
+
+
+
+  template <int dim>
+  void
+  Bodies<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Material points");
+    prm.declare_entry(
+      "Bodies",
+      "",
+      Patterns::Anything(),
+      "Bodies with displacements and pressures of their own: 'name: "
+      "condition; name: condition', the conditions in x, y(, z) at a point's "
+      "place at t = 0. The last condition that holds counts; points for which "
+      "none holds are the body called 'body'. 'auto': what is not connected at "
+      "t = 0, or of different materials, is a body, called 'body 1', 'body 2', "
+      "... (needs points with 'Domains'). Bodies don't feel each other, and "
+      "pass through each other. Empty: all points have one field, and are tied "
+      "where they share nodes of the grid.");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  Bodies<dim>::parse_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Material points");
+    parameter = Utilities::trim(prm.get("Bodies"));
+    prm.leave_subsection();
+    if (parameter == automatic)
+      return;
+    for (const auto &zone : split_named_list(parameter, parameter_name))
+      Expression<dim>(zone.second, parameter_name, FormulaVariables::space);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  Bodies<dim>::names_by_zones(const std::vector<Seed<dim>> &seeds) const
+  {
+    std::vector<std::pair<std::string, Expression<dim>>> zones;
+    for (const auto &zone : split_named_list(parameter, parameter_name))
+      zones.emplace_back(zone.first,
+                         Expression<dim>(zone.second,
+                                         parameter_name,
+                                         FormulaVariables::space));
+    std::vector<std::string> names;
+    names.reserve(seeds.size());
+    for (const Seed<dim> &seed : seeds)
+      {
+        const auto last =
+          std::find_if(zones.rbegin(), zones.rend(), [&](const auto &zone) {
+            return zone.second(seed.location, 0.) > 0;
+          });
+        names.push_back(last == zones.rend() ? unnamed : last->first);
+      }
+    for (const auto &zone : zones)
+      AssertThrow(std::find(names.begin(), names.end(), zone.first) !=
+                    names.end(),
+                  ExcMessage("The parameter <" + std::string(parameter_name) +
+                             "> names the body <" + zone.first +
+                             ">, but it has no material point: its condition "
+                             "holds at none, or later ones do."));
+    return names;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  Bodies<dim>::names_by_parts(const std::vector<Seed<dim>>    &seeds,
+                              const std::vector<unsigned int> &parts)
+  {
+    std::map<std::pair<unsigned int, unsigned int>, std::string> known;
+    std::vector<std::string>                                     names;
+    names.reserve(seeds.size());
+    for (unsigned int s = 0; s < seeds.size(); ++s)
+      names.push_back(known
+                        .emplace(std::make_pair(parts.empty() ? 0 : parts[s],
+                                                seeds[s].material),
+                                 "body " + std::to_string(known.size() + 1))
+                        .first->second);
+    return names;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  Bodies<dim>::divide(const std::vector<Seed<dim>>    &seeds,
+                      const std::vector<unsigned int> &parts)
+  {
+    Assert(parts.empty() || parts.size() == seeds.size(), ExcInternalError());
+    tree.reset();
+    all_names = {unnamed};
+    const bool has_domains =
+      !seeds.empty() && seeds[0].domain[0].norm_square() > 0;
+    if (parameter.empty() || (parameter == automatic && !has_domains))
+      return {};
+    const std::vector<std::string> names = parameter == automatic ?
+                                             names_by_parts(seeds, parts) :
+                                             names_by_zones(seeds);
+    // in the order of the first points
+    std::map<std::string, unsigned int> numbers;
+    std::vector<unsigned int>           body_of_seed;
+    body_of_seed.reserve(seeds.size());
+    all_names.clear();
+    for (const std::string &name : names)
+      {
+        const auto found = numbers.emplace(name, all_names.size());
+        if (found.second)
+          all_names.push_back(name);
+        body_of_seed.push_back(found.first->second);
+      }
+    if (size() == 1)
+      {
+        if (parameter == automatic)
+          all_names = {unnamed};
+        return {};
+      }
+    tree               = std::make_unique<SearchTree>();
+    tree->seeds        = seeds;
+    tree->body_of_seed = body_of_seed;
+    std::vector<std::pair<BoundingBox<dim>, unsigned int>> boxes;
+    for (unsigned int s = 0; s < seeds.size(); ++s)
+      boxes.emplace_back(box_of(seeds[s]), s);
+    tree->boxes = pack_rtree(boxes);
+    return body_of_seed;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Bodies<dim>::at(const Point<dim> &x) const
+  {
+    if (!tree)
+      return 0;
+    namespace bgi          = boost::geometry::index;
+    double       best      = -1e-6; // rounding
+    unsigned int best_seed = numbers::invalid_unsigned_int;
+    for (const auto &entry :
+         tree->boxes | bgi::adaptors::queried(bgi::intersects(x)))
+      {
+        const double least = least_coordinate(tree->seeds[entry.second], x);
+        // of equals the first, whatever the order of the tree
+        if (least > best || (least == best && entry.second < best_seed))
+          {
+            best      = least;
+            best_seed = entry.second;
+          }
+      }
+    if (best_seed == numbers::invalid_unsigned_int)
+      for (const auto &entry :
+           tree->boxes | bgi::adaptors::queried(bgi::nearest(x, 1)))
+        best_seed = entry.second;
+    return tree->body_of_seed[best_seed];
+  }
+
+
+
+  template class Bodies<2>;
+  template class Bodies<3>;
+} // namespace isochor
