@@ -92,7 +92,9 @@ namespace isochor
 
   template <int dim>
   void
-  set_gamma(const MixedKernel<dim> &kernel, FaceCopy<dim> &copy)
+  start_step(const MixedKernel<dim> &kernel,
+             const bool              with_adjoint,
+             FaceCopy<dim>          &copy)
   {
     SurfaceStress<dim> stress;
     const auto         status = stress.evaluate(
@@ -105,7 +107,12 @@ namespace isochor
     AssertThrow(status == EvaluationStatus::success,
                 ExcMessage("The stress of a point can't be evaluated as it was "
                            "at the end of the last step."));
-    copy.gamma = stress.normal_modulus * copy.area_per_volume;
+    copy.gamma      = stress.normal_modulus * copy.area_per_volume;
+    copy.area_ratio = stress.area.norm();
+    copy.adjoint.clear();
+    for (unsigned int J = 0; J < copy.vertex.size() && with_adjoint; ++J)
+      for (unsigned int b = 0; b < dim; ++b)
+        copy.adjoint.push_back(stress.elastic_traction_by_displacement(J, b));
   }
 
 
@@ -115,11 +122,11 @@ namespace isochor
              const PointArrays<2> &,
              const BodySurface<2> &);
   template void
-  set_gamma(const MixedKernel<2> &, FaceCopy<2> &);
+  start_step(const MixedKernel<2> &, const bool, FaceCopy<2> &);
   template std::vector<FaceCopy<3>>
   copy_faces(const BackgroundGrid<3> &,
              const PointArrays<3> &,
              const BodySurface<3> &);
   template void
-  set_gamma(const MixedKernel<3> &, FaceCopy<3> &);
+  start_step(const MixedKernel<3> &, const bool, FaceCopy<3> &);
 } // namespace isochor

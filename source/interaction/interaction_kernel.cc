@@ -44,7 +44,7 @@ namespace isochor
     t += side.weight * stress.traction(side.pressure);
     for (unsigned int J = 0; J < side.n_nodes; ++J)
       {
-        const unsigned int first = (side.first_node + J) * n_components;
+        const unsigned int first = side.node[J] * n_components;
         for (unsigned int b = 0; b < dim; ++b)
           {
             trace[first + b][b] += side.sign * side.shape[J];
@@ -124,7 +124,7 @@ namespace isochor
         W * (measure.theta * (mismatch * adjoint[i]) - projection.f * trace[i]);
     for (const Side &side : sides)
       for (unsigned int I = 0; I < side.n_nodes && side.stress->mixed; ++I)
-        residual[(side.first_node + I) * n_components + dim] +=
+        residual[side.node[I] * n_components + dim] +=
           W * side.weight * side.shape[I] * (mismatch * side.stress->volume);
   }
 
@@ -159,18 +159,23 @@ namespace isochor
           {
             if (!side.stress->mixed)
               continue;
-            double             change = d_mismatch * side.stress->volume;
-            const unsigned int node = j / n_components, b = j % n_components;
-            if (b < dim && node >= side.first_node &&
-                node < side.first_node + side.n_nodes)
-              change +=
-                mismatch *
-                side.stress->volume_by_u[(node - side.first_node) * dim + b];
+            const double change = d_mismatch * side.stress->volume;
             for (unsigned int I = 0; I < side.n_nodes; ++I)
-              matrix[((side.first_node + I) * n_components + dim) * n_dofs +
-                     j] += W * side.weight * side.shape[I] * change;
+              matrix[(side.node[I] * n_components + dim) * n_dofs + j] +=
+                W * side.weight * side.shape[I] * change;
           }
       }
+    for (const Side &side : sides)
+      for (unsigned int J = 0; J < side.n_nodes && side.stress->mixed; ++J)
+        for (unsigned int b = 0; b < dim; ++b)
+          {
+            const double change =
+              W * side.weight *
+              (mismatch * side.stress->volume_by_u[J * dim + b]);
+            for (unsigned int I = 0; I < side.n_nodes; ++I)
+              matrix[(side.node[I] * n_components + dim) * n_dofs +
+                     side.node[J] * n_components + b] += side.shape[I] * change;
+          }
   }
 
 
@@ -186,7 +191,7 @@ namespace isochor
       for (unsigned int j = 0; j < n_dofs; ++j)
         {
           const double       dN  = measure.weight * (shape_by_xi[I] * xi_by[j]);
-          const unsigned int row = (side.first_node + I) * n_components;
+          const unsigned int row = side.node[I] * n_components;
           for (unsigned int b = 0; b < dim; ++b)
             matrix[(row + b) * n_dofs + j] -= side.sign * dN * projection.f[b];
           if (side.stress->mixed)

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
+#include <numeric>
 
 namespace isochor
 {
@@ -192,7 +192,9 @@ namespace isochor
           interactions[i]->partner->control_vertices(step.nodes).size();
       }
     kernel.start_element(n_nodes, step.n_components, with_matrix);
-    std::vector<double> N(N_p.n_nodes);
+    std::vector<double>       N(N_p.n_nodes);
+    std::vector<unsigned int> own_nodes(N_p.n_nodes);
+    std::iota(own_nodes.begin(), own_nodes.end(), 0);
     std::vector<std::vector<typename InteractionKernel<dim>::PartnerMotion>>
       motions;
     for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
@@ -218,8 +220,8 @@ namespace isochor
         kernel.start_place();
         kernel.add_side(
           {&stress,
-           0,
            N_p.n_nodes,
+           own_nodes.data(),
            N.data(),
            N_p.pressure_shape,
            p,

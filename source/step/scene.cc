@@ -5,6 +5,7 @@
 #include <isochor/base/parameter_list.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/base/plugin_registry.h>
+#include <isochor/interaction/body_pair_term.h>
 #include <isochor/interaction/interaction_term.h>
 #include <isochor/material_model/axisymmetric_material.h>
 #include <isochor/step/scene.h>
@@ -321,8 +322,6 @@ namespace isochor
     create_plugins(prm, boundary_conditions);
     create_plugins(prm, postprocessors);
     parse_interactions(prm);
-    for (const auto &condition : boundary_conditions)
-      symmetric = symmetric && condition->has_symmetric_matrix();
   }
 
 
@@ -331,25 +330,40 @@ namespace isochor
   void
   Scene<dim>::parse_interactions(ParameterHandler &prm)
   {
-    std::vector<std::unique_ptr<Interaction<dim>>> interactions;
+    prm.enter_subsection("Material points");
+    const bool has_bodies = !prm.get("Bodies").empty();
+    prm.leave_subsection();
+    std::vector<std::unique_ptr<Interaction<dim>>> of_bodies, of_others;
+    std::string                                    asked_by;
+    if (has_bodies)
+      asked_by = "parameter <Material points/Bodies>";
     for (const auto &path : ParameterList(prm).subsections)
       if (path.size() == 1 && path.front().rfind("Interaction: ", 0) == 0)
         {
           prm.enter_subsection(path.front());
-          interactions.push_back(
-            std::make_unique<Interaction<dim>>(prm, path.front()));
+          auto interaction =
+            std::make_unique<Interaction<dim>>(prm, path.front());
           prm.leave_subsection();
+          (interaction->partner ? of_others : of_bodies)
+            .push_back(std::move(interaction));
+          asked_by = "section <" + path.front() + ">";
         }
-    if (interactions.empty())
+    if (asked_by.empty())
       return;
     AssertThrow(quadrature->is_linear_on_domains(),
                 ExcMessage(
-                  "The section <" + interactions.front()->section +
-                  "> needs <Quadrature/Type = CPDI>: only its "
+                  "The " + asked_by +
+                  " needs <Quadrature/Type = CPDI>: only its "
                   "subdomains have the surface of the body as faces."));
     points.keep_surface();
-    boundary_conditions.push_back(
-      std::make_unique<InteractionTerm<dim>>(std::move(interactions)));
+    if (!of_others.empty())
+      boundary_conditions.push_back(
+        std::make_unique<InteractionTerm<dim>>(std::move(of_others)));
+    if (!has_bodies && of_bodies.empty())
+      return;
+    auto pairs = std::make_unique<BodyPairTerm<dim>>(std::move(of_bodies));
+    body_pairs = pairs.get();
+    boundary_conditions.push_back(std::move(pairs));
   }
 
 
@@ -358,7 +372,6 @@ namespace isochor
   void
   Scene<dim>::create(const PointArrays<dim> &arrays)
   {
-    kernel.upper_blocks_only = symmetric;
     grid.create();
     adaptation.make_initial_grid(grid);
     check_axis();
@@ -372,11 +385,15 @@ namespace isochor
                   grid.set_layers(n_bodies);
                 });
     shape.initialize(grid, points_have_domains(), points.bodies());
+    if (body_pairs != nullptr)
+      body_pairs->set_bodies(points.bodies().names());
     for (auto &condition : boundary_conditions)
       {
         condition->set_body(shape, arrays);
         condition->initialize(grid);
+        symmetric = symmetric && condition->has_symmetric_matrix();
       }
+    kernel.upper_blocks_only = symmetric;
     for (auto &postprocessor : postprocessors)
       postprocessor->initialize(grid);
   }

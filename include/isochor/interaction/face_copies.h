@@ -34,9 +34,12 @@ namespace isochor
     std::array<Point<dim>, dim> X; ///< corners at t = 0
     std::array<Point<dim>, dim> x; ///< at the start of the step
     std::array<Tensor<1, dim>, dim>
-                   r;            ///< from the subdomain's point, at t_n (m)
-    Tensor<1, dim> displacement; ///< of its point since t = 0 (m)
-    double         gamma = 0;    ///< |N·A·N| times area_per_volume (Pa/m)
+                   r;              ///< from the subdomain's point, at t_n (m)
+    Tensor<1, dim> displacement;   ///< of its point since t = 0 (m)
+    double         gamma      = 0; ///< |N·A·N| times area_per_volume (Pa/m)
+    double         area_ratio = 1; ///< of the area at t_n to that at t = 0
+    /** B_J,b of SurfaceStress at the start of the step; empty in statics. */
+    std::vector<Tensor<1, dim>> adjoint;
 
     /** The shape functions of all nodes at @p r from the subdomain's point. */
     double
@@ -70,17 +73,20 @@ namespace isochor
     }
   };
 
-  /** Of all ranks' faces, first those of rank 0, without gamma. Collective. */
+  /** Of all ranks' faces, first those of rank 0, without what start_step()
+   * sets. Collective. */
   template <int dim>
   std::vector<FaceCopy<dim>>
   copy_faces(const BackgroundGrid<dim> &grid,
              const PointArrays<dim>    &points,
              const BodySurface<dim>    &surface);
 
-  /** Set gamma of a copy. */
+  /** Set gamma, area_ratio and the adjoint of a copy. */
   template <int dim>
   void
-  set_gamma(const MixedKernel<dim> &kernel, FaceCopy<dim> &copy);
+  start_step(const MixedKernel<dim> &kernel,
+             const bool              with_adjoint,
+             FaceCopy<dim>          &copy);
 } // namespace isochor
 
 #endif

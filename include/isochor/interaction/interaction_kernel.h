@@ -46,13 +46,13 @@ namespace isochor
   public:
     using Projection = typename InteractionLaw<dim>::Projection;
 
-    /** The subdomain of a body at the place: its unknowns stand at the nodes
-     * from @p first_node on. */
+    /** The subdomain of a body at the place. */
     struct Side
     {
       const SurfaceStress<dim> *stress;
-      unsigned int              first_node, n_nodes;
-      const double             *shape;       ///< N_I at the place
+      unsigned int              n_nodes;
+      const unsigned int       *node;  ///< which node of the element each is
+      const double             *shape; ///< N_I at the place
       const double             *point_shape; ///< of pressures at the point
       double                    pressure;    ///< p at the place
       /** κ₁ or -κ₂, the factor of t. */
@@ -155,8 +155,9 @@ namespace isochor
      * partner; ∂t; what n and g turn by with the partner; the adjoint B. */
     std::vector<Tensor<1, dim>> trace, t_by, turn_of_normal, turn_of_gap,
       adjoint;
-    Tensor<1, dim>    t;
-    std::vector<Side> sides;
+    Tensor<1, dim>               t;
+    std::vector<Side>            sides;
+    std::vector<FaceCoordinates> xi_by, shape_by_xi; ///< empty: no sliding
   };
 } // namespace isochor
 

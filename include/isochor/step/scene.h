@@ -21,6 +21,9 @@
 
 namespace isochor
 {
+  template <int dim>
+  class BodyPairTerm;
+
   /** What decides which parameters a scene has. */
   struct SceneSections
   {
@@ -163,6 +166,9 @@ namespace isochor
     parse_plugins(ParameterHandler &prm);
     void
     parse_interactions(ParameterHandler &prm);
+
+    /** One of the boundary conditions, if there may be several bodies. */
+    BodyPairTerm<dim> *body_pairs = nullptr;
   };
 } // namespace isochor
 

@@ -1,0 +1,176 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_body_pair_term_h
+#define isochor_body_pair_term_h
+
+#include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/interaction/face_copies.h>
+#include <isochor/interaction/face_projection.h>
+#include <isochor/interaction/interaction.h>
+#include <isochor/interaction/slip_memory.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * What bodies do to each other at their surfaces. Gauss points on both
+   * surfaces take part, each with the part γ'/(γ + γ') of the integral, γ its
+   * own and γ' the other body's, so that most is integrated where the softer
+   * body ends; the mean traction is t = κ t₁ - κ' t₂ with the same weights
+   * κ = γ'/(γ + γ'), and γ_h = 2 γ γ'/(γ + γ').
+   *
+   * Faces of two bodies that coincide at t = 0 are tied, others may come into
+   * contact without friction, unless an interaction says something else. An
+   * element is a Gauss point with the faces of other bodies that it may meet in
+   * the step, of which the nearest acts.
+   */
+  template <int dim>
+  class BodyPairTerm : public BoundaryCondition<dim>
+  {
+  public:
+    /** @p interactions of two bodies each; @p bodies: by layer of the grid. */
+    BodyPairTerm(std::vector<std::unique_ptr<Interaction<dim>>> &&interactions);
+
+    /** The names of the bodies, by layer of the grid, once they are known. */
+    void
+    set_bodies(const std::vector<std::string> &names);
+
+    void
+    initialize(const BackgroundGrid<dim> &grid) override
+    {
+      this->grid = &grid;
+    }
+    void
+    set_body(const BodyShape<dim> & /*shape*/,
+             const PointArrays<dim> &points) override
+    {
+      this->points = &points;
+    }
+    void
+    touch_vertices(std::vector<unsigned int> &vertices) override;
+    void
+    collect_elements(const StepContext<dim> &step,
+                     ElementNodes           &elements) override;
+    void
+    prepare_contact(const StepContext<dim> &step) override;
+    EvaluationStatus
+    assemble(const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             const NodalField       &pending,
+             const unsigned int      first_element,
+             const bool              with_matrix,
+             MixedSystem<dim>       &system) override;
+    void
+    add_boundary_force(const StepContext<dim> &step,
+                       const NodalField       &unknowns,
+                       NodalField             &force) const override;
+    bool
+    has_symmetric_matrix() const override
+    {
+      return grid->n_layers() == 1;
+    }
+    void
+    evaluate(const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             const MixedSystem<dim> &system,
+             const NodalConstraints &constraints,
+             Statistics             &statistics) const override;
+    void
+    advance(const StepContext<dim> &step, const NodalField &unknowns) override;
+    std::string
+    save_state() const override
+    {
+      return slips.save(grid->communicator());
+    }
+    void
+    load_state(const std::string &state) override
+    {
+      slips.load(state);
+    }
+
+  private:
+    /** A Gauss point and the faces that it may meet. */
+    struct PairElement
+    {
+      unsigned int              own; ///< its face, number of the copy
+      unsigned int              gauss_point;
+      std::vector<unsigned int> others; ///< numbers of copies
+      /** Tied to the only one of the others, at these coordinates of it. */
+      bool               is_tied = false;
+      Tensor<1, dim - 1> tied_at;
+      /** By vertex of the element; and of each of the others, which of them its
+       * vertices are. */
+      std::vector<unsigned int>              vertices;
+      std::vector<std::vector<unsigned int>> of_other;
+    };
+
+    /** What acts at a Gauss point, at the iterate. */
+    struct Action
+    {
+      unsigned int   other = 0; ///< number of the copy
+      Tensor<1, dim> force;     ///< on the body of the Gauss point (N)
+      Tensor<1, dim> slip;      ///< to be remembered (m)
+      bool           acts = false;
+    };
+
+    /** The face of a pair that acts, and where on it the Gauss point is. */
+    struct Meeting
+    {
+      unsigned int                         place; ///< among PairElement::others
+      std::array<Point<dim>, dim>          corners; ///< at the iterate
+      std::unique_ptr<FaceProjection<dim>> projection;
+    };
+
+    void
+    find_elements();
+    bool
+    find_tie(const Point<dim> &X, PairElement &element) const;
+    void
+    number_nodes(PairElement &element) const;
+    const InteractionLaw<dim> &
+    law_of(const unsigned int body, const unsigned int other) const;
+    Tensor<1, dim>
+    increment_at(const StepContext<dim> &step,
+                 const NodalField       &unknowns,
+                 const FaceCopy<dim>    &copy,
+                 const Tensor<1, dim>   &r) const;
+    Meeting
+    find_meeting(const StepContext<dim> &step,
+                 const NodalField       &unknowns,
+                 const PairElement      &element,
+                 const Point<dim>       &x,
+                 const Tensor<1, dim>   &area) const;
+    EvaluationStatus
+    evaluate_element(const StepContext<dim> &step,
+                     const NodalField       &unknowns,
+                     const PairElement      &element,
+                     const bool              pressures_of_points,
+                     const bool              with_matrix,
+                     InteractionKernel<dim> &kernel,
+                     Action                 &action) const;
+
+    std::vector<std::unique_ptr<Interaction<dim>>> interactions;
+    std::unique_ptr<InteractionLaw<dim>>           default_contact, default_tie;
+    /** By pair of bodies, the lower number first: the law, if one is given. */
+    std::map<std::pair<unsigned int, unsigned int>, const InteractionLaw<dim> *>
+                               laws;
+    std::vector<std::string>   body_names;
+    const BackgroundGrid<dim> *grid   = nullptr;
+    const PointArrays<dim>    *points = nullptr;
+    BodySurface<dim>           surface;
+    std::vector<FaceCopy<dim>> copies;        ///< of all ranks
+    unsigned int               first_own = 0; ///< of the copies
+    std::vector<PairElement>   elements;
+    double                     largest_increment = 0; ///< of the last step (m)
+    mutable SlipMemory<dim>    slips;
+    mutable SurfaceStress<dim> own_stress, other_stress;
+  };
+} // namespace isochor
+
+#endif

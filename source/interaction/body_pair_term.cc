@@ -1,0 +1,368 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/base/mpi_sums.h>
+#include <isochor/interaction/body_pair_term.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace isochor
+{
+  namespace
+  {
+    template <int dim>
+    double
+    size_of(const std::array<Point<dim>, dim> &corners)
+    {
+      double size = 0;
+      for (unsigned int i = 1; i < dim; ++i)
+        size = std::max(size, corners[i].distance(corners[0]));
+      return size;
+    }
+
+    template <int dim>
+    Point<dim>
+    place_on(const std::array<Point<dim>, dim> &corners,
+             const std::array<double, dim>     &weights)
+    {
+      Tensor<1, dim> place;
+      for (unsigned int i = 0; i < dim; ++i)
+        place += weights[i] * corners[i];
+      return Point<dim>(place);
+    }
+
+    template <int dim>
+    Tensor<1, dim>
+    vector_on(const std::array<Tensor<1, dim>, dim> &corners,
+              const std::array<double, dim>         &weights)
+    {
+      Tensor<1, dim> place;
+      for (unsigned int i = 0; i < dim; ++i)
+        place += weights[i] * corners[i];
+      return place;
+    }
+
+    template <int dim>
+    BoundingBox<dim>
+    box_around(const std::array<Point<dim>, dim> &corners, const double margin)
+    {
+      BoundingBox<dim> box(
+        std::vector<Point<dim>>(corners.begin(), corners.end()));
+      box.extend(margin);
+      return box;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  BodyPairTerm<dim>::BodyPairTerm(
+    std::vector<std::unique_ptr<Interaction<dim>>> &&interactions)
+    : interactions(std::move(interactions))
+    , default_contact(PluginRegistry<InteractionLaw<dim>>::create("unilateral"))
+    , default_tie(PluginRegistry<InteractionLaw<dim>>::create("tie"))
+  {
+    this->name = "Interactions of bodies";
+  }
+
+
+
+  template <int dim>
+  void
+  BodyPairTerm<dim>::set_bodies(const std::vector<std::string> &names)
+  {
+    body_names        = names;
+    const auto number = [&](const std::string &name) {
+      return static_cast<unsigned int>(
+        std::find(names.begin(), names.end(), name) - names.begin());
+    };
+    for (const auto &interaction : interactions)
+      {
+        const auto pair = std::minmax(number(interaction->body),
+                                      number(interaction->partner_name));
+        laws[pair]      = interaction->law.get();
+      }
+  }
+
+
+
+  template <int dim>
+  const InteractionLaw<dim> &
+  BodyPairTerm<dim>::law_of(const unsigned int body,
+                            const unsigned int other) const
+  {
+    const auto found = laws.find(std::minmax(body, other));
+    return found == laws.end() ? *default_contact : *found->second;
+  }
+
+
+
+  template <int dim>
+  void
+  BodyPairTerm<dim>::touch_vertices(std::vector<unsigned int> &vertices)
+  {
+    if (grid->n_layers() == 1)
+      return;
+    surface.find(grid->geometry(), *points);
+    slips.send(surface, grid->communicator());
+    copies    = copy_faces(*grid, *points, surface);
+    first_own = 0;
+    for (unsigned int n = surface.faces().size();
+         first_own + n < copies.size() && n > 0 &&
+         copies[first_own].key !=
+           BodySurface<dim>::key(surface.faces().front());)
+      ++first_own;
+    find_elements();
+    for (const PairElement &element : elements)
+      vertices.insert(vertices.end(),
+                      element.vertices.begin(),
+                      element.vertices.end());
+  }
+
+
+
+  template <int dim>
+  bool
+  BodyPairTerm<dim>::find_tie(const Point<dim> &X, PairElement &element) const
+  {
+    // meshes of bodies are rounded to some digits in their files
+    constexpr double     rounding = 1e-4;
+    const FaceCopy<dim> &own      = copies[element.own];
+    for (const unsigned int i : element.others)
+      {
+        const FaceCopy<dim>      &other = copies[i];
+        const FaceProjection<dim> at(X, other.X);
+        if (at.distance_square >
+              std::pow(rounding * size_of<dim>(other.X), 2) ||
+            at.normal * own.normal > 0)
+          continue;
+        const auto law = laws.find(std::minmax(own.body, other.body));
+        if (law != laws.end() && law->second->is_unilateral())
+          continue;
+        element.is_tied = true;
+        element.tied_at = at.xi;
+        element.others  = {i};
+        return true;
+      }
+    return false;
+  }
+
+
+
+  template <int dim>
+  void
+  BodyPairTerm<dim>::find_elements()
+  {
+    namespace bgi = boost::geometry::index;
+    using Entry   = std::pair<BoundingBox<dim>, unsigned int>;
+    std::vector<Entry> at_start, now;
+    for (unsigned int i = 0; i < copies.size(); ++i)
+      {
+        const double size = size_of<dim>(copies[i].x);
+        at_start.emplace_back(box_around<dim>(copies[i].X, 1e-3 * size), i);
+        now.emplace_back(box_around<dim>(copies[i].x,
+                                         size + 2 * largest_increment),
+                         i);
+      }
+    const auto tree_at_start = pack_rtree(at_start), tree_now = pack_rtree(now);
+    elements.clear();
+    std::vector<Entry> near;
+    const auto         find =
+      [&](const auto &tree, const Point<dim> &x, auto &element) {
+        near.clear();
+        tree.query(bgi::intersects(x), std::back_inserter(near));
+        element.others.clear();
+        for (const Entry &entry : near)
+          if (copies[entry.second].body != copies[element.own].body)
+            element.others.push_back(entry.second);
+        std::sort(element.others.begin(), element.others.end());
+        return !element.others.empty();
+      };
+    for (unsigned int f = 0; f < surface.faces().size(); ++f)
+      for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
+        {
+          PairElement element;
+          element.own              = first_own + f;
+          element.gauss_point      = g;
+          const auto       weights = BodySurface<dim>::coordinates(g);
+          const auto      &own     = copies[element.own];
+          const Point<dim> X       = place_on<dim>(own.X, weights),
+                           x       = place_on<dim>(own.x, weights);
+          if (!(find(tree_at_start, X, element) && find_tie(X, element)) &&
+              !find(tree_now, x, element))
+            continue;
+          number_nodes(element);
+          elements.push_back(element);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  BodyPairTerm<dim>::number_nodes(PairElement &element) const
+  {
+    element.vertices = copies[element.own].vertex;
+    for (const unsigned int i : element.others)
+      {
+        std::vector<unsigned int> places;
+        for (const unsigned int vertex : copies[i].vertex)
+          {
+            const auto found = std::find(element.vertices.begin(),
+                                         element.vertices.end(),
+                                         vertex);
+            places.push_back(found - element.vertices.begin());
+            if (found == element.vertices.end())
+              element.vertices.push_back(vertex);
+          }
+        element.of_other.push_back(places);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  BodyPairTerm<dim>::collect_elements(const StepContext<dim> &step,
+                                      ElementNodes           &all)
+  {
+    std::vector<unsigned int> nodes;
+    for (const PairElement &element : elements)
+      {
+        nodes.clear();
+        for (const unsigned int vertex : element.vertices)
+          nodes.push_back(step.nodes.node(vertex));
+        all.add(nodes.begin(), nodes.end());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  BodyPairTerm<dim>::prepare_contact(const StepContext<dim> &step)
+  {
+    if (grid->n_layers() == 1)
+      return;
+    if (step.grid_is_kept)
+      copies = copy_faces(*grid, *points, surface);
+    for (FaceCopy<dim> &copy : copies)
+      start_step(step.kernel, step.has_inertia, copy);
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  BodyPairTerm<dim>::increment_at(const StepContext<dim> &step,
+                                  const NodalField       &unknowns,
+                                  const FaceCopy<dim>    &copy,
+                                  const Tensor<1, dim>   &r) const
+  {
+    const NodalUnknowns<dim> nodal(step, unknowns);
+    Tensor<1, dim>           increment;
+    for (unsigned int I = 0; I < copy.vertex.size(); ++I)
+      increment += copy.shape_at(I, r) * nodal.increment(copy.vertex[I]);
+    return increment;
+  }
+
+
+
+  template <int dim>
+  typename BodyPairTerm<dim>::Meeting
+  BodyPairTerm<dim>::find_meeting(const StepContext<dim> &step,
+                                  const NodalField       &unknowns,
+                                  const PairElement      &element,
+                                  const Point<dim>       &x,
+                                  const Tensor<1, dim>   &area) const
+  {
+    Meeting nearest;
+    for (unsigned int i = 0; i < element.others.size(); ++i)
+      {
+        const FaceCopy<dim>        &other = copies[element.others[i]];
+        std::array<Point<dim>, dim> corners;
+        for (unsigned int c = 0; c < dim; ++c)
+          corners[c] =
+            other.x[c] + increment_at(step, unknowns, other, other.r[c]);
+        auto projection = std::make_unique<FaceProjection<dim>>(x, corners);
+        if (!element.is_tied &&
+            (projection->normal * area > 0 ||
+             (nearest.projection && nearest.projection->distance_square <=
+                                      projection->distance_square)))
+          continue;
+        nearest.place      = i;
+        nearest.corners    = corners;
+        nearest.projection = std::move(projection);
+      }
+    return nearest;
+  }
+
+
+
+  template <int dim>
+  void
+  BodyPairTerm<dim>::evaluate(const StepContext<dim> &step,
+                              const NodalField       &unknowns,
+                              const MixedSystem<dim> & /*system*/,
+                              const NodalConstraints & /*constraints*/,
+                              Statistics &statistics) const
+  {
+    const unsigned int n_bodies = body_names.size();
+    if (grid->n_layers() == 1)
+      return;
+    // by pair of bodies, on the first of them
+    std::vector<double>    forces(n_bodies * n_bodies * dim);
+    InteractionKernel<dim> kernel;
+    slips.start_noting();
+    for (const PairElement &element : elements)
+      {
+        Action action;
+        evaluate_element(step, unknowns, element, false, false, kernel, action);
+        if (!action.acts)
+          continue;
+        const FaceCopy<dim> &own  = copies[element.own];
+        const unsigned int   body = own.body, other = copies[action.other].body;
+        for (unsigned int a = 0; a < dim; ++a)
+          {
+            forces[(body * n_bodies + other) * dim + a] += action.force[a];
+            forces[(other * n_bodies + body) * dim + a] -= action.force[a];
+          }
+        if (action.slip.norm_square() > 0)
+          slips.set_next(own.key, element.gauss_point, action.slip);
+      }
+    Utilities::MPI::sum(forces, step.grid.communicator(), forces);
+    for (unsigned int i = 0; i < n_bodies; ++i)
+      for (unsigned int j = i + 1; j < n_bodies; ++j)
+        for (unsigned int a = 0; a < dim; ++a)
+          statistics.set(std::string("Force ") + "xyz"[a] + " on " +
+                           body_names[i] + " by " + body_names[j] + " (N)",
+                         forces[(i * n_bodies + j) * dim + a]);
+  }
+
+
+
+  template <int dim>
+  void
+  BodyPairTerm<dim>::advance(const StepContext<dim> &step,
+                             const NodalField       &unknowns)
+  {
+    if (grid->n_layers() == 1)
+      return;
+    slips.accept();
+    surface.advance(step, unknowns);
+    double largest = 0;
+    for (unsigned int f = 0; f < surface.faces().size(); ++f)
+      largest = std::max(
+        largest,
+        increment_at(step, unknowns, copies[first_own + f], Tensor<1, dim>())
+          .norm());
+    largest_increment = Utilities::MPI::max(largest, step.grid.communicator());
+  }
+
+
+
+  template class BodyPairTerm<2>;
+  template class BodyPairTerm<3>;
+} // namespace isochor

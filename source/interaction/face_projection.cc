@@ -1,0 +1,123 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/interaction/face_projection.h>
+
+#include <algorithm>
+
+namespace isochor
+{
+  namespace
+  {
+    /** The square of the distance of @p x from the segment or triangle. */
+    double
+    distance_from(const Point<2> &x, const std::array<Point<2>, 2> &y)
+    {
+      const Tensor<1, 2> t = y[1] - y[0];
+      const double s = std::clamp(((x - y[0]) * t) / t.norm_square(), 0., 1.);
+      return (x - y[0] - s * t).norm_square();
+    }
+
+    double
+    distance_from_segment(const Point<3> &x,
+                          const Point<3> &a,
+                          const Point<3> &b)
+    {
+      const Tensor<1, 3> t = b - a;
+      const double s = std::clamp(((x - a) * t) / t.norm_square(), 0., 1.);
+      return (x - a - s * t).norm_square();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FaceProjection<dim>::FaceProjection(const Point<dim>                  &x,
+                                      const std::array<Point<dim>, dim> &y)
+  {
+    Tensor<2, n_tangents> metric;
+    for (unsigned int a = 0; a < n_tangents; ++a)
+      tangent[a] = y[a + 1] - y[0];
+    if constexpr (dim == 2)
+      normal = cross_product_2d(tangent[0]);
+    else
+      normal = cross_product_3d(tangent[0], tangent[1]);
+    normal /= normal.norm();
+    for (unsigned int a = 0; a < n_tangents; ++a)
+      for (unsigned int b = 0; b < n_tangents; ++b)
+        metric[a][b] = tangent[a] * tangent[b];
+    inverse_metric = invert(metric);
+    for (unsigned int a = 0; a < n_tangents; ++a)
+      for (unsigned int b = 0; b < n_tangents; ++b)
+        dual[a] += inverse_metric[a][b] * tangent[b];
+    distance = (x - y[0]) * normal;
+    for (unsigned int a = 0; a < n_tangents; ++a)
+      xi[a] = dual[a] * (x - y[0]);
+    if constexpr (dim == 2)
+      distance_square = distance_from(x, y);
+    else
+      {
+        const auto weights = corner_weights();
+        distance_square =
+          *std::min_element(weights.begin(), weights.end()) >= 0 ?
+            distance * distance :
+            std::min({distance_from_segment(x, y[0], y[1]),
+                      distance_from_segment(x, y[1], y[2]),
+                      distance_from_segment(x, y[2], y[0])});
+      }
+  }
+
+
+
+  template <int dim>
+  std::array<double, dim>
+  FaceProjection<dim>::corner_weights() const
+  {
+    std::array<double, dim> weights;
+    weights[0] = 1;
+    for (unsigned int a = 0; a < n_tangents; ++a)
+      {
+        weights[a + 1] = xi[a];
+        weights[0] -= xi[a];
+      }
+    return weights;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  FaceProjection<dim>::normal_change(
+    const std::array<Tensor<1, dim>, n_tangents> &of_tangent) const
+  {
+    Tensor<1, dim> change;
+    for (unsigned int a = 0; a < n_tangents; ++a)
+      change -= (normal * of_tangent[a]) * dual[a];
+    return change;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, FaceProjection<dim>::n_tangents>
+  FaceProjection<dim>::xi_change(
+    const Tensor<1, dim>                         &relative,
+    const std::array<Tensor<1, dim>, n_tangents> &of_tangent) const
+  {
+    Tensor<1, n_tangents> change;
+    for (unsigned int a = 0; a < n_tangents; ++a)
+      {
+        change[a] = dual[a] * relative;
+        for (unsigned int b = 0; b < n_tangents; ++b)
+          change[a] +=
+            distance * inverse_metric[a][b] * (normal * of_tangent[b]);
+      }
+    return change;
+  }
+
+
+
+  template struct FaceProjection<2>;
+  template struct FaceProjection<3>;
+} // namespace isochor
