@@ -122,8 +122,7 @@ namespace isochor
     const Tensor<1, dim> du = increment_at(step, unknowns, own, r);
     const Point<dim>     x  = Point<dim>(x_start + du);
 
-    const Meeting meeting =
-      find_meeting(step, unknowns, element, x, own_stress.area);
+    const Meeting meeting = find_meeting(step, unknowns, element, x);
     if (!meeting.projection)
       return EvaluationStatus::success;
     action.other               = element.others[meeting.place];
@@ -209,9 +208,9 @@ namespace isochor
                                     kernel);
           }
       }
-    double A = own.area;
-    if (step.kernel.axisymmetric)
-      A *= thickness(true, X[0]);
+    double A = own.area * thickness(step.kernel.axisymmetric, X[0]);
+    if (!element.is_tied)
+      A *= facing(own.normal_now, other.normal_now);
     const typename InteractionKernel<dim>::Measure measure{
       share * A / BodySurface<dim>::n_gauss,
       2 * own.gamma * share,
@@ -260,6 +259,33 @@ namespace isochor
 
   template <int dim>
   void
+  BodyPairTerm<dim>::add_unit_residual(const StepContext<dim> &step,
+                                       NodalField             &scale) const
+  {
+    for (const PairElement &element : elements)
+      {
+        const FaceCopy<dim> &own   = copies[element.own],
+                            &other = copies[element.others.front()];
+        const double gamma =
+          2 * own.gamma * other.gamma / (own.gamma + other.gamma);
+        const double area =
+          own.area * thickness(step.kernel.axisymmetric, own.x[0][0]);
+        for (const FaceCopy<dim> *side : {&own, &other})
+          add_rounding_of_gap(step,
+                              side->vertex.size(),
+                              side->vertex.data(),
+                              side->shape.data(),
+                              area,
+                              gamma,
+                              own.x[0].norm(),
+                              scale);
+      }
+  }
+
+
+
+  template <int dim>
+  void
   BodyPairTerm<dim>::add_boundary_force(const StepContext<dim> &step,
                                         const NodalField       &unknowns,
                                         NodalField             &force) const
@@ -296,6 +322,9 @@ namespace isochor
                             const bool,
                             MixedSystem<2> &);
   template void
+  BodyPairTerm<2>::add_unit_residual(const StepContext<2> &,
+                                     NodalField &) const;
+  template void
   BodyPairTerm<2>::add_boundary_force(const StepContext<2> &,
                                       const NodalField &,
                                       NodalField &) const;
@@ -306,6 +335,9 @@ namespace isochor
                             const unsigned int,
                             const bool,
                             MixedSystem<3> &);
+  template void
+  BodyPairTerm<3>::add_unit_residual(const StepContext<3> &,
+                                     NodalField &) const;
   template void
   BodyPairTerm<3>::add_boundary_force(const StepContext<3> &,
                                       const NodalField &,

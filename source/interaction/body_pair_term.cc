@@ -275,8 +275,7 @@ namespace isochor
   BodyPairTerm<dim>::find_meeting(const StepContext<dim> &step,
                                   const NodalField       &unknowns,
                                   const PairElement      &element,
-                                  const Point<dim>       &x,
-                                  const Tensor<1, dim>   &area) const
+                                  const Point<dim>       &x) const
   {
     Meeting nearest;
     for (unsigned int i = 0; i < element.others.size(); ++i)
@@ -288,7 +287,7 @@ namespace isochor
             other.x[c] + increment_at(step, unknowns, other, other.r[c]);
         auto projection = std::make_unique<FaceProjection<dim>>(x, corners);
         if (!element.is_tied &&
-            (projection->normal * area > 0 ||
+            (facing(copies[element.own].normal_now, other.normal_now) == 0 ||
              (nearest.projection && nearest.projection->distance_square <=
                                       projection->distance_square)))
           continue;

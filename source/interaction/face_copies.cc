@@ -10,21 +10,15 @@ namespace isochor
 {
   namespace
   {
-    /** Let the corners be in the order in which the area vector is outward. */
     template <int dim>
-    void
-    orient(FaceCopy<dim> &copy)
+    Tensor<1, dim>
+    area_vector(const std::array<Point<dim>, dim> &corners)
     {
-      Tensor<1, dim> area;
       if constexpr (dim == 2)
-        area = cross_product_2d(copy.X[1] - copy.X[0]);
+        return cross_product_2d(corners[1] - corners[0]);
       else
-        area = cross_product_3d(copy.X[1] - copy.X[0], copy.X[2] - copy.X[0]);
-      if (area * copy.normal > 0)
-        return;
-      std::swap(copy.X[0], copy.X[1]);
-      std::swap(copy.x[0], copy.x[1]);
-      std::swap(copy.r[0], copy.r[1]);
+        return cross_product_3d(corners[1] - corners[0],
+                                corners[2] - corners[0]);
     }
 
     template <int dim>
@@ -62,7 +56,15 @@ namespace isochor
           copy.r[i] = copy.F * face.corners[i];
           copy.x[i] = at + copy.r[i];
         }
-      orient(copy);
+      // outward in this order
+      if (area_vector<dim>(copy.X) * copy.normal < 0)
+        {
+          std::swap(copy.X[0], copy.X[1]);
+          std::swap(copy.x[0], copy.x[1]);
+          std::swap(copy.r[0], copy.r[1]);
+        }
+      copy.normal_now = area_vector<dim>(copy.x);
+      copy.normal_now /= copy.normal_now.norm();
       return copy;
     }
   } // namespace

@@ -202,6 +202,50 @@ namespace isochor
 
 
 
+  template <int dim>
+  void
+  add_rounding_of_gap(const StepContext<dim>   &step,
+                      const unsigned int        n_nodes,
+                      const unsigned int *const vertices,
+                      const double *const       shape,
+                      const double              area,
+                      const double              gamma,
+                      const double              r,
+                      NodalField               &scale)
+  {
+    constexpr double tenth = 0.1; // of the unit, 1e-14
+    for (unsigned int I = 0; I < n_nodes; ++I)
+      {
+        const unsigned int entry =
+          step.nodes.node(vertices[I]) * step.n_components;
+        const double volume = tenth * area * r * std::abs(shape[I]);
+        for (unsigned int a = 0; a < dim; ++a)
+          scale.local_element(entry + a) += gamma * volume;
+        if (step.mixed())
+          scale.local_element(entry + dim) += volume;
+      }
+  }
+
+
+
+  template void
+  add_rounding_of_gap(const StepContext<2> &,
+                      const unsigned int,
+                      const unsigned int *const,
+                      const double *const,
+                      const double,
+                      const double,
+                      const double,
+                      NodalField &);
+  template void
+  add_rounding_of_gap(const StepContext<3> &,
+                      const unsigned int,
+                      const unsigned int *const,
+                      const double *const,
+                      const double,
+                      const double,
+                      const double,
+                      NodalField &);
   template class InteractionKernel<2>;
   template class InteractionKernel<3>;
 } // namespace isochor

@@ -114,6 +114,19 @@ namespace isochor
                                "was at the end of the last step."));
         element.gamma      = 2 * stress.normal_modulus * face.area_per_volume;
         element.area_ratio = stress.area.norm();
+        for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
+          {
+            const auto start = BodySurface<dim>::place(step, face, g);
+            element.facing[g].clear();
+            for (const unsigned int i : element.partners)
+              element.facing[g].push_back(
+                interactions[i]->law->is_unilateral() ?
+                  facing<dim>(stress.area / stress.area.norm(),
+                              interactions[i]
+                                ->partner->nearest({&start, {}, {}})
+                                .normal) :
+                  1.);
+          }
         element.adjoint.clear();
         for (unsigned int J = 0; J < of.stencil.n_nodes && step.has_inertia;
              ++J)
@@ -128,26 +141,27 @@ namespace isochor
   template <int dim>
   int
   InteractionTerm<dim>::choose(const FaceElement &element,
+                               const unsigned int g,
                                const typename Partner<dim>::SurfacePlace &place,
                                PartnerPlace<dim> &found) const
   {
-    int    chosen  = -1;
-    double nearest = std::numeric_limits<double>::max();
-    for (const unsigned int i : element.partners)
+    int chosen = -1;
+    for (unsigned int i = 0; i < element.partners.size(); ++i)
       {
-        const Interaction<dim> &interaction = *interactions[i];
+        const Interaction<dim> &interaction =
+          *interactions[element.partners[i]];
         if (!interaction.law->is_unilateral())
           {
             found = interaction.partner->original(place);
             return i;
           }
+        if (element.facing[g][i] == 0)
+          continue;
         const PartnerPlace<dim> candidate = interaction.partner->nearest(place);
-        if (candidate.normal_gap < nearest &&
-            candidate.normal * stress.area < 0)
+        if (chosen < 0 || candidate.normal_gap < found.normal_gap)
           {
-            chosen  = i;
-            nearest = candidate.normal_gap;
-            found   = candidate;
+            chosen = i;
+            found  = candidate;
           }
       }
     return chosen;
@@ -214,7 +228,7 @@ namespace isochor
           p = points->pressure[face.q];
         place.slip = slips.get(BodySurface<dim>::key(face), g);
         PartnerPlace<dim> found;
-        const int         chosen = choose(element, place, found);
+        const int         chosen = choose(element, g, place, found);
         if (chosen < 0)
           continue;
         kernel.start_place();
@@ -228,20 +242,14 @@ namespace isochor
            1.,
            1.,
            element.adjoint.empty() ? nullptr : element.adjoint.data()});
-        const Interaction<dim> &interaction = *interactions[chosen];
+        const Interaction<dim> &interaction =
+          *interactions[element.partners[chosen]];
         interaction.partner->motion(place, found, motions);
-        const unsigned int position =
-          std::find(element.partners.begin(),
-                    element.partners.end(),
-                    static_cast<unsigned int>(chosen)) -
-          element.partners.begin();
         for (unsigned int c = 0; c < motions.size(); ++c)
           for (unsigned int a = 0; a < motions[c].size(); ++a)
-            kernel.add_partner(first_of_partner[position] + c,
-                               a,
-                               motions[c][a]);
+            kernel.add_partner(first_of_partner[chosen] + c, a, motions[c][a]);
         const typename InteractionKernel<dim>::Measure measure{
-          start.weight * face.area *
+          start.weight * face.area * element.facing[g][chosen] *
             thickness(step.kernel.axisymmetric, start.X[0]),
           element.gamma,
           step.has_inertia ? 1. : 0.,
@@ -257,7 +265,7 @@ namespace isochor
             slip = (kernel.traction() - projection.f) / measure.gamma;
             slip -= (slip * found.normal) * found.normal;
           }
-        actions->push_back({static_cast<unsigned int>(chosen),
+        actions->push_back({element.partners[chosen],
                             g,
                             start.x + place.increment,
                             measure.weight * projection.f,
@@ -302,21 +310,20 @@ namespace isochor
   InteractionTerm<dim>::add_unit_residual(const StepContext<dim> &step,
                                           NodalField             &scale) const
   {
-    // of places a unit of the last digit remains in gaps
-    constexpr double rounding = 0.1;
     for (const FaceElement &element : faces)
       {
         const auto &face    = surface.faces()[element.face];
         const auto  stencil = points->stencil(grid->geometry(), face.k, face.q);
         const Point<dim> x = points->location(grid->geometry(), face.k, face.q);
-        const double     force = element.gamma * face.area *
-                             thickness(step.kernel.axisymmetric, x[0]) *
-                             x.norm();
-        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-          for (unsigned int a = 0; a < dim; ++a)
-            scale.local_element(
-              step.nodes.node(stencil.vertex[I]) * step.n_components + a) +=
-              rounding * force * std::abs(stencil.shape[I]);
+        add_rounding_of_gap(step,
+                            stencil.n_nodes,
+                            stencil.vertex,
+                            stencil.shape,
+                            face.area *
+                              thickness(step.kernel.axisymmetric, x[0]),
+                            element.gamma,
+                            x.norm(),
+                            scale);
       }
   }
 

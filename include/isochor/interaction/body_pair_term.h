@@ -67,6 +67,9 @@ namespace isochor
              const bool              with_matrix,
              MixedSystem<dim>       &system) override;
     void
+    add_unit_residual(const StepContext<dim> &step,
+                      NodalField             &scale) const override;
+    void
     add_boundary_force(const StepContext<dim> &step,
                        const NodalField       &unknowns,
                        NodalField             &force) const override;
@@ -144,8 +147,7 @@ namespace isochor
     find_meeting(const StepContext<dim> &step,
                  const NodalField       &unknowns,
                  const PairElement      &element,
-                 const Point<dim>       &x,
-                 const Tensor<1, dim>   &area) const;
+                 const Point<dim>       &x) const;
     EvaluationStatus
     evaluate_element(const StepContext<dim> &step,
                      const NodalField       &unknowns,

@@ -29,7 +29,8 @@ namespace isochor
     std::vector<unsigned int> vertex;
     std::vector<double>       shape, pressure_shape; ///< at its point
     std::vector<Tensor<1, dim>> gradient;
-    Tensor<1, dim>              normal; ///< outward, at t = 0
+    Tensor<1, dim>              normal;     ///< outward, at t = 0
+    Tensor<1, dim>              normal_now; ///< at the start of the step
     double                      area, area_per_volume;
     std::array<Point<dim>, dim> X; ///< corners at t = 0
     std::array<Point<dim>, dim> x; ///< at the start of the step
@@ -68,8 +69,8 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &body &material &key &F &history &radius &pressure &vertex &shape
-        &pressure_shape &gradient &normal &area &area_per_volume &X &x &r
-          &displacement &gamma;
+        &pressure_shape &gradient &normal &normal_now &area &area_per_volume &X
+          &x &r &displacement &gamma;
     }
   };
 

@@ -5,6 +5,7 @@
 #ifndef isochor_interaction_kernel_h
 #define isochor_interaction_kernel_h
 
+#include <isochor/equations/equation_term.h>
 #include <isochor/equations/surface_stress.h>
 #include <isochor/interaction/interaction_law.h>
 
@@ -26,6 +27,35 @@ namespace isochor
      * are left free. */
     Tensor<2, dim> mask = unit_symmetric_tensor<dim>();
   };
+
+  /**
+   * How much of a surface with the outward normal @p nu faces the normal @p n
+   * of its partner: the cosine of the angle between them, 0 from a right angle
+   * on. Contact is integrated with this factor, which is 1 but for second order
+   * in the angle where there is contact, so that faces which turn towards the
+   * partner or away from it begin and end to take part smoothly.
+   */
+  template <int dim>
+  double
+  facing(const Tensor<1, dim> &nu, const Tensor<1, dim> &n)
+  {
+    return std::max(0., -(nu * n));
+  }
+
+  /** For EquationTerm::add_unit_residual(): of places at a distance @p r from
+   * the origin a unit of the last digit remains in gaps, which are multiplied
+   * by
+   * @p area and @p gamma. */
+  template <int dim>
+  void
+  add_rounding_of_gap(const StepContext<dim>   &step,
+                      const unsigned int        n_nodes,
+                      const unsigned int *const vertices,
+                      const double *const       shape,
+                      const double              area,
+                      const double              gamma,
+                      const double              r,
+                      NodalField               &scale);
 
   /**
    * The contribution of one Gauss point of a surface to the equations, for all

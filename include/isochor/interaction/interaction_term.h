@@ -96,10 +96,12 @@ namespace isochor
     /** A face that takes part, with what is constant in a step. */
     struct FaceElement
     {
-      unsigned int                face;     ///< in the surface
-      std::vector<unsigned int>   partners; ///< numbers of its interactions
-      double                      gamma      = 0;
-      double                      area_ratio = 1;
+      unsigned int              face;     ///< in the surface
+      std::vector<unsigned int> partners; ///< numbers of its interactions
+      /** By Gauss point and partner: facing(), at the start of the step. */
+      std::array<std::vector<double>, BodySurface<dim>::n_gauss> facing;
+      double                                                     gamma      = 0;
+      double                                                     area_ratio = 1;
       std::vector<Tensor<1, dim>> adjoint; ///< B, if θ is not 0
     };
 
@@ -125,11 +127,12 @@ namespace isochor
                   const bool              with_matrix,
                   InteractionKernel<dim> &kernel,
                   std::vector<Action>    *actions) const;
-    /** The interaction that acts at @p place: the tie or, of contacts, that
-     * with the nearest partner which the surface faces; and the place of the
-     * partner. -1: none. */
+    /** Which of the partners of an element acts at Gauss point @p g, at
+     * @p place: the tie or, of those that it faces, the nearest; and the place
+     * of this. -1: none. */
     int
     choose(const FaceElement                         &element,
+           const unsigned int                         g,
            const typename Partner<dim>::SurfacePlace &place,
            PartnerPlace<dim>                         &found) const;
     void
