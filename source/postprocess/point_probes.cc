@@ -161,8 +161,7 @@ namespace isochor
       Tensor<1, dim> displacement;
       /** Added at a restart: still where it was at t = 0. */
       bool is_new = false;
-      /** The body that it belongs to; unknown before the first step, and if
-       * there is one only. */
+      /** Its body; unknown before the first step, and if there is one. */
       unsigned int body = numbers::invalid_unsigned_int;
 
       /** Whether a @p cell of the grid may hold its body. */
