@@ -7,8 +7,8 @@
 // sphere, rigid sides of which only some rotations are free, and a slab between
 // periodic sides against the same body in plane strain.
 
+#include <isochor/base/finite_rotation.h>
 #include <isochor/base/parameter_file.h>
-#include <isochor/boundary_condition/finite_rotation.h>
 #include <isochor/boundary_condition/wall_surface.h>
 
 #include "mesh_file.h"

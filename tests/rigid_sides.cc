@@ -7,7 +7,7 @@
 // node, equilibrium of forces and moments, torsion and bending in closed form,
 // and loads instead of motions.
 
-#include <isochor/boundary_condition/finite_rotation.h>
+#include <isochor/base/finite_rotation.h>
 
 #include <fstream>
 

@@ -7,7 +7,7 @@
 // in space, and curved walls, against the same body along the axes, against
 // node by node what has been found, by energies, and by Newton's order.
 
-#include <isochor/boundary_condition/finite_rotation.h>
+#include <isochor/base/finite_rotation.h>
 #include <isochor/boundary_condition/wall_surface.h>
 
 #include <array>

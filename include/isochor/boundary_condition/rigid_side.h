@@ -5,8 +5,8 @@
 #ifndef isochor_rigid_side_h
 #define isochor_rigid_side_h
 
+#include <isochor/base/finite_rotation.h>
 #include <isochor/boundary_condition/boundary_condition.h>
-#include <isochor/boundary_condition/finite_rotation.h>
 
 #include <array>
 #include <iosfwd>

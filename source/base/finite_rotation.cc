@@ -2,7 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/boundary_condition/finite_rotation.h>
+#include <isochor/base/finite_rotation.h>
 
 #include <algorithm>
 #include <cmath>
