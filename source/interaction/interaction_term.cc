@@ -98,6 +98,10 @@ namespace isochor
   void
   InteractionTerm<dim>::prepare_contact(const StepContext<dim> &step)
   {
+    NodalField rest;
+    step.nodes.initialize(rest, step.n_components);
+    for (const auto &interaction : interactions)
+      interaction->partner->update(step, rest);
     for (FaceElement &element : faces)
       {
         const auto &face   = surface.faces()[element.face];

@@ -7,6 +7,7 @@
 #include <isochor/base/plugin_registry.h>
 #include <isochor/interaction/body_pair_term.h>
 #include <isochor/interaction/interaction_term.h>
+#include <isochor/interaction/rigid_partner.h>
 #include <isochor/material_model/axisymmetric_material.h>
 #include <isochor/step/scene.h>
 #include <isochor/transfer/volume_projection.h>
@@ -101,6 +102,7 @@ namespace isochor
       named_subsections(statements, "Boundary conditions");
     sections.postprocessors = named_subsections(statements, "Postprocess");
     sections.interactions = named_subsections(statements, "Interaction", false);
+    sections.rigid_bodies = named_subsections(statements, "Rigid body", false);
     return sections;
   }
 
@@ -194,6 +196,12 @@ namespace isochor
       {
         prm.enter_subsection(entry.section);
         Interaction<dim>::declare_parameters(prm);
+        prm.leave_subsection();
+      }
+    for (const NamedSection &entry : sections.rigid_bodies)
+      {
+        prm.enter_subsection(entry.section);
+        RigidPartner<dim>::declare_parameters(prm);
         prm.leave_subsection();
       }
   }
@@ -344,6 +352,14 @@ namespace isochor
           auto interaction =
             std::make_unique<Interaction<dim>>(prm, path.front());
           prm.leave_subsection();
+          const std::string rigid = "Rigid body: " + interaction->partner_name;
+          if (prm.subsection_path_exists({rigid}))
+            {
+              prm.enter_subsection(rigid);
+              interaction->partner =
+                std::make_unique<RigidPartner<dim>>(prm, rigid);
+              prm.leave_subsection();
+            }
           (interaction->partner ? of_others : of_bodies)
             .push_back(std::move(interaction));
           asked_by = "section <" + path.front() + ">";

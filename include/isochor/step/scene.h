@@ -33,6 +33,8 @@ namespace isochor
     std::vector<NamedSection> boundary_conditions, postprocessors;
     /** "Interaction: body - partner". */
     std::vector<NamedSection> interactions;
+    /** "Rigid body: name". */
+    std::vector<NamedSection> rigid_bodies;
 
     SceneSections(const unsigned int n_materials = 1)
       : n_materials(n_materials)
