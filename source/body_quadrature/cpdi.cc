@@ -5,7 +5,6 @@
 #include <isochor/base/plugin_registry.h>
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/body_quadrature/domain_stencil.h>
-#include <isochor/body_quadrature/interface_corners.h>
 #include <isochor/body_quadrature/walls_at_place.h>
 #include <isochor/equations/body_term.h>
 #include <isochor/grid/nearest_cells.h>
@@ -72,10 +71,8 @@ namespace isochor
                const bool /*with_occupancy*/,
                CellOccupancy<dim> &occupancy) const override
     {
-      const InterfaceCorners<dim> interface(points, locator, occupancy, kernel);
-      const std::vector<double>   corner_shares =
-        build_stencils(points, locator, interface, occupancy);
-      points.domain_corners.worst_crossing = interface.worst_crossing();
+      const std::vector<double> corner_shares =
+        build_stencils(points, locator, occupancy);
       occupancy.update(points, kernel, false);
       collect_overlapped_cells(points, corner_shares, occupancy, kernel);
     }
@@ -84,10 +81,9 @@ namespace isochor
     /** Returns the part of its corner for each entry of DomainCorners::cells.
      */
     std::vector<double>
-    build_stencils(PointArrays<dim>            &points,
-                   const PointLocator<dim>     &locator,
-                   const InterfaceCorners<dim> &interface,
-                   const CellOccupancy<dim>    &occupancy) const;
+    build_stencils(PointArrays<dim>         &points,
+                   const PointLocator<dim>  &locator,
+                   const CellOccupancy<dim> &occupancy) const;
     void
     collect_overlapped_cells(PointArrays<dim>          &points,
                              const std::vector<double> &corner_shares,
@@ -141,19 +137,6 @@ namespace isochor
           [](const unsigned int) { return true; },
           std::numeric_limits<double>::max());
     }
-
-    /** The cells whose functions a corner sees in place of those of its own,
-     * for displacements and pressures; see InterfaceCorners. */
-    struct SeenCells
-    {
-      unsigned int displacement, pressure;
-
-      bool
-      are_others() const
-      {
-        return displacement != no_cell || pressure != no_cell;
-      }
-    };
 
     /** Whether a place that is @p way beyond the grid, from @p place, is beyond
      * a face of the grid's boundary that is held: where nothing holds it, or
@@ -235,13 +218,11 @@ namespace isochor
     class CornerCells
     {
     public:
-      CornerCells(PointArrays<dim>            &points,
-                  const PointLocator<dim>     &locator,
-                  const InterfaceCorners<dim> &interface,
-                  const ShapeFunctions<dim>   &functions)
+      CornerCells(PointArrays<dim>          &points,
+                  const PointLocator<dim>   &locator,
+                  const ShapeFunctions<dim> &functions)
         : points(points)
         , locator(locator)
-        , interface(interface)
         , functions(functions)
       {}
 
@@ -249,34 +230,16 @@ namespace isochor
        * the stabilisation. */
       std::vector<double> shares;
 
-      /** A corner of point @p q, at @p r from it and at @p place, that sees the
-       * cells @p seen and acts on @p nodes. Its part is shared among cells that
-       * its pressure is from. */
+      /** A corner of point @p q, at @p r from it and at @p place, that acts on
+       * @p nodes. */
       void
       add(const unsigned int       q,
           const Point<dim>        &x,
           const Tensor<1, dim>    &r,
           const LocateResult<dim> &place,
-          const SeenCells         &seen,
           const CornerNodes<dim>  &nodes)
       {
-        if (seen.are_others())
-          {
-            add(q,
-                seen.pressure == no_cell ? seen.displacement : seen.pressure,
-                1.);
-            if (seen.displacement != no_cell)
-              add(q, seen.displacement, 0.);
-            add(q, place.cell, 0.);
-            return;
-          }
-        const auto is_own = [&](const unsigned int cell) {
-          return interface.has_own_pressures(cell, points.material[q]);
-        };
         find_corner_cells(locator, x, r, place, cells);
-        if (interface.separates_pressures() && is_own(place.cell) &&
-            !std::all_of(cells.begin(), cells.end(), is_own))
-          cells.assign(1, place.cell);
         for (const unsigned int cell : cells)
           add(q, cell, 1. / cells.size());
         if (nodes.touches_others(functions, cells))
@@ -291,11 +254,10 @@ namespace isochor
         shares.push_back(share);
       }
 
-      PointArrays<dim>            &points;
-      const PointLocator<dim>     &locator;
-      const InterfaceCorners<dim> &interface;
-      const ShapeFunctions<dim>   &functions;
-      std::vector<unsigned int>    cells;
+      PointArrays<dim>          &points;
+      const PointLocator<dim>   &locator;
+      const ShapeFunctions<dim> &functions;
+      std::vector<unsigned int>  cells;
     };
   } // namespace
 
@@ -303,67 +265,48 @@ namespace isochor
 
   template <int dim>
   std::vector<double>
-  CPDI<dim>::build_stencils(PointArrays<dim>            &points,
-                            const PointLocator<dim>     &locator,
-                            const InterfaceCorners<dim> &interface,
-                            const CellOccupancy<dim>    &occupancy) const
+  CPDI<dim>::build_stencils(PointArrays<dim>         &points,
+                            const PointLocator<dim>  &locator,
+                            const CellOccupancy<dim> &occupancy) const
   {
     const ShapeFunctions<dim> &functions = occupancy.grid.shape_functions();
-    CornerCells<dim> corner_cells(points, locator, interface, functions);
+    CornerCells<dim>           corner_cells(points, locator, functions);
     points.clear_stencils();
     DomainStencil<dim>                    stencil;
-    std::array<CornerNodes<dim>, dim + 1> at, of_pressure;
-    constexpr double                      rounding = 1e-9;
-    const bool separate   = interface.separates_pressures();
-    const bool in_statics = points.velocity.empty();
+    std::array<CornerNodes<dim>, dim + 1> at;
+    constexpr double                      rounding   = 1e-9;
+    const bool                            in_statics = points.velocity.empty();
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
           const Point<dim>   x = points.location(locator.geometry(), k, q);
           CornerVectors<dim> corners, whole;
-          bool               sees_others = false, is_cut = false;
+          bool               is_cut = false;
           for (unsigned int c = 0; c <= dim; ++c)
             {
               Tensor<1, dim> &r = corners[c];
-              whole[c] = r              = points.F[q] * points.domain[q][c];
-              const auto      place     = interface.is_needed() ?
-                                            interface.place(q, c, x, r) :
-                                            locator.locate_nearest(x, points.cell[k], r);
-              const SeenCells seen      = {interface.cell(q, c),
-                                           interface.pressure_cell(q, c)};
-              unsigned int    continued = no_cell;
+              whole[c] = r       = points.F[q] * points.domain[q][c];
+              const auto   place = locator.locate_nearest(x, points.cell[k], r);
+              unsigned int continued = no_cell;
               if ((r - whole[c]).norm() > rounding * r.norm())
                 {
                   if (is_beyond_held_boundary(occupancy, place, whole[c] - r))
                     is_cut = in_statics;
                   else
                     {
-                      if (seen.displacement == no_cell)
-                        continued = continued_cell<dim>(occupancy,
-                                                        place,
-                                                        x + r,
-                                                        whole[c] - r);
-                      r = whole[c];
+                      continued = continued_cell<dim>(occupancy,
+                                                      place,
+                                                      x + r,
+                                                      whole[c] - r);
+                      r         = whole[c];
                     }
                 }
-              at[c].evaluate(functions,
-                             locator.geometry(),
-                             place,
-                             continued == no_cell ? seen.displacement :
-                                                    continued,
-                             x + r);
-              if (separate && seen.pressure != no_cell)
-                of_pressure[c].evaluate(
-                  functions, locator.geometry(), place, seen.pressure, x + r);
-              else if (separate)
-                of_pressure[c] = at[c];
-              corner_cells.add(q, x, r, place, seen, at[c]);
-              sees_others = sees_others || seen.are_others();
+              at[c].evaluate(
+                functions, locator.geometry(), place, continued, x + r);
+              corner_cells.add(q, x, r, place, at[c]);
             }
           stencil.set(at, corners);
-          if (separate)
-            stencil.set_pressure(of_pressure, at);
           if (is_cut)
             {
               points.weight[q] =
@@ -371,9 +314,7 @@ namespace isochor
               // from the middle of the corners in the grid to the point
               stencil.move(-middle_of<dim>(corners));
             }
-          stencil.append_to(points, separate);
-          if (sees_others)
-            points.domain_corners.points_that_see_others.push_back(q);
+          stencil.append_to(points);
         }
     return corner_cells.shares;
   }

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/body_quadrature/domain_stencil.h>
-#include <isochor/equations/body_term.h>
 
 #include <algorithm>
 #include <cmath>
@@ -125,45 +124,15 @@ namespace isochor
 
   template <int dim>
   void
-  DomainStencil<dim>::set_pressure(const Corners &corners,
-                                   const Corners &displacements)
-  {
-    const unsigned int n_before = n_nodes;
-    add_pressure(corners);
-    if (n_nodes <= BodyTerm<dim>::largest_stencil)
-      return;
-    n_nodes = n_before;
-    std::fill(pressure_shape.begin(), pressure_shape.end(), 0.);
-    add_pressure(displacements);
-  }
-
-
-
-  template <int dim>
-  void
-  DomainStencil<dim>::append_to(PointArrays<dim> &points,
-                                const bool        with_pressure) const
+  DomainStencil<dim>::append_to(PointArrays<dim> &points) const
   {
     for (unsigned int I = 0; I < n_nodes; ++I)
       {
         points.stencil_vertex.push_back(vertices[I]);
         points.stencil_shape.push_back(shape[I]);
         points.stencil_gradient.push_back(gradients[I]);
-        if (with_pressure)
-          points.domain_corners.pressure_shape.push_back(pressure_shape[I]);
       }
     points.stencil_start.push_back(points.stencil_vertex.size());
-  }
-
-
-
-  template <int dim>
-  void
-  DomainStencil<dim>::add_pressure(const Corners &corners)
-  {
-    for (const CornerNodes<dim> &corner : corners)
-      for (const auto &[vertex, N] : corner.nodes)
-        pressure_shape[entry(vertex)] += N / (dim + 1);
   }
 
 
@@ -182,13 +151,11 @@ namespace isochor
           {
             vertices.resize(n_nodes);
             shape.resize(n_nodes);
-            pressure_shape.resize(n_nodes);
             gradients.resize(n_nodes);
           }
-        vertices[I]       = vertex;
-        shape[I]          = 0;
-        pressure_shape[I] = 0;
-        gradients[I]      = Tensor<1, dim>();
+        vertices[I]  = vertex;
+        shape[I]     = 0;
+        gradients[I] = Tensor<1, dim>();
       }
     return I;
   }

@@ -99,29 +99,25 @@ namespace isochor
                                 first_element + points.n_points(),
                                 with_matrix,
                                 system);
-    // corners of domains in cells of P1; in other elements; or with pressures
-    // from other cells than displacements: short arrays are faster to work on
+    // corners of domains in cells of P1, or in other elements: short arrays are
+    // faster to work on
     constexpr unsigned int few  = (dim + 1) * (dim + 1),
                            many = (dim + 1) * ShapeFunctions<dim>::max_nodes;
     const auto assemble_points  = [&](auto n_components, auto max_nodes) {
       return assemble_domains<n_components(), max_nodes()>(
         step, unknowns, pending, first_element, with_matrix, system);
     };
-    constexpr std::integral_constant<int, dim>                      u;
-    constexpr std::integral_constant<int, dim + 1>                  u_p;
-    constexpr std::integral_constant<unsigned int, few>             as_few;
-    constexpr std::integral_constant<unsigned int, many>            as_many;
-    constexpr std::integral_constant<unsigned int, largest_stencil> as_most;
+    constexpr std::integral_constant<int, dim>           u;
+    constexpr std::integral_constant<int, dim + 1>       u_p;
+    constexpr std::integral_constant<unsigned int, few>  as_few;
+    constexpr std::integral_constant<unsigned int, many> as_many;
     const unsigned int n_nodes = points.most_nodes();
     if (n_nodes <= few)
       return step.mixed() ? assemble_points(u_p, as_few) :
                             assemble_points(u, as_few);
-    if (n_nodes <= many)
-      return step.mixed() ? assemble_points(u_p, as_many) :
-                            assemble_points(u, as_many);
-    AssertThrow(n_nodes <= largest_stencil, ExcInternalError());
-    return step.mixed() ? assemble_points(u_p, as_most) :
-                          assemble_points(u, as_most);
+    AssertThrow(n_nodes <= many, ExcInternalError());
+    return step.mixed() ? assemble_points(u_p, as_many) :
+                          assemble_points(u, as_many);
   }
 
 
@@ -153,7 +149,7 @@ namespace isochor
               q,
               q + 1,
               [&](const unsigned int, const unsigned int I) {
-                return stencil.pressure_shape[I];
+                return stencil.shape[I];
               },
               with_matrix) :
             step.kernel.evaluate_points(
@@ -297,7 +293,7 @@ namespace isochor
             {
               if (step.kernel.axisymmetric)
                 hoop_force[I] += force * stencil.shape[I] / points.radius[q];
-              volume[I] += V * std::abs(stencil.pressure_shape[I]);
+              volume[I] += V * std::abs(stencil.shape[I]);
             }
           if (q + 1 < points.cell_start[k + 1] && !points.has_stencils())
             continue;

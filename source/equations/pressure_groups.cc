@@ -25,7 +25,7 @@ namespace isochor
           const unsigned int group   = groups.of_material[points.material[q]];
           const auto         stencil = points.stencil(geometry, k, q);
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            if (stencil.pressure_shape[I] != 0)
+            if (stencil.shape[I] != 0)
               {
                 unsigned int *const here = &largest[2 * stencil.vertex[I]];
                 here[0]                  = std::max(here[0], group + 1);

@@ -73,16 +73,14 @@ namespace isochor
   void
   BodyPairTerm<dim>::set_bodies(const std::vector<std::string> &names)
   {
-    body_names        = names;
-    const auto number = [&](const std::string &name) {
-      return static_cast<unsigned int>(
-        std::find(names.begin(), names.end(), name) - names.begin());
-    };
+    body_names = names;
     for (const auto &interaction : interactions)
       {
-        const auto pair = std::minmax(number(interaction->body),
-                                      number(interaction->partner_name));
-        laws[pair]      = interaction->law.get();
+        interaction->find_bodies(names);
+        for (unsigned int a = 0; a < names.size(); ++a)
+          for (unsigned int b = a + 1; b < names.size(); ++b)
+            if (interaction->is_between(a, b))
+              laws[{a, b}] = interaction->law.get();
       }
   }
 

@@ -2,8 +2,12 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <deal.II/base/patterns.h>
+
 #include <isochor/interaction/interaction.h>
 #include <isochor/interaction/prescribed_place.h>
+
+#include <algorithm>
 
 namespace isochor
 {
@@ -54,6 +58,31 @@ namespace isochor
       partner =
         std::make_unique<PrescribedPlace<dim>>(prm.get("Displacement"),
                                                section + "/Displacement");
+  }
+
+
+
+  template <int dim>
+  void
+  Interaction<dim>::find_bodies(const std::vector<std::string> &names)
+  {
+    const auto find = [&](const std::string &name, const std::string &others) {
+      std::vector<bool> found;
+      for (const std::string &known : names)
+        found.push_back(known == name);
+      AssertThrow(std::find(found.begin(), found.end(), true) != found.end(),
+                  ExcMessage(
+                    "The section <" + section + "> names <" + name +
+                    ">, which is no body. There is: " +
+                    Patterns::Tools::to_string(names) + others +
+                    ". Bodies get names by <Material points/Bodies>."));
+      return found;
+    };
+    bodies = find(body, "");
+    if (!partner)
+      partners = find(partner_name,
+                      "; as a partner also 'place' and what a section <Rigid "
+                      "body: ...> describes");
   }
 
 

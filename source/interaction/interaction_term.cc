@@ -31,11 +31,13 @@ namespace isochor
     faces.clear();
     for (unsigned int f = 0; f < surface.faces().size(); ++f)
       {
-        FaceElement      element;
-        const Point<dim> X = BodySurface<dim>::centre(surface.faces()[f]);
-        element.face       = f;
+        FaceElement        element;
+        const Point<dim>   X = BodySurface<dim>::centre(surface.faces()[f]);
+        const unsigned int body =
+          grid->layer_of_cell(points->cell[surface.faces()[f].k]);
+        element.face = f;
         for (unsigned int i = 0; i < interactions.size(); ++i)
-          if (interactions[i]->has(X))
+          if (interactions[i]->has(body, X))
             element.partners.push_back(i);
         if (!element.partners.empty())
           faces.push_back(element);

@@ -7,6 +7,7 @@
 
 #include <isochor/base/expression.h>
 #include <isochor/material_points/bodies.h>
+#include <isochor/material_points/parts_of_body.h>
 
 #include <algorithm>
 #include <limits>
@@ -18,6 +19,7 @@ namespace isochor
   {
     constexpr const char *parameter_name = "Material points/Bodies";
     constexpr const char *automatic      = "auto";
+    constexpr const char *one_field      = "one";
     /** The name of the only body, and of what is in no zone. */
     constexpr const char *unnamed = "body";
 
@@ -90,16 +92,16 @@ namespace isochor
     prm.enter_subsection("Material points");
     prm.declare_entry(
       "Bodies",
-      "",
+      automatic,
       Patterns::Anything(),
-      "Bodies with displacements and pressures of their own: 'name: "
-      "condition; name: condition', the conditions in x, y(, z) at a point's "
-      "place at t = 0. The last condition that holds counts; points for which "
-      "none holds are the body called 'body'. 'auto': what is not connected at "
+      "Bodies with displacements and pressures of their own, which interact "
+      "where their surfaces touch: 'name: condition; name: condition', the "
+      "conditions in x, y(, z) at a point's place at t = 0. The last condition "
+      "that holds counts; points for which none holds are the body called "
+      "'body'. auto: with <Quadrature/Type = CPDI>, what is not connected at "
       "t = 0, or of different materials, is a body, called 'body 1', 'body 2', "
-      "... (needs points with 'Domains'). Bodies don't feel each other, and "
-      "pass through each other. Empty: all points have one field, and are tied "
-      "where they share nodes of the grid.");
+      "... one: all points have one field, and are tied where they share nodes "
+      "of the grid.");
     prm.leave_subsection();
   }
 
@@ -112,10 +114,19 @@ namespace isochor
     prm.enter_subsection("Material points");
     parameter = Utilities::trim(prm.get("Bodies"));
     prm.leave_subsection();
-    if (parameter == automatic)
+    if (!are_named())
       return;
     for (const auto &zone : split_named_list(parameter, parameter_name))
       Expression<dim>(zone.second, parameter_name, FormulaVariables::space);
+  }
+
+
+
+  template <int dim>
+  bool
+  Bodies<dim>::are_named() const
+  {
+    return parameter != automatic && parameter != one_field;
   }
 
 
@@ -154,9 +165,9 @@ namespace isochor
 
   template <int dim>
   std::vector<std::string>
-  Bodies<dim>::names_by_parts(const std::vector<Seed<dim>>    &seeds,
-                              const std::vector<unsigned int> &parts)
+  Bodies<dim>::names_by_parts(const std::vector<Seed<dim>> &seeds)
   {
+    const std::vector<unsigned int> parts = parts_by_domains(seeds);
     std::map<std::pair<unsigned int, unsigned int>, std::string> known;
     std::vector<std::string>                                     names;
     names.reserve(seeds.size());
@@ -173,19 +184,16 @@ namespace isochor
 
   template <int dim>
   std::vector<unsigned int>
-  Bodies<dim>::divide(const std::vector<Seed<dim>>    &seeds,
-                      const std::vector<unsigned int> &parts)
+  Bodies<dim>::divide(const std::vector<Seed<dim>> &seeds)
   {
-    Assert(parts.empty() || parts.size() == seeds.size(), ExcInternalError());
     tree.reset();
     all_names = {unnamed};
     const bool has_domains =
       !seeds.empty() && seeds[0].domain[0].norm_square() > 0;
-    if (parameter.empty() || (parameter == automatic && !has_domains))
+    if (parameter == one_field || (parameter == automatic && !has_domains))
       return {};
-    const std::vector<std::string> names = parameter == automatic ?
-                                             names_by_parts(seeds, parts) :
-                                             names_by_zones(seeds);
+    const std::vector<std::string> names =
+      parameter == automatic ? names_by_parts(seeds) : names_by_zones(seeds);
     // in the order of the first points
     std::map<std::string, unsigned int> numbers;
     std::vector<unsigned int>           body_of_seed;

@@ -8,7 +8,6 @@
 #include <isochor/base/thickness.h>
 #include <isochor/material_points/material_points.h>
 #include <isochor/material_points/outer_faces.h>
-#include <isochor/material_points/parts_of_body.h>
 #include <isochor/material_points/point_domain.h>
 #include <isochor/material_points/relocation.h>
 
@@ -138,6 +137,13 @@ namespace isochor
     for (const auto &material : materials)
       n_history =
         std::max<unsigned int>(n_history, material->history_names().size());
+    auto seeds = seeding.seeds(grid, with_domains, materials.size());
+    const std::vector<unsigned int> body_of_seed =
+      divide_into_bodies(make_layers, seeds);
+    const bool with_surface =
+      with_domains && (keeps_surface || !body_of_seed.empty());
+    if (with_surface)
+      find_outer_faces(seeds, body_of_seed);
     point_layout              = PointLayout(dim,
                                n_history,
                                dynamic,
@@ -145,12 +151,9 @@ namespace isochor
                                grid.is_adaptive(),
                                grid.is_adaptive() || keeps_ancestry,
                                with_excess,
-                               with_domains && keeps_surface);
+                               with_surface);
     point_layout.axisymmetric = axisymmetric;
     forget_order();
-    auto seeds = seeding.seeds(grid, with_domains, materials.size());
-    find_parts(seeds);
-    divide_into_bodies(make_layers, seeds);
     particles->initialize(grid.triangulation(),
                           grid.mapping(),
                           point_layout.n_properties);
@@ -162,12 +165,13 @@ namespace isochor
 
 
   template <int dim>
-  void
+  std::vector<unsigned int>
   MaterialPoints<dim>::divide_into_bodies(
     const std::function<void(const unsigned int)> &make_layers,
     std::vector<Seed<dim>>                        &seeds)
   {
-    const auto body_of_seed = all_bodies.divide(seeds, part_of_seed);
+    const std::vector<unsigned int> body_of_seed =
+      has_one_field ? std::vector<unsigned int>() : all_bodies.divide(seeds);
     AssertThrow(all_bodies.size() == 1 || make_layers,
                 ExcMessage("The body can't be seeded anew in a scene of "
                            "several <Material points/Bodies>. Set <Adaptive "
@@ -176,8 +180,7 @@ namespace isochor
       make_layers(all_bodies.size());
     for (unsigned int i = 0; i < body_of_seed.size(); ++i)
       seeds[i].cell = grid.cell_in_layer(seeds[i].cell, body_of_seed[i]);
-    if (point_layout.with_surface)
-      find_outer_faces(seeds, body_of_seed);
+    return body_of_seed;
   }
 
 
@@ -232,42 +235,6 @@ namespace isochor
                                    make_array_view(properties));
       }
     particles->update_cached_numbers();
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPoints<dim>::find_parts(const std::vector<Seed<dim>> &seeds)
-  {
-    n_parts = 0;
-    part_of_seed.clear();
-    if (!point_layout.with_domains)
-      return;
-    std::vector<unsigned int> parts = parts_by_domains(seeds);
-    for (const unsigned int part : parts)
-      n_parts = std::max(n_parts, part + 1);
-    if (n_parts > 1)
-      part_of_seed.swap(parts);
-  }
-
-
-
-  template <int dim>
-  std::vector<unsigned int>
-  MaterialPoints<dim>::parts_at_start() const
-  {
-    const auto               &pool = particles->get_property_pool();
-    std::vector<unsigned int> parts;
-    parts.reserve(slots->slot.size());
-    for (const auto handle : slots->slot)
-      {
-        const auto number = pool.get_id(handle);
-        parts.push_back(number < part_of_seed.size() ?
-                          part_of_seed[number] :
-                          numbers::invalid_unsigned_int);
-      }
-    return parts;
   }
 
 

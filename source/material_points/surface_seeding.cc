@@ -145,8 +145,8 @@ namespace isochor
     class Seeding
     {
     public:
-      Seeding(const BackgroundGrid<dim>           &grid,
-              const BodyShape<dim>                &shape,
+      Seeding(const BackgroundGrid<dim>             &grid,
+              const BodyShape<dim>                  &shape,
               const std::vector<SurfaceRegion<dim>> &surfaces)
         : grid(grid)
         , shape(shape)
@@ -274,8 +274,8 @@ namespace isochor
         result.faces.push_back({piece, area, surface, cell});
       }
 
-      const BackgroundGrid<dim>           &grid;
-      const BodyShape<dim>                &shape;
+      const BackgroundGrid<dim>             &grid;
+      const BodyShape<dim>                  &shape;
       const std::vector<SurfaceRegion<dim>> &surfaces;
     };
 
@@ -312,11 +312,11 @@ namespace isochor
 
   template <int dim>
   SeededSurfaces<dim>
-  seed_surfaces(const BackgroundGrid<dim>           &grid,
-                const BodyShape<dim>                &shape,
-                const std::vector<unsigned int>     &occupied,
+  seed_surfaces(const BackgroundGrid<dim>             &grid,
+                const BodyShape<dim>                  &shape,
+                const std::vector<unsigned int>       &occupied,
                 const std::vector<SurfaceRegion<dim>> &surfaces,
-                const std::string                   &body_mesh)
+                const std::string                     &body_mesh)
   {
     Seeding<dim> seeding(grid, shape, surfaces);
     seeding.add_grid_boundaries();
@@ -361,7 +361,7 @@ namespace isochor
 
   template <int dim>
   std::string
-  describe_surfaces(const SeededSurfaces<dim>           &seeded,
+  describe_surfaces(const SeededSurfaces<dim>             &seeded,
                     const std::vector<SurfaceRegion<dim>> &surfaces)
   {
     std::string text;

@@ -85,10 +85,6 @@ namespace isochor
       if (probes.empty())
         return;
       const NodalField touched = touched_nodes(result.step);
-      const bool       see_others =
-        Utilities::MPI::max(
-          result.step.points.domain_corners.points_that_see_others.size(),
-          result.step.grid.communicator()) > 0;
       for (Probe &probe : probes)
         {
           if (result.points.bodies().size() > 1)
@@ -98,8 +94,7 @@ namespace isochor
           Values     values;
           const bool in_body =
             result.time.step > 0 || lies_in_body(result.step, probe);
-          if (!(see_others && interpolate_in_domain(result, probe, values)) &&
-              !interpolate(result, probe, touched, in_body, values))
+          if (!interpolate(result, probe, touched, in_body, values))
             {
               assert_in_body(probe, in_body);
               extrapolate(result, probe, values);
@@ -349,67 +344,6 @@ namespace isochor
             best = {k, inside};
         }
       return best;
-    }
-
-    /** In domains of points that see functions of other cells than their own,
-     * if the probe lies in such: those of its cell are not the body's. Where
-     * domains meet it is the mean of all, as pressures are constant in each.
-     * Collective. */
-    static bool
-    interpolate_in_domain(const StepResult<dim> &result,
-                          const Probe           &probe,
-                          Values                &values)
-    {
-      const StepContext<dim>     &step   = result.step;
-      const PointArrays<dim>     &points = step.points;
-      const NodalUnknowns<dim>    nodal(step, result.unknowns);
-      std::array<double, dim + 2> sums{}; // the last one is their number
-      for (const unsigned int q : points.domain_corners.points_that_see_others)
-        {
-          const unsigned int k = std::upper_bound(points.cell_start.begin(),
-                                                  points.cell_start.begin() +
-                                                    points.n_occupied_cells + 1,
-                                                  q) -
-                                 points.cell_start.begin() - 1;
-          const Tensor<1, dim> r = probe.location - place_of(step, k, q);
-          if (!probe.may_be_in(step.grid, points.cell[k]) ||
-              least_coordinate(points, q, r) < -1e-6)
-            continue;
-          const auto stencil = points.stencil(step.grid.geometry(), k, q);
-          const Tensor<1, dim> increment =
-            nodal.increment_at(stencil) + nodal.gradient_at(stencil) * r;
-          for (unsigned int a = 0; a < dim; ++a)
-            sums[a] += increment[a];
-          sums[dim] += nodal.pressure_at(stencil);
-          sums[dim + 1] += 1;
-        }
-      sum_over_ranks(sums, step.grid.communicator());
-      for (unsigned int a = 0; a <= dim; ++a)
-        values[a] = sums[dim + 1] > 0 ? sums[a] / sums[dim + 1] : 0.;
-      return sums[dim + 1] > 0;
-    }
-
-    /** The least barycentric coordinate in the domain of point @p q of the
-     * place at @p r from the point. */
-    static double
-    least_coordinate(const PointArrays<dim> &points,
-                     const unsigned int      q,
-                     const Tensor<1, dim>   &r)
-    {
-      const auto          &domain = points.domain[q];
-      const Tensor<1, dim> R      = invert(points.F[q]) * r - domain[0];
-      Tensor<2, dim>       edges;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          edges[d][c] = domain[c + 1][d] - domain[0][d];
-      const Tensor<1, dim> lambda = invert(edges) * R;
-      double first = 1, least = std::numeric_limits<double>::max();
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          first -= lambda[c];
-          least = std::min(least, lambda[c]);
-        }
-      return std::min(first, least);
     }
 
     /** Interpolate in the cell that find_cell() finds, its shape functions

@@ -6,7 +6,6 @@
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/equations/constraint_conflicts.h>
-#include <isochor/equations/idle_pressures.h>
 #include <isochor/step/equilibrium.h>
 #include <isochor/step/scene_checks.h>
 #include <isochor/transfer/pressure_mapping.h>
@@ -375,7 +374,6 @@ namespace isochor
         condition->constrain(step, constraints);
       }
     setup.constrain(step, constraints);
-    hold_idle_pressures(step, constraints);
     constraints.resolve(n_components);
     std::vector<int> any = {constraints.constrained != previous ||
                               !constraints.followers.same_structure(old),

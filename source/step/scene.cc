@@ -338,12 +338,9 @@ namespace isochor
   void
   Scene<dim>::parse_interactions(ParameterHandler &prm)
   {
-    prm.enter_subsection("Material points");
-    const bool has_bodies = !prm.get("Bodies").empty();
-    prm.leave_subsection();
     std::vector<std::unique_ptr<Interaction<dim>>> of_bodies, of_others;
     std::string                                    asked_by;
-    if (has_bodies)
+    if (points.bodies().are_named())
       asked_by = "parameter <Material points/Bodies>";
     for (const auto &path : ParameterList(prm).subsections)
       if (path.size() == 1 && path.front().rfind("Interaction: ", 0) == 0)
@@ -364,19 +361,25 @@ namespace isochor
             .push_back(std::move(interaction));
           asked_by = "section <" + path.front() + ">";
         }
-    if (asked_by.empty())
-      return;
-    AssertThrow(quadrature->is_linear_on_domains(),
+    const bool can_interact = quadrature->is_linear_on_domains();
+    if (asked_by.empty() && (!can_interact || grid.source().is_adaptive()))
+      {
+        points.share_fields();
+        return;
+      }
+    AssertThrow(can_interact,
                 ExcMessage(
                   "The " + asked_by +
                   " needs <Quadrature/Type = CPDI>: only its "
                   "subdomains have the surface of the body as faces."));
-    points.keep_surface();
     if (!of_others.empty())
-      boundary_conditions.push_back(
-        std::make_unique<InteractionTerm<dim>>(std::move(of_others)));
-    if (!has_bodies && of_bodies.empty())
-      return;
+      {
+        points.keep_surface();
+        auto term =
+          std::make_unique<InteractionTerm<dim>>(std::move(of_others));
+        surface_interactions = term.get();
+        boundary_conditions.push_back(std::move(term));
+      }
     auto pairs = std::make_unique<BodyPairTerm<dim>>(std::move(of_bodies));
     body_pairs = pairs.get();
     boundary_conditions.push_back(std::move(pairs));
@@ -403,6 +406,8 @@ namespace isochor
     shape.initialize(grid, points_have_domains(), points.bodies());
     if (body_pairs != nullptr)
       body_pairs->set_bodies(points.bodies().names());
+    if (surface_interactions != nullptr)
+      surface_interactions->set_bodies(points.bodies().names());
     for (auto &condition : boundary_conditions)
       {
         condition->set_body(shape, arrays);

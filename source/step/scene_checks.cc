@@ -11,7 +11,6 @@
 #include <isochor/step/free_motions.h>
 #include <isochor/step/scene.h>
 #include <isochor/step/scene_checks.h>
-#include <isochor/step/tied_bodies.h>
 
 #include <algorithm>
 #include <array>
@@ -198,7 +197,6 @@ namespace isochor
     check_body(step);
     check_interfaces(step);
     check_materials(scene, step.warnings);
-    warn_of_tied_bodies(scene.points, step);
     scene.shape.check_mesh(step.warnings);
     const bool has_steps =
       scene.points.check_seeding(scene.quadrature->needs_domains(),

@@ -297,8 +297,6 @@ namespace isochor
       arrays, *locator, scene.kernel, needs_occupancy, occupancy);
     watch.spacing.check(arrays, time, scene.time.step == 0, scene.warnings);
     watch.spacing.compare_volumes(arrays, time, scene.warnings);
-    warn_of_interfaces_in_cells(
-      arrays, scene.kernel, scene.grid.communicator(), time, scene.warnings);
     if (needs_occupancy)
       watch.cavities.look(occupancy,
                           time,
@@ -400,7 +398,8 @@ namespace isochor
         first_element.push_back(elements.size());
         term->collect_elements(step, elements);
       }
-    watch.contact.look(step, elements, scene.time.step == 0);
+    if (scene.grid.n_layers() == 1)
+      watch.contact.look(step, elements, scene.time.step == 0);
   }
 
 
@@ -421,7 +420,12 @@ namespace isochor
   StepSetup<dim>::advance(const StepContext<dim> &step,
                           const NodalField       &unknowns)
   {
-    grid_reset.advance(step, unknowns, arrays);
+    const bool is_asked_for = std::any_of(scene.boundary_conditions.begin(),
+                                          scene.boundary_conditions.end(),
+                                          [](const auto &condition) {
+                                            return condition->needs_reset();
+                                          });
+    grid_reset.advance(step, unknowns, is_asked_for, arrays);
     is_current = false;
     grid_reset.look_for_contact(
       step, elements, *locator, unknowns, scene.points);

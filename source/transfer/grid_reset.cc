@@ -121,11 +121,12 @@ namespace isochor
   void
   GridReset<dim>::advance(const StepContext<dim> &step,
                           const NodalField       &unknowns,
+                          const bool              is_asked_for,
                           PointArrays<dim>       &points)
   {
     ++n_steps_since;
     bad_quality = 1;
-    is_due      = in_contact || n_steps_since == interval;
+    is_due      = is_asked_for || in_contact || n_steps_since == interval;
     if (is_due)
       return;
     advance_massless_points(step, unknowns, points);

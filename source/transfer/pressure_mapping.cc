@@ -36,7 +36,7 @@ namespace isochor
             }
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
             {
-              const double Nm = std::max(stencil.pressure_shape[I], 0.) * m;
+              const double Nm = std::max(stencil.shape[I], 0.) * m;
               m_at_nodes[I] += Nm;
               m_p_at_nodes[I] += Nm * p;
             }

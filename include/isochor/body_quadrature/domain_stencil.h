@@ -62,26 +62,17 @@ namespace isochor
     void
     move(const Tensor<1, dim> &r);
 
-    /** N of pressures of the nodes of @p corners, after set(); if these are
-     * too many nodes in all (of elements other than P1), those of
-     * @p displacements. */
     void
-    set_pressure(const Corners &corners, const Corners &displacements);
-
-    void
-    append_to(PointArrays<dim> &points, const bool with_pressure) const;
+    append_to(PointArrays<dim> &points) const;
 
   private:
-    void
-    add_pressure(const Corners &corners);
-
     /** The number here of the node @p vertex. */
     unsigned int
     entry(const unsigned int vertex);
 
     unsigned int                n_nodes = 0;
     std::vector<unsigned int>   vertices;
-    std::vector<double>         shape, pressure_shape;
+    std::vector<double>         shape;
     std::vector<Tensor<1, dim>> gradients;
   };
 

@@ -397,6 +397,15 @@ namespace isochor
     advance(const StepContext<dim> & /*step*/, const NodalField & /*unknowns*/)
     {}
 
+    /** The step has converged and the grid may be kept: whether the next step
+     * needs a reset, as what touch_vertices() has found no longer holds. The
+     * same on all ranks. */
+    virtual bool
+    needs_reset() const
+    {
+      return false;
+    }
+
     /** What has to survive a restart, the same text on all ranks. Collective.
      */
     virtual std::string

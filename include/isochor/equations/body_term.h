@@ -18,10 +18,6 @@ namespace isochor
   class BodyTerm : public EquationTerm<dim>
   {
   public:
-    /** The most nodes of a point: dim + 1 corners of its domain, in cells of P1
-     * one for displacements and one for pressures each. */
-    static constexpr unsigned int largest_stencil = 2 * (dim + 1) * (dim + 1);
-
     BodyTerm(const BackgroundGrid<dim> &grid, const PointArrays<dim> &points);
 
     void

@@ -197,7 +197,7 @@ namespace isochor
             {
               u_r += stencil.shape[I] * element.increment[I][0];
               if (mixed)
-                p += stencil.pressure_shape[I] * element.pressure[I];
+                p += stencil.shape[I] * element.pressure[I];
             }
           const double *const history_n =
             points.history.data() + q * std::size_t(points.n_history);
@@ -232,7 +232,7 @@ namespace isochor
             p = response.volumetric_strain / inverse_K;
 
           const Tensor<2, dim> inverse = invert(F_increment);
-          sum.N                        = stencil.pressure_shape;
+          sum.N                        = stencil.shape;
           for (unsigned int I = 0; I < n; ++I)
             {
               sum.g[I] = stencil.gradient[I] * inverse;

@@ -110,7 +110,7 @@ namespace isochor
       double p = 0;
       if (n_components == dim + 1)
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-          p += stencil.pressure_shape[I] * pressure(stencil.vertex[I]);
+          p += stencil.shape[I] * pressure(stencil.vertex[I]);
       return p;
     }
 

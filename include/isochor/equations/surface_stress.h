@@ -57,7 +57,7 @@ namespace isochor
         {
           increments[I] = increment(I);
           if (kernel.has_pressures)
-            p += domain.stencil.pressure_shape[I] * pressure(I);
+            p += domain.stencil.shape[I] * pressure(I);
         }
       return evaluate(kernel, domain, N, p, with_derivatives);
     }

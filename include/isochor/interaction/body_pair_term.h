@@ -86,6 +86,12 @@ namespace isochor
              Statistics             &statistics) const override;
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override;
+    /** Whether bodies may meet at faces that no element has. */
+    bool
+    needs_reset() const override
+    {
+      return way_since_reset + 2 * largest_increment > reach;
+    }
     std::string
     save_state() const override
     {

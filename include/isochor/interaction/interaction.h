@@ -29,12 +29,24 @@ namespace isochor
     /** @param section "Interaction: BODY - PARTNER", which @p prm is in. */
     Interaction(ParameterHandler &prm, const std::string &section);
 
-    /** Whether it is about a face of the surface with its centre at @p X at
-     * t = 0. */
+    /** Whether it is about a face of body number @p of_body with its centre at
+     * @p X at t = 0. */
     bool
-    has(const Point<dim> &X) const
+    has(const unsigned int of_body, const Point<dim> &X) const
     {
-      return !region || (*region)(X, 0.) > 0;
+      return bodies[of_body] && (!region || (*region)(X, 0.) > 0);
+    }
+
+    /** Find the bodies by their @p names. @throws ExcMessage if there is none
+     * of that name. */
+    void
+    find_bodies(const std::vector<std::string> &names);
+
+    /** Whether it is one between body number @p a and body number @p b. */
+    bool
+    is_between(const unsigned int a, const unsigned int b) const
+    {
+      return (bodies[a] && partners[b]) || (bodies[b] && partners[a]);
     }
 
     /** "BODY - PARTNER". */
@@ -49,6 +61,8 @@ namespace isochor
     std::unique_ptr<Partner<dim>>        partner;
 
   private:
+    /** By number: which are the body, and the partner if it has none else. */
+    std::vector<bool>                bodies, partners;
     std::unique_ptr<Expression<dim>> region;
   };
 } // namespace isochor

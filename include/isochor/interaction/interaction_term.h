@@ -30,6 +30,14 @@ namespace isochor
     explicit InteractionTerm(
       std::vector<std::unique_ptr<Interaction<dim>>> &&interactions);
 
+    /** The names of the bodies, by layer of the grid, once they are known. */
+    void
+    set_bodies(const std::vector<std::string> &names)
+    {
+      for (const auto &interaction : interactions)
+        interaction->find_bodies(names);
+    }
+
     void
     initialize(const BackgroundGrid<dim> &grid) override
     {

@@ -36,14 +36,16 @@ namespace isochor
     parse_parameters(ParameterHandler &prm);
 
     /**
-     * Divide @p seeds into bodies; @p parts is the connected part that each is
-     * in (see parts_by_domains()), empty if there is one or this is unknown.
-     * Returns the body of each seed, empty if there is one only.
+     * Divide @p seeds into bodies. Returns the body of each seed, empty if
+     * there is one only.
      * @throws ExcMessage if the parameter names a body without points.
      */
     std::vector<unsigned int>
-    divide(const std::vector<Seed<dim>>    &seeds,
-           const std::vector<unsigned int> &parts);
+    divide(const std::vector<Seed<dim>> &seeds);
+
+    /** Whether the parameter names bodies. */
+    bool
+    are_named() const;
 
     /** The names, by number; one or more, all different. */
     const std::vector<std::string> &
@@ -73,8 +75,7 @@ namespace isochor
     names_by_zones(const std::vector<Seed<dim>> &seeds) const;
     /** By seed: "body 1", "body 2", ... by connected part and material. */
     static std::vector<std::string>
-    names_by_parts(const std::vector<Seed<dim>>    &seeds,
-                   const std::vector<unsigned int> &parts);
+    names_by_parts(const std::vector<Seed<dim>> &seeds);
 
     std::string                 parameter;
     std::vector<std::string>    all_names = {"body"};

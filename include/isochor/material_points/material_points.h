@@ -166,11 +166,19 @@ namespace isochor
     }
 
     /** Points that are seeded from now on, with domains, know which faces of
-     * these are on the surface of the body (PointArrays::outer_faces). */
+     * these are on the surface of the body (PointArrays::outer_faces); those of
+     * several bodies do anyway. */
     void
     keep_surface()
     {
       keeps_surface = true;
+    }
+
+    /** Bodies that have no interactions share the nodes of one grid. */
+    void
+    share_fields()
+    {
+      has_one_field = true;
     }
 
     /** See BodySeeding::check_conditions(), check_material_zones(),
@@ -188,20 +196,6 @@ namespace isochor
                                     point_layout.axisymmetric,
                                     warnings);
     }
-
-    /** How many parts the body has as it was seeded, by parts_by_domains(); 0
-     * if unknown, as in a run that was resumed. */
-    unsigned int
-    n_parts_at_start() const
-    {
-      return n_parts;
-    }
-
-    /** The part that each point of the last gather() was seeded in, if there
-     * are two or more; numbers::invalid_unsigned_int of points that were split
-     * off others since. */
-    std::vector<unsigned int>
-    parts_at_start() const;
 
     /**
      * Let @p change replace the mesh of the grid (it returns what
@@ -298,16 +292,14 @@ namespace isochor
                PointArrays<dim>              &arrays) const;
 
     /** Put each of @p seeds into the layer of its body, once @p make_layers
-     * has made them. */
-    void
+     * has made them. Returns the body of each, empty if there is one. */
+    std::vector<unsigned int>
     divide_into_bodies(
       const std::function<void(const unsigned int)> &make_layers,
       std::vector<Seed<dim>>                        &seeds);
     void
     insert(const std::vector<Seed<dim>>                           &seeds,
            const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials);
-    void
-    find_parts(const std::vector<Seed<dim>> &seeds);
     void
     set_velocity(const std::string &formulas);
 
@@ -316,12 +308,10 @@ namespace isochor
     Bodies<dim>                all_bodies;
     bool                       keeps_ancestry = false;
     bool                       keeps_surface  = false;
+    bool                       has_one_field  = false;
     PointLayout                point_layout;
     /** Another one after relocate(). */
     std::unique_ptr<Particles::ParticleHandler<dim>> particles;
-    unsigned int                                     n_parts = 0;
-    /** Of each seed, by the number of its point; empty if there is one part. */
-    std::vector<unsigned int> part_of_seed;
     /** As PointArrays has them; null and empty if points have been located
      * since. */
     std::shared_ptr<const PointSlots> slots;

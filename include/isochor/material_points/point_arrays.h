@@ -62,40 +62,18 @@ namespace isochor
     }
   };
 
-  /** Where materials of other stiffness share the functions of a cell: how far
-   * one of them reaches into it, as a part of it, and the ratio of the
-   * stiffnesses. */
-  struct InterfaceCrossing
-  {
-    double depth = 0, ratio = 1;
-
-    double
-    weight() const
-    {
-      return depth * (ratio - 1);
-    }
-  };
-
   /** What the corners of domains act on, of points that have domains. */
   struct DomainCorners
   {
     /** Pairs (point, cell) for the corners, at least dim + 1 a point: the cells
      * whose nodes corners touch. */
     std::vector<std::pair<unsigned int, unsigned int>> cells;
-    /** The N_I of pressures, beside PointArrays::stencil_shape, where they
-     * aren't those of displacements; else empty. */
-    std::vector<double> pressure_shape;
-    /** Points that see functions of cells that they don't lie in, ascending
-     * (InterfaceCorners). */
-    std::vector<unsigned int> points_that_see_others;
-    /** That of most weight where this could not be avoided. */
-    InterfaceCrossing worst_crossing;
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &cells &pressure_shape &points_that_see_others;
+      archive &cells;
     }
   };
 
@@ -340,7 +318,6 @@ namespace isochor
       const unsigned int   *vertex;
       const double         *shape;
       const Tensor<1, dim> *gradient;
-      const double         *pressure_shape;
     };
 
     /** The nodes of point @p q in cell k of the list. */
@@ -353,18 +330,12 @@ namespace isochor
         return {dim + 1,
                 geometry.vertex_indices(cell[k]).data(),
                 shape[q].data(),
-                gradients(geometry, k).data(),
-                shape[q].data()};
+                gradients(geometry, k).data()};
       const std::size_t begin = stencil_start[q];
       return {static_cast<unsigned int>(stencil_start[q + 1] - begin),
               stencil_vertex.data() + begin,
               stencil_shape.data() + begin,
-              stencil_gradient.data() + begin,
-              (domain_corners.pressure_shape.empty() ?
-                 stencil_shape :
-                 domain_corners.pressure_shape)
-                  .data() +
-                begin};
+              stencil_gradient.data() + begin};
     }
 
     /** Whether @p c is in the list of cells. */

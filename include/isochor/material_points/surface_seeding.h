@@ -112,17 +112,17 @@ namespace isochor
    */
   template <int dim>
   SeededSurfaces<dim>
-  seed_surfaces(const BackgroundGrid<dim>           &grid,
-                const BodyShape<dim>                &shape,
-                const std::vector<unsigned int>     &occupied,
+  seed_surfaces(const BackgroundGrid<dim>             &grid,
+                const BodyShape<dim>                  &shape,
+                const std::vector<unsigned int>       &occupied,
                 const std::vector<SurfaceRegion<dim>> &surfaces,
-                const std::string                   &body_mesh);
+                const std::string                     &body_mesh);
 
   /** What was found of each of the @p surfaces, a line each: its area (2D: its
    * length, of the section) at t = 0, and the box around it. */
   template <int dim>
   std::string
-  describe_surfaces(const SeededSurfaces<dim>           &seeded,
+  describe_surfaces(const SeededSurfaces<dim>             &seeded,
                     const std::vector<SurfaceRegion<dim>> &surfaces);
 } // namespace isochor
 

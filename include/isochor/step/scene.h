@@ -23,6 +23,8 @@ namespace isochor
 {
   template <int dim>
   class BodyPairTerm;
+  template <int dim>
+  class InteractionTerm;
 
   /** What decides which parameters a scene has. */
   struct SceneSections
@@ -169,8 +171,9 @@ namespace isochor
     void
     parse_interactions(ParameterHandler &prm);
 
-    /** One of the boundary conditions, if there may be several bodies. */
-    BodyPairTerm<dim> *body_pairs = nullptr;
+    /** Two of the boundary conditions, if there are such. */
+    BodyPairTerm<dim>    *body_pairs           = nullptr;
+    InteractionTerm<dim> *surface_interactions = nullptr;
   };
 } // namespace isochor
 

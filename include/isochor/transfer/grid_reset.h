@@ -96,11 +96,12 @@ namespace isochor
     /**
      * A step has converged: decide whether the next one starts with a reset;
      * if not, let the grid move on, in the @p points, those of @p step.
-     * Collective.
+     * @p is_asked_for: one is, by a boundary condition. Collective.
      */
     void
     advance(const StepContext<dim> &step,
             const NodalField       &unknowns,
+            const bool              is_asked_for,
             PointArrays<dim>       &points);
 
     /** The vertices that boundary conditions hold in any direction, ascending.
