@@ -80,9 +80,11 @@ namespace isochor
     };
     for (const auto &interaction : interactions)
       {
-        const auto pair = std::minmax(number(interaction->body),
-                                      number(interaction->partner_name));
-        laws[pair]      = interaction->law.get();
+        // a copy: std::minmax() returns references
+        const std::pair<unsigned int, unsigned int> pair =
+          std::minmax(number(interaction->body),
+                      number(interaction->partner_name));
+        laws[pair] = interaction->law.get();
       }
   }
 
@@ -175,7 +177,9 @@ namespace isochor
         tree.query(bgi::intersects(x), std::back_inserter(near));
         element.others.clear();
         for (const Entry &entry : near)
-          if (copies[entry.second].body != copies[element.own].body)
+          if (const unsigned int body = copies[element.own].body,
+              other                   = copies[entry.second].body;
+              body != other && law_of(body, other).acts())
             element.others.push_back(entry.second);
         std::sort(element.others.begin(), element.others.end());
         return !element.others.empty();

@@ -97,8 +97,9 @@ namespace isochor
       "place at t = 0. The last condition that holds counts; points for which "
       "none holds are the body called 'body'. 'auto': what is not connected at "
       "t = 0, or of different materials, is a body, called 'body 1', 'body 2', "
-      "... (needs points with 'Domains'). Bodies don't feel each other, and "
-      "pass through each other. Empty: all points have one field, and are tied "
+      "... (needs points with 'Domains'). They are tied where "
+      "they touch at t = 0, and come into contact elsewhere, if no section "
+      "'Interaction: name - name' says otherwise. Empty: all points have one field, and are tied "
       "where they share nodes of the grid.");
     prm.leave_subsection();
   }
