@@ -156,13 +156,15 @@ namespace isochor
     namespace bgi = boost::geometry::index;
     using Entry   = std::pair<BoundingBox<dim>, unsigned int>;
     std::vector<Entry> at_start, now;
+    reach           = std::numeric_limits<double>::max();
+    way_since_reset = 0;
     for (unsigned int i = 0; i < copies.size(); ++i)
       {
-        const double size = size_of<dim>(copies[i].x);
+        const double size   = size_of<dim>(copies[i].x),
+                     margin = size + 2 * largest_increment;
+        reach               = std::min(reach, margin);
         at_start.emplace_back(box_around<dim>(copies[i].X, 1e-3 * size), i);
-        now.emplace_back(box_around<dim>(copies[i].x,
-                                         size + 2 * largest_increment),
-                         i);
+        now.emplace_back(box_around<dim>(copies[i].x, margin), i);
       }
     const auto tree_at_start = pack_rtree(at_start), tree_now = pack_rtree(now);
     elements.clear();
@@ -173,7 +175,9 @@ namespace isochor
         tree.query(bgi::intersects(x), std::back_inserter(near));
         element.others.clear();
         for (const Entry &entry : near)
-          if (copies[entry.second].body != copies[element.own].body)
+          if (const unsigned int body = copies[element.own].body,
+              other                   = copies[entry.second].body;
+              body != other && law_of(body, other).acts())
             element.others.push_back(entry.second);
         std::sort(element.others.begin(), element.others.end());
         return !element.others.empty();
@@ -356,6 +360,7 @@ namespace isochor
         increment_at(step, unknowns, copies[first_own + f], Tensor<1, dim>())
           .norm());
     largest_increment = Utilities::MPI::max(largest, step.grid.communicator());
+    way_since_reset += 2 * largest_increment;
   }
 
 

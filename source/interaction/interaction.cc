@@ -58,6 +58,10 @@ namespace isochor
       partner =
         std::make_unique<PrescribedPlace<dim>>(prm.get("Displacement"),
                                                section + "/Displacement");
+    AssertThrow(!partner || law->acts(),
+                ExcMessage("<" + section +
+                           "/Law = none> is for two bodies only. Leave the "
+                           "section out."));
   }
 
 

@@ -16,7 +16,8 @@ namespace isochor
       Patterns::Selection(PluginRegistry<InteractionLaw<dim>>::names()),
       "What the partner does to the surface. unilateral: it pushes but does not "
       "pull, without friction. Coulomb: the same with friction. tie: the "
-      "surface stays where it is on the partner.");
+      "surface stays where it is on the partner. none: nothing; of two bodies, "
+      "which pass through each other.");
     PluginRegistry<InteractionLaw<dim>>::declare_parameters(prm);
   }
 

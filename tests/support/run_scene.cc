@@ -133,7 +133,13 @@ namespace isochor
       while (settings.find("Material " + std::to_string(n_materials + 1) +
                            "/") != std::string::npos)
         ++n_materials;
-      MaterialPointMethod<dim>::declare_parameters(prm, n_materials);
+      SceneSections      sections(n_materials);
+      const std::string  kind = "Interaction: ";
+      std::istringstream lines(settings);
+      for (std::string line; std::getline(lines, line);)
+        if (line.compare(0, kind.size(), kind) == 0)
+          sections.interactions.push_back({line.substr(0, line.find('/')), ""});
+      MaterialPointMethod<dim>::declare_parameters(prm, sections);
       set_parameters(prm,
                      "Quadrature/Type = points\n"
                      "Output/Directory = .\nOutput/Terminal = quiet\n"

@@ -75,6 +75,13 @@ namespace isochor
             const Tensor<1, dim> &n,
             const double          area_ratio) const = 0;
 
+    /** Whether there is any interaction; else project() is not called. */
+    virtual bool
+    acts() const
+    {
+      return true;
+    }
+
     /** Whether the surface may leave the partner and come to it: w contains the
      * gap along n of the nearest place. If not, that of the place that it was
      * at when the interaction began. */
