@@ -5,8 +5,8 @@
 #ifndef isochor_faceted_surface_h
 #define isochor_faceted_surface_h
 
+#include <isochor/rigid_body/closed_mesh.h>
 #include <isochor/rigid_body/rigid_shape.h>
-#include <isochor/rigid_body/surface_mesh.h>
 
 #include <array>
 #include <memory>
@@ -25,14 +25,12 @@ namespace isochor
   class FacetedSurface
   {
   public:
-    /** Facets are turned so that they look out of what they enclose; a closed
-     * part within another one is a cavity.
-     * @param subject What messages start with: "The mesh ... ".
-     * @throws ExcMessage for a surface that is not closed or can't be turned
-     * so.
-     */
+    /** See ClosedMesh. */
     FacetedSurface(SurfaceMesh<dim> mesh, const std::string &subject);
     ~FacetedSurface();
+    FacetedSurface(const FacetedSurface &) = delete;
+    FacetedSurface &
+    operator=(const FacetedSurface &) = delete;
 
     ClosestPoint<dim>
     closest(const Point<dim> &x) const;
@@ -44,9 +42,6 @@ namespace isochor
     box() const;
 
   private:
-    /** What separates two facets: a vertex in 2D, an edge in 3D. */
-    using Ridge = std::array<unsigned int, dim - 1>;
-
     /** A vertex or an edge by the normals around it. */
     struct Corner
     {
@@ -67,26 +62,6 @@ namespace isochor
       unsigned int corners;
     };
 
-    static Ridge
-    ridge(const std::array<unsigned int, dim> &facet, const unsigned int i);
-    /** Whether the facets, which share the @p ridge, look to the same side. */
-    bool
-    agree(const unsigned int facet,
-          const unsigned int other,
-          const Ridge       &ridge) const;
-    void
-    find_neighbours(const std::string &subject);
-    /** Returns the part of the surface that each facet belongs to. */
-    std::vector<unsigned int>
-    orient(const std::string &subject);
-    void
-    turn_outwards(const std::vector<unsigned int> &part);
-    void
-    turn(const unsigned int facet);
-    /** The share of a full circle or of the full solid angle that the facets of
-     * @p part appear under from @p x: 1 inside, 0 outside, if they look out. */
-    double
-    winding(const std::vector<unsigned int> &facets, const Point<dim> &x) const;
     void
     find_normals();
     static Corner
@@ -100,12 +75,10 @@ namespace isochor
     const Corner &
     corner(const unsigned int facet, const unsigned int corners) const;
 
-    SurfaceMesh<dim>            mesh;
+    ClosedMesh<dim>             closed;
+    const SurfaceMesh<dim>     &mesh;
     std::vector<Tensor<1, dim>> normals; ///< of facets
     std::vector<Corner>         at_vertices, at_edges;
-    /** By facet, the one behind the ridge opposite of each corner, and the
-     * number of that ridge. */
-    std::vector<std::array<unsigned int, dim>> neighbours, ridges;
 
     struct Tree;
     std::unique_ptr<Tree> tree;
