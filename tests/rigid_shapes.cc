@@ -100,6 +100,89 @@ namespace
                         {"rounded box in space", {0, 1.5, 1}, 2, 1e-2, 40});
   }
 
+  void
+  test_around_axes()
+  {
+    const std::string cone =
+      "Shape = cone\nApex = 0.1, 0.2\nDirection = 0, 2\nShaft radius = 0.3\n"
+      "Length = 1.5\n";
+    const auto sharp = test::make_shape<2>(cone);
+    test::test_shape<2>(*sharp, {"cone", {0.1, 0.8}, 1});
+    test::test_shape<2>(*test::make_shape<2>(cone + "Tip radius = 0.1"),
+                        {"cone with a round tip", {0.1, 0.8}, 1, 1e-3});
+    // the flanks enclose 60 degrees
+    const auto flank = sharp->closest({0.4, 0.2});
+    test::report("normal of a cone's flank",
+                 std::abs(flank.normal[1] + 0.5) < 1e-12,
+                 std::to_string(flank.normal[1]));
+    test::test_shape<2>(*test::make_shape<2>(
+                          "Shape = wedge\nApex = 0, 1\nDirection = 1, 1\n"
+                          "Apex angle = 40\nLength = 2\nTip radius = 0.1"),
+                        {"wedge", {0.7, 1.7}, 1, 1e-3});
+    test::test_shape<2>(*test::make_shape<2>(
+                          "Shape = cylinder\nFirst end = 0, 0\n"
+                          "Second end = 0, 2\nRadius = 1\nEdge radius = 0.3"),
+                        {"section of a cylinder", {0, 1}, 1.5, 1e-3});
+    test::test_shape<3>(*test::make_shape<3>(
+                          "Shape = cone\nApex = 0, 0, 0\nDirection = 1, 1, 0\n"
+                          "Shaft radius = 0.5\nTip radius = 0.1\nLength = 2"),
+                        {"cone in space", {0.7, 0.7, 0}, 1, 5e-3, 60});
+    test::test_shape<3>(*test::make_shape<3>(
+                          "Shape = cylinder\nFirst end = 0, 0, 0\n"
+                          "Second end = 1, 2, -1\nRadius = 0.8\n"
+                          "Edge radius = 0.2"),
+                        {"cylinder in space", {0.5, 1, -0.5}, 1.2, 8e-3, 60});
+    // on the axis in front of a round tip: a sphere
+    const auto tip =
+      test::make_shape<3>("Shape = cone\nDirection = 0, 0, 1\n"
+                          "Shaft radius = 0.5\nTip radius = 0.1\nLength = 2")
+        ->closest({0, 0, -0.1});
+    const SymmetricTensor<2, 3> sphere =
+      rounded_curvature<3>(0.3, Tensor<1, 3>({0, 0, -1}));
+    test::report("on the axis in front of a round tip",
+                 std::abs(tip.distance - 0.2) < 1e-12 &&
+                   (tip.curvature - sphere).norm() < 1e-10,
+                 std::to_string(tip.distance));
+  }
+
+  void
+  test_formulas()
+  {
+    test::ShapeTest<2> ellipse{"ellipse", {0, 0}, 2, 2e-3, 50};
+    ellipse.differences = 1e-4;
+    test::test_shape<2>(*test::make_shape<2>(
+                          "Shape = formula\nFormula = x^2/4 + y^2 - 1\n"
+                          "Lower corner = -2.1, -1.1\nUpper corner = 2.1, 1.1"),
+                        ellipse);
+    const auto sphere =
+      test::make_shape<3>("Shape = formula\nFormula = x^2 + y^2 + z^2 - 1\n"
+                          "Lower corner = -1.2, -1.1, -1\n"
+                          "Upper corner = 1.1, 1.2, 1.3");
+    test::Random     random;
+    test::WorstError distance, normal, curvature;
+    for (unsigned int n = 0; n < 50; ++n)
+      {
+        Point<3> x(random(), random(), random());
+        x *= (1 + 0.5 * random()) / x.norm();
+        const auto at = sphere->closest(x);
+        distance.add(std::abs(at.distance - x.norm() + 1), "x");
+        normal.add((at.normal - x / x.norm()).norm(), "x");
+        curvature.add(
+          (at.curvature - rounded_curvature<3>(x.norm(), x / x.norm())).norm(),
+          "x");
+      }
+    distance.report("distance from the sphere of a formula", 1e-10);
+    normal.report("normal of the sphere of a formula", 1e-10);
+    curvature.report("curvature of the sphere of a formula", 1e-5);
+    double farthest = 0;
+    for (const auto &facet : sphere->surface(1))
+      for (const auto &corner : facet)
+        farthest = std::max(farthest, std::abs(corner.norm() - 1));
+    test::report("facets of a formula in space",
+                 farthest < 1e-10,
+                 std::to_string(farthest));
+  }
+
   template <int dim>
   void
   test_error(const std::string              &what,
@@ -150,6 +233,29 @@ namespace
                   polygon + "-1, 0; 0, -1; 1, 0; 0, 0.1\nClosed = false\n"
                             "Solid side = left",
                   {"crosses or touches itself"});
+    test_error<2>("no shaft",
+                  "Shape = cone\nShaft radius = 1\nLength = 1",
+                  {"<Rigid body: tool/Length> must be more than", "1.732"});
+    test_error<2>("too blunt a tip",
+                  "Shape = wedge\nLength = 1\nTip radius = 1",
+                  {"wedge> with its <Tip radius>", "too short"});
+    test_error<3>("a cylinder without a length",
+                  "Shape = cylinder\nRadius = 1",
+                  {"<Rigid body: tool/Second end> must be another place"});
+    test_error<3>("too large a rounding of a cylinder",
+                  "Shape = cylinder\nSecond end = 0, 1, 0\nRadius = 1\n"
+                  "Edge radius = 0.6",
+                  {"<Rigid body: tool/Edge radius> must exceed neither"});
+    const std::string region = "\nUpper corner = 1, 1";
+    test_error<2>("a formula without a surface",
+                  "Shape = formula\nFormula = 1 + x^2" + region,
+                  {"<Rigid body: tool/Formula> is zero nowhere"});
+    test_error<2>("a formula in t",
+                  "Shape = formula\nFormula = x - t" + region,
+                  {"Rigid body: tool/Formula", "depends on t"});
+    test_error<2>("a formula without a region",
+                  "Shape = formula\nFormula = x",
+                  {"<Rigid body: tool/Upper corner> must exceed"});
   }
 } // namespace
 
@@ -159,5 +265,7 @@ main()
   test_in_the_plane();
   test_polygons();
   test_in_space();
+  test_around_axes();
+  test_formulas();
   test_errors();
 }

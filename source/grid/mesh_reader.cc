@@ -14,6 +14,52 @@
 
 namespace isochor
 {
+  bool
+  find_gmsh_section(std::istream &file, const std::string &title)
+  {
+    file.clear();
+    file.seekg(0);
+    for (std::string line; std::getline(file, line);)
+      if (line.compare(0, title.size(), title) == 0)
+        return true;
+    return false;
+  }
+
+
+
+  double
+  check_gmsh_format(std::istream &file, const std::string &subject)
+  {
+    const std::string expected =
+      "It must be a gmsh .msh file in text form, format 2 or 4.1.";
+    std::string header;
+    std::getline(file, header);
+    if (header.compare(0, 4, "$NOD") == 0)
+      AssertThrow(false,
+                  ExcMessage(subject + "has gmsh's format 1. " + expected));
+    AssertThrow(header.compare(0, 11, "$MeshFormat") == 0,
+                ExcMessage(subject +
+                           "can't be read: it does not start with "
+                           "$MeshFormat. " +
+                           expected));
+    double version   = 0;
+    int    is_binary = 0;
+    file >> version >> is_binary;
+    AssertThrow(is_binary == 0,
+                ExcMessage(subject +
+                           "is binary. Let gmsh write text: 'Mesh.Binary = "
+                           "0;' in the .geo file, or no option -bin."));
+    AssertThrow(file && ((version >= 2 && version < 3) || version == 4.1),
+                ExcMessage(subject + "has format " +
+                           std::to_string(version).substr(0, 3) + ". " +
+                           expected +
+                           " Let gmsh write it with 'Mesh.MshFileVersion = "
+                           "2.2;'."));
+    return version;
+  }
+
+
+
   namespace
   {
     /** What messages start with. */
@@ -26,60 +72,12 @@ namespace isochor
 
 
 
-    /** Put @p file behind the line @p title; false if there is none. */
-    bool
-    find_section(std::istream &file, const std::string &title)
-    {
-      file.clear();
-      file.seekg(0);
-      for (std::string line; std::getline(file, line);)
-        if (line.compare(0, title.size(), title) == 0)
-          return true;
-      return false;
-    }
-
-
-
-    /** The format's version; throws for what can't be read. */
-    double
-    check_format(std::istream &file, const std::string &subject)
-    {
-      const std::string expected =
-        "It must be a gmsh .msh file in text form, format 2 or 4.1.";
-      std::string header;
-      std::getline(file, header);
-      if (header.compare(0, 4, "$NOD") == 0)
-        AssertThrow(false,
-                    ExcMessage(subject + "has gmsh's format 1. " + expected));
-      AssertThrow(header.compare(0, 11, "$MeshFormat") == 0,
-                  ExcMessage(subject +
-                             "can't be read: it does not start with "
-                             "$MeshFormat. " +
-                             expected));
-      double version   = 0;
-      int    is_binary = 0;
-      file >> version >> is_binary;
-      AssertThrow(is_binary == 0,
-                  ExcMessage(subject +
-                             "is binary. Let gmsh write text: 'Mesh.Binary = "
-                             "0;' in the .geo file, or no option -bin."));
-      AssertThrow(file && ((version >= 2 && version < 3) || version == 4.1),
-                  ExcMessage(subject + "has format " +
-                             std::to_string(version).substr(0, 3) + ". " +
-                             expected +
-                             " Let gmsh write it with 'Mesh.MshFileVersion = "
-                             "2.2;'."));
-      return version;
-    }
-
-
-
     /** The gmsh types of the elements in the file. */
     std::set<int>
     element_types(std::istream &file, const double version)
     {
       std::set<int> types;
-      if (!find_section(file, "$Elements"))
+      if (!find_gmsh_section(file, "$Elements"))
         return types;
       std::size_t n = 0, n_blocks = 0;
       std::string line;
@@ -171,7 +169,7 @@ namespace isochor
                         const std::string &subject)
     {
       std::map<std::string, unsigned int> names;
-      if (!find_section(file, "$PhysicalNames"))
+      if (!find_gmsh_section(file, "$PhysicalNames"))
         return names;
       unsigned int n = 0;
       file >> n;
@@ -242,7 +240,7 @@ namespace isochor
                 ExcMessage(name + "can't be opened. Names are relative to the "
                                   "directory in which the program is "
                                   "started."));
-    const double version = check_format(file, name);
+    const double version = check_gmsh_format(file, name);
     check_elements(element_types(file, version), dim, cells, name);
 
     MeshGroups groups;

@@ -71,11 +71,15 @@ namespace isochor
     };
     // how much of both edges the rounding of a corner takes
     std::vector<double> taken(n, 0.);
+    std::vector<bool>   is_straight(n, false);
+    constexpr double    rounding = 1e-12;
     for (unsigned int i = (is_closed ? 0 : 1); i < n_edges; ++i)
       {
         const auto   before = direction(i + n - 1), after = direction(i);
         const double turn = std::atan2(cross(before, after), before * after);
-        taken[i] = turn > 0 ? corners[i].radius * std::tan(turn / 2) : 0.;
+        is_straight[i]    = std::abs(turn) < rounding;
+        if (turn >= rounding)
+          taken[i] = corners[i].radius * std::tan(turn / 2);
       }
     for (unsigned int i = 0; i < n_edges; ++i)
       {
@@ -90,14 +94,16 @@ namespace isochor
                                " that is too short for the rounding of its "
                                "ends."));
         Piece edge;
-        edge.begin           = a + taken[i] * d;
-        edge.end             = b - taken[next] * d;
-        edge.begin_normal    = to_the_right(d);
-        edge.end_normal      = edge.begin_normal;
-        edge.begin_is_open   = !is_closed && i == 0;
-        edge.end_is_open     = !is_closed && i + 1 == n_edges;
-        edge.begin_is_corner = !edge.begin_is_open && taken[i] == 0;
-        edge.end_is_corner   = !edge.end_is_open && taken[next] == 0;
+        edge.begin         = a + taken[i] * d;
+        edge.end           = b - taken[next] * d;
+        edge.begin_normal  = to_the_right(d);
+        edge.end_normal    = edge.begin_normal;
+        edge.begin_is_open = !is_closed && i == 0;
+        edge.end_is_open   = !is_closed && i + 1 == n_edges;
+        edge.begin_is_corner =
+          !edge.begin_is_open && taken[i] == 0 && !is_straight[i];
+        edge.end_is_corner =
+          !edge.end_is_open && taken[next] == 0 && !is_straight[next];
         pieces.push_back(edge);
         if (taken[next] == 0)
           continue;
@@ -196,9 +202,9 @@ namespace isochor
         if (length == 0)
           return at(piece.begin, 0);
         const double s = (x - piece.begin) * edge / length;
-        if (s <= 0 && !piece.begin_is_open)
+        if ((s < 0 || x == piece.begin) && !piece.begin_is_open)
           return at(piece.begin, corner_at_begin);
-        if (s >= length && !piece.end_is_open)
+        if ((s > length || x == piece.end) && !piece.end_is_open)
           return at(piece.end, corner_at_end);
         return at(piece.begin + s / length * edge, 0);
       }
@@ -249,7 +255,9 @@ namespace isochor
     for (unsigned int i = 0; i < pieces.size(); ++i)
       {
         const Candidate candidate = nearest(pieces[i], x);
-        if (candidate.distance < best.distance)
+        // a face rather than its end
+        if (candidate.distance < best.distance ||
+            (candidate.distance == best.distance && candidate.corner == 0))
           {
             best  = candidate;
             index = i;
@@ -307,7 +315,8 @@ namespace isochor
           const Tensor<1, 2> b = Tensor<1, 2>({-a[1], a[0]});
           const double       turn =
             std::atan2(cross(a, piece.end_normal), a * piece.end_normal);
-          const unsigned int n  = std::ceil(turn / step);
+          // an even number: an arc may be cut in its middle
+          const unsigned int n  = 2 * std::ceil(turn / (2 * step));
           const auto         at = [&](const unsigned int k) {
             const double angle = k * turn / n;
             return Point<2>(piece.centre +

@@ -7,6 +7,7 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <iosfwd>
 #include <map>
 #include <string>
 #include <vector>
@@ -33,6 +34,16 @@ namespace isochor
   in_groups(const types::material_id                         id,
             const std::vector<std::string>                  &wanted,
             const std::map<std::string, types::material_id> &ids);
+
+  /** Put @p file, of gmsh, behind the line @p title; false if there is none. */
+  bool
+  find_gmsh_section(std::istream &file, const std::string &title);
+
+  /** The version of the format of a gmsh @p file, 2 or 4.1. @p subject starts
+   * messages: "The mesh file ... ".
+   * @throws ExcMessage for other formats and binary files. */
+  double
+  check_gmsh_format(std::istream &file, const std::string &subject);
 
   /** What a mesh must consist of: triangles or tetrahedra, or quadrilaterals
    * or hexahedra. */
