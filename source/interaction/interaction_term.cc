@@ -250,7 +250,9 @@ namespace isochor
            element.adjoint.empty() ? nullptr : element.adjoint.data()});
         const Interaction<dim> &interaction =
           *interactions[element.partners[chosen]];
-        interaction.partner->motion(place, found, motions);
+        interaction.partner->motion(place,
+                                    interaction.law->is_unilateral(),
+                                    motions);
         for (unsigned int c = 0; c < motions.size(); ++c)
           for (unsigned int a = 0; a < motions[c].size(); ++a)
             kernel.add_partner(first_of_partner[chosen] + c, a, motions[c][a]);

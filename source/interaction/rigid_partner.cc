@@ -4,72 +4,43 @@
  * --------------------------------------------------------------------- */
 #include <isochor/interaction/rigid_partner.h>
 
-#include <cmath>
-
 namespace isochor
 {
   template <int dim>
   void
-  RigidPartner<dim>::declare_parameters(ParameterHandler &prm)
+  RigidPartner<dim>::update(const StepContext<dim> &step,
+                            const NodalField       &unknowns)
   {
-    RigidShape<dim>::declare_shapes(prm);
-    prm.declare_entry("Motion", "", Patterns::Anything(), "Formulas in t.");
+    time       = step.time;
+    increments = rigid->increments(step, unknowns);
+    old_pose   = rigid->body.old_pose();
+    pose       = rigid->body.pose(time, increments);
   }
 
 
 
   template <int dim>
-  RigidPartner<dim>::RigidPartner(ParameterHandler  &prm,
-                                  const std::string &section)
-    : shape(RigidShape<dim>::create(prm, section))
-    , centre(shape->centre())
+  Tensor<1, dim>
+  RigidPartner<dim>::slip(const typename Partner<dim>::SurfacePlace &place,
+                          const Point<dim>                          &y) const
   {
-    const std::vector<std::string> names =
-      dim == 2 ? std::vector<std::string>{"x", "y", "rotation"} :
-                 std::vector<std::string>{"x", "y", "z", "rx", "ry", "rz"};
-    for (const std::string &item :
-         split_formulas(prm.get("Motion"), section + "/Motion"))
-      {
-        const std::size_t equals = item.find('=');
-        const auto        found  = std::find(names.begin(),
-                                     names.end(),
-                                     Utilities::trim(item.substr(0, equals)));
-        AssertThrow(equals != std::string::npos && found != names.end(),
-                    ExcMessage("bad motion"));
-        motion[found - names.begin()].emplace_back(item.substr(equals + 1),
-                                                   section + "/Motion");
-      }
+    const Tensor<1, dim> drift =
+      y - rigid->body.place(rigid->body.original(y, pose), old_pose);
+    return place.slip + place.increment - drift;
   }
 
 
 
   template <int dim>
-  typename RigidPartner<dim>::Pose
-  RigidPartner<dim>::pose(const double time) const
+  Tensor<2, dim>
+  RigidPartner<dim>::slip_by_x(const ClosestPoint<dim> &closest) const
   {
-    Pose       result;
-    const auto value = [&](const unsigned int i) {
-      return motion[i].empty() ? 0. : motion[i].front()(Point<dim>(), time);
-    };
-    for (unsigned int d = 0; d < dim; ++d)
-      result.displacement[d] = value(d);
-    if constexpr (dim == 2)
-      {
-        const double a = value(2), c = std::cos(a), s = std::sin(a);
-        result.rotation = Tensor<2, 2>({{c, -s}, {s, c}});
-      }
-    else
-      {
-        const Tensor<1, 3> v({value(3), value(4), value(5)});
-        const double       a = v.norm();
-        const Tensor<2, 3> W(
-          {{0, -v[2], v[1]}, {v[2], 0, -v[0]}, {-v[1], v[0], 0}});
-        result.rotation = unit_symmetric_tensor<3>();
-        if (a > 0)
-          result.rotation +=
-            std::sin(a) / a * W + (1 - std::cos(a)) / (a * a) * (W * W);
-      }
-    return result;
+    const Tensor<2, dim> one = unit_symmetric_tensor<dim>();
+    const Tensor<2, dim> turned =
+      one - old_pose.rotation * transpose(pose.rotation);
+    return one -
+           turned * (one - outer_product(closest.normal, closest.normal) -
+                     closest.distance * Tensor<2, dim>(closest.curvature));
   }
 
 
@@ -79,26 +50,13 @@ namespace isochor
   RigidPartner<dim>::nearest(
     const typename Partner<dim>::SurfacePlace &place) const
   {
-    const Tensor<2, dim> &R = end.rotation, R_t = transpose(R),
-                         one = unit_symmetric_tensor<dim>();
-    const Point<dim> x       = place.start->x + place.increment;
-    const Point<dim> X =
-      centre + R_t * (x - centre - end.displacement); // in the pose of t = 0
-    const ClosestPoint<dim> closest = shape->closest(X);
-    // the place of the partner has moved by this in the step
-    const Tensor<1, dim> drift =
-      at(end, closest.point) - at(start, closest.point);
-    const Tensor<2, dim> drift_by_x =
-      (R - start.rotation) *
-      (one - outer_product(closest.normal, closest.normal) -
-       closest.distance * Tensor<2, dim>(closest.curvature)) *
-      R_t;
+    const Point<dim>        x       = place.start->x + place.increment;
+    const ClosestPoint<dim> closest = rigid->body.closest(x, pose);
     return nearest_place<dim>(closest.distance,
-                              R * closest.normal,
-                              symmetrize(R * Tensor<2, dim>(closest.curvature) *
-                                         R_t),
-                              place.slip + place.increment - drift,
-                              one - drift_by_x);
+                              closest.normal,
+                              closest.curvature,
+                              slip(place, closest.point),
+                              slip_by_x(closest));
   }
 
 
@@ -111,8 +69,62 @@ namespace isochor
     PartnerPlace<dim> result;
     const Point<dim> &X = place.start->X;
     result.gap_by_x     = unit_symmetric_tensor<dim>();
-    result.gap = place.start->displacement + place.increment - (at(end, X) - X);
+    result.gap          = place.start->displacement + place.increment -
+                 (rigid->body.place(X, pose) - X);
     return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  RigidPartner<dim>::control_vertices(const ActiveNodes<dim> &nodes) const
+  {
+    if (!rigid->body.has_free_components())
+      return {};
+    return {nodes.control_vertex(rigid->first_control_node),
+            nodes.control_vertex(rigid->first_control_node + 1)};
+  }
+
+
+
+  template <int dim>
+  void
+  RigidPartner<dim>::motion(
+    const typename Partner<dim>::SurfacePlace &place,
+    const bool                                 is_unilateral,
+    std::vector<std::vector<typename InteractionKernel<dim>::PartnerMotion>>
+      &motions) const
+  {
+    motions.clear();
+    if (!rigid->body.has_free_components())
+      return;
+    const Point<dim>        x       = place.start->x + place.increment;
+    const ClosestPoint<dim> closest = rigid->body.closest(x, pose);
+    const Point<dim>        y =
+      is_unilateral ? closest.point : rigid->body.place(place.start->X, pose);
+    const auto moves = rigid->body.motion(y, time, increments);
+    const auto turns = rigid->body.normal_change(x, closest, time, increments);
+    const Tensor<1, dim> &n   = closest.normal;
+    const Tensor<1, dim>  s   = slip(place, closest.point);
+    const Tensor<2, dim>  s_x = slip_by_x(closest);
+    motions.resize(2);
+    for (unsigned int i = 0; i < RigidBody<dim>::n_components; ++i)
+      {
+        typename InteractionKernel<dim>::PartnerMotion motion;
+        motion.place = moves[i] / rigid->scale(i);
+        if (is_unilateral)
+          {
+            // the spin of n, apart from its change with the place
+            motion.normal = turns[i] / rigid->scale(i) +
+                            Tensor<2, dim>(closest.curvature) * motion.place;
+            Tensor<1, dim> with_slip = s_x * motion.place - motion.place;
+            with_slip -= (with_slip * n) * n;
+            motion.gap = (closest.distance - s * n) * motion.normal -
+                         (s * motion.normal) * n + with_slip;
+          }
+        motions[i < dim ? 0 : 1].push_back(motion);
+      }
   }
 
 

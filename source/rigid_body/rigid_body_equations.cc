@@ -213,17 +213,23 @@ namespace isochor
 
   template <int dim>
   void
-  RigidBody<dim>::set_statistics(Statistics &statistics) const
+  RigidBody<dim>::set_statistics(const double      time,
+                                 const Components &increments,
+                                 Statistics       &statistics) const
   {
+    const Tensor<1, dim> u =
+      old.displacement + translation_increment(time, increments);
+    const Vector3 total =
+      total_rotation(time, rotation_increment(time, increments));
     for (unsigned int d = 0; d < dim; ++d)
       statistics.set("Translation " + component_names()[d] + " of rigid body " +
                        own_name + " (m)",
-                     old.displacement[d]);
+                     u[d]);
     for (unsigned int r = 0; r < n_rotations; ++r)
       statistics.set("Rotation" +
                        (dim == 2 ? "" : std::string(" ") + "xyz"[r]) +
                        " of rigid body " + own_name + " (rad)",
-                     old.total[axis(r)]);
+                     total[axis(r)]);
   }
 
 
@@ -277,7 +283,9 @@ namespace isochor
   template void
   RigidBody<2>::advance(const double, const RigidScheme &, const Components &);
   template void
-  RigidBody<2>::set_statistics(Statistics &) const;
+  RigidBody<2>::set_statistics(const double,
+                               const Components &,
+                               Statistics &) const;
   template std::string
   RigidBody<2>::save_state() const;
   template void
@@ -294,7 +302,9 @@ namespace isochor
   template void
   RigidBody<3>::advance(const double, const RigidScheme &, const Components &);
   template void
-  RigidBody<3>::set_statistics(Statistics &) const;
+  RigidBody<3>::set_statistics(const double,
+                               const Components &,
+                               Statistics &) const;
   template std::string
   RigidBody<3>::save_state() const;
   template void

@@ -201,7 +201,7 @@ namespace isochor
     for (const NamedSection &entry : sections.rigid_bodies)
       {
         prm.enter_subsection(entry.section);
-        RigidPartner<dim>::declare_parameters(prm);
+        RigidBody<dim>::declare_parameters(prm);
         prm.leave_subsection();
       }
   }
@@ -338,6 +338,18 @@ namespace isochor
   void
   Scene<dim>::parse_interactions(ParameterHandler &prm)
   {
+    typename RigidBodyTerm<dim>::Bodies rigid_bodies;
+    for (const auto &path : ParameterList(prm).subsections)
+      if (path.size() == 1 && path.front().rfind("Rigid body: ", 0) == 0)
+        {
+          rigid_bodies.push_back(
+            std::make_shared<RigidBodyInScene<dim>>(path.front()));
+          prm.enter_subsection(path.front());
+          rigid_bodies.back()->body.parse_parameters(prm);
+          prm.leave_subsection();
+          if (has_inertia())
+            rigid_bodies.back()->body.check_inertia();
+        }
     std::vector<std::unique_ptr<Interaction<dim>>> of_bodies, of_others;
     std::string                                    asked_by;
     if (points.bodies().are_named())
@@ -349,14 +361,14 @@ namespace isochor
           auto interaction =
             std::make_unique<Interaction<dim>>(prm, path.front());
           prm.leave_subsection();
-          const std::string rigid = "Rigid body: " + interaction->partner_name;
-          if (prm.subsection_path_exists({rigid}))
-            {
-              prm.enter_subsection(rigid);
-              interaction->partner =
-                std::make_unique<RigidPartner<dim>>(prm, rigid);
-              prm.leave_subsection();
-            }
+          const auto rigid =
+            std::find_if(rigid_bodies.begin(),
+                         rigid_bodies.end(),
+                         [&](const auto &one) {
+                           return one->body.name() == interaction->partner_name;
+                         });
+          if (rigid != rigid_bodies.end())
+            interaction->partner = std::make_unique<RigidPartner<dim>>(*rigid);
           (interaction->partner ? of_others : of_bodies)
             .push_back(std::move(interaction));
           asked_by = "section <" + path.front() + ">";
@@ -372,6 +384,9 @@ namespace isochor
                   "The " + asked_by +
                   " needs <Quadrature/Type = CPDI>: only its "
                   "subdomains have the surface of the body as faces."));
+    if (!rigid_bodies.empty())
+      boundary_conditions.push_back(
+        std::make_unique<RigidBodyTerm<dim>>(rigid_bodies));
     if (!of_others.empty())
       {
         points.keep_surface();

@@ -52,22 +52,18 @@ namespace isochor
       return {};
     }
 
-    /** How unknowns at the control nodes move the partner at the place that was
-     * asked for last: by node, by component. */
+    /** How unknowns at the control nodes move the partner where it meets
+     * @p place, at the nearest place or at the original one: by node, by
+     * component. */
     virtual void
     motion(
       const SurfacePlace & /*place*/,
-      const PartnerPlace<dim> & /*found*/,
+      const bool /*is_nearest*/,
       std::vector<std::vector<typename InteractionKernel<dim>::PartnerMotion>>
         &motions) const
     {
       motions.clear();
     }
-
-    /** The force on the partner at @p x (N). */
-    virtual void
-    add_force(const Point<dim> & /*x*/, const Tensor<1, dim> & /*force*/)
-    {}
   };
 
   /** What is left of the distance of a place x from the nearest place of a

@@ -5,52 +5,51 @@
 #ifndef isochor_rigid_partner_h
 #define isochor_rigid_partner_h
 
-#include <isochor/base/expression.h>
 #include <isochor/interaction/partner.h>
-#include <isochor/rigid_body/rigid_shape.h>
+#include <isochor/interaction/rigid_body_term.h>
 
 #include <memory>
-#include <string>
 
 namespace isochor
 {
+  /** A rigid body as what a surface interacts with. */
   template <int dim>
   class RigidPartner : public Partner<dim>
   {
   public:
-    static void
-    declare_parameters(ParameterHandler &prm);
-    RigidPartner(ParameterHandler &prm, const std::string &section);
+    explicit RigidPartner(const std::shared_ptr<RigidBodyInScene<dim>> &rigid)
+      : rigid(rigid)
+    {}
 
     void
-    update(const StepContext<dim> &step, const NodalField &) override
-    {
-      start = pose(step.old_time);
-      end   = pose(step.time);
-    }
+    update(const StepContext<dim> &step, const NodalField &unknowns) override;
     PartnerPlace<dim>
     nearest(const typename Partner<dim>::SurfacePlace &place) const override;
     PartnerPlace<dim>
     original(const typename Partner<dim>::SurfacePlace &place) const override;
+    std::vector<unsigned int>
+    control_vertices(const ActiveNodes<dim> &nodes) const override;
+    void
+    motion(
+      const typename Partner<dim>::SurfacePlace &place,
+      const bool                                 is_unilateral,
+      std::vector<std::vector<typename InteractionKernel<dim>::PartnerMotion>>
+        &motions) const override;
 
   private:
-    struct Pose
-    {
-      Tensor<1, dim> displacement;
-      Tensor<2, dim> rotation;
-    };
-    Pose
-    pose(const double time) const;
+    /** How the slip changes with x, see nearest_place(). */
+    Tensor<2, dim>
+    slip_by_x(const ClosestPoint<dim> &closest) const;
+    /** What the place has slipped on the rigid body, of which it is nearest to
+     * what is at @p y. */
     Tensor<1, dim>
-    at(const Pose &pose, const Point<dim> &X) const
-    {
-      return centre + pose.displacement + pose.rotation * (X - centre);
-    }
+    slip(const typename Partner<dim>::SurfacePlace &place,
+         const Point<dim>                          &y) const;
 
-    std::unique_ptr<RigidShape<dim>>                                   shape;
-    Point<dim>                                                         centre;
-    std::array<std::vector<Expression<dim>>, dim + (dim == 2 ? 1 : 3)> motion;
-    Pose start, end;
+    const std::shared_ptr<RigidBodyInScene<dim>> rigid;
+    double                                       time = 0;
+    typename RigidBody<dim>::Components          increments{};
+    RigidPose<dim>                               old_pose, pose;
   };
 } // namespace isochor
 

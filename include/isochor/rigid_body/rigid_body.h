@@ -178,10 +178,12 @@ namespace isochor
             const RigidScheme &scheme,
             const Components  &increments);
 
-    /** The displacement and rotation at the start of the step; after advance(),
-     * at its end. */
+    /** The displacement and rotation at the end of the step, before advance().
+     */
     void
-    set_statistics(Statistics &statistics) const;
+    set_statistics(const double      time,
+                   const Components &increments,
+                   Statistics       &statistics) const;
     std::string
     save_state() const;
     void
