@@ -76,12 +76,12 @@ namespace
     const auto body = make_body<2>(
       box2 + "Reference point = 2, 1\nMotion = y = -0.1*t, rotation = pi*t/4");
     const auto     pose = body->prescribed_pose(2);
-    const Point<2> x    = body->place({1, 1}, pose);
+    const Point<2> x    = pose.place({1, 1});
     test::report("a place that turns by 90 degrees and moves",
                  x.distance(Point<2>(2, -0.2)) < 1e-14,
                  std::to_string(x[0]) + ", " + std::to_string(x[1]));
     test::report("back to where it was",
-                 body->original(x, pose).distance({1, 1}) < 1e-14,
+                 pose.original(x).distance({1, 1}) < 1e-14,
                  "");
     test::test_shape<2>(Posed<2>(*body, body->prescribed_pose(0.7)),
                         {"a box that has moved", {2, 0}, 2});
@@ -111,17 +111,17 @@ namespace
     // of a place that is 2 m from the centre of a turn of 1 rad/s
     const auto wheel =
       make_body<2>(box2 + "Reference point = 0, 0\nMotion = rotation = t");
-    const auto v = wheel->velocity({2, 0}, wheel->prescribed_pose(1e-6), 1e-6);
+    const auto v = wheel->move(1e-6, {}).velocity({2, 0}, 1e-6);
     test::report("velocity of a place",
                  (v - Tensor<1, 2>({0, 2})).norm() < 1e-5,
                  std::to_string(v[1]));
   }
 
   template <int dim>
-  typename RigidBody<dim>::Components
+  typename RigidComponents<dim>::Values
   random_components(test::Random &random, const double size)
   {
-    typename RigidBody<dim>::Components c;
+    typename RigidComponents<dim>::Values c;
     for (double &value : c)
       value = size * random();
     return c;
@@ -149,7 +149,7 @@ namespace
   void
   test_derivatives()
   {
-    constexpr unsigned int n  = RigidBody<dim>::n_components;
+    constexpr unsigned int n  = RigidComponents<dim>::n;
     const double           dt = 0.1, time = 0.2, h = 1e-5;
     test::Random           random;
     test::WorstError       motion, second, distance, normal, matrix;
@@ -164,32 +164,32 @@ namespace
           Point<dim> X;
           for (unsigned int d = 0; d < dim; ++d)
             X[d] = 4 * random();
-          const auto x     = body->place(X, body->pose(time, c));
-          const auto at_x  = body->closest(x, body->pose(time, c));
-          const auto moves = body->motion(x, time, c);
-          const auto turns = body->normal_change(x, at_x, time, c);
-          typename RigidBody<dim>::Components residual, ends[2];
-          typename RigidBody<dim>::Matrix     K, ignored;
+          const RigidMove<dim> move  = body->move(time, c);
+          const auto           x     = move.pose().place(X);
+          const auto           at_x  = body->closest(x, move.pose());
+          const auto           moves = move.motion(x);
+          const auto           turns = move.normal_change(x, at_x);
+          typename RigidComponents<dim>::Values residual, ends[2];
+          typename RigidComponents<dim>::Matrix K, ignored;
           body->equations(time, scheme, c, residual, K);
           for (unsigned int j = 0; j < n; ++j)
             {
               auto plus = c, minus = c;
               plus[j] += h;
               minus[j] -= h;
-              const auto pose_p = body->pose(time, plus),
-                         pose_m = body->pose(time, minus);
-              const auto x_p    = body->place(X, pose_p),
-                         x_m    = body->place(X, pose_m);
+              const auto move_p = body->move(time, plus),
+                         move_m = body->move(time, minus);
+              const auto x_p    = move_p.pose().place(X),
+                         x_m    = move_m.pose().place(X);
               motion.add((moves[j] - (x_p - x_m) / (2 * h)).norm(), "x");
-              const auto m_p = body->motion(x_p, time, plus),
-                         m_m = body->motion(x_m, time, minus);
+              const auto m_p = move_p.motion(x_p), m_m = move_m.motion(x_m);
               for (unsigned int i = 0; i < n; ++i)
-                second.add((body->second_motion(x, time, c, i, j) -
+                second.add((move.second_motion(x, i, j) -
                             (m_p[i] - m_m[i]) / (2 * h))
                              .norm(),
                            "x");
-              const auto n_p = body->closest(x, pose_p),
-                         n_m = body->closest(x, pose_m);
+              const auto n_p = body->closest(x, move_p.pose()),
+                         n_m = body->closest(x, move_m.pose());
               // where a face ends the normal has a kink
               if ((n_p.curvature - n_m.curvature).norm() < 1e-2 &&
                   (n_p.normal - n_m.normal).norm() < 1e-2)
@@ -224,9 +224,9 @@ namespace
   void
   step(RigidBody<dim> &body, const double time, const RigidScheme &scheme)
   {
-    constexpr unsigned int              n = RigidBody<dim>::n_components;
-    typename RigidBody<dim>::Components c{}, residual;
-    typename RigidBody<dim>::Matrix     K;
+    constexpr unsigned int                n = RigidComponents<dim>::n;
+    typename RigidComponents<dim>::Values c{}, residual;
+    typename RigidComponents<dim>::Matrix K;
     for (unsigned int iteration = 0; iteration < 10; ++iteration)
       {
         body.equations(time, scheme, c, residual, K);
@@ -271,7 +271,7 @@ namespace
                    std::abs(pose.displacement[0] - 2) < 1e-12,
                  std::to_string(pose.displacement[1]));
     Statistics statistics;
-    body->set_statistics(statistics);
+    body->set_statistics(2, {}, statistics);
     const double angle = 2 + 6 * 2;
     test::report("a constant moment",
                  std::abs(statistics.get("Rotation of rigid body tool (rad)") -
@@ -317,7 +317,7 @@ namespace
     for (unsigned int k = 1; k <= 40; ++k)
       step(*body, 0.1 * k, RigidScheme::newmark(0.25, 0.5, 0.1));
     Statistics statistics;
-    body->set_statistics(statistics);
+    body->set_statistics(4, {}, statistics);
     test::report(
       "turns are counted in space",
       std::abs(statistics.get("Rotation z of rigid body tool (rad)") - 20) <

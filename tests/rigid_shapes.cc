@@ -6,6 +6,7 @@
 // Shapes of rigid bodies: distances against those of their facets, normals and
 // curvatures against differences, signs against winding numbers, and errors.
 
+#include "../doc/plugins/capsule.cc"
 #include "rigid_shape_tools.h"
 
 using namespace isochor;
@@ -145,6 +146,18 @@ namespace
                  std::to_string(tip.distance));
   }
 
+  /** The example of doc/extending.md. */
+  void
+  test_plugin()
+  {
+    const std::string capsule =
+      "Shape = capsule\nSegment = -1, 1, 0.5\nRadius = 0.4\n";
+    test::test_shape<2>(*test::make_shape<2>(capsule),
+                        {"capsule", {0, 0.5}, 1.2, 1e-3});
+    test::test_shape<3>(*test::make_shape<3>(capsule),
+                        {"capsule in space", {0, 0.5, 0}, 0.9, 3e-3, 60});
+  }
+
   void
   test_formulas()
   {
@@ -266,6 +279,7 @@ main()
   test_polygons();
   test_in_space();
   test_around_axes();
+  test_plugin();
   test_formulas();
   test_errors();
 }

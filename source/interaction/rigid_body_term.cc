@@ -55,7 +55,7 @@ namespace isochor
         {
           ControlNode<dim> node;
           node.position =
-            one->body.place(one->body.shape().centre(), one->body.old_pose());
+            one->body.old_pose().place(one->body.shape().centre());
           nodes.push_back(node);
           node.rotation_arm = one->arm;
           nodes.push_back(node);

@@ -11,10 +11,8 @@ namespace isochor
   RigidPartner<dim>::update(const StepContext<dim> &step,
                             const NodalField       &unknowns)
   {
-    time       = step.time;
-    increments = rigid->increments(step, unknowns);
-    old_pose   = rigid->body.old_pose();
-    pose       = rigid->body.pose(time, increments);
+    move = std::make_unique<RigidMove<dim>>(
+      rigid->body.move(step.time, rigid->increments(step, unknowns)));
   }
 
 
@@ -25,7 +23,7 @@ namespace isochor
                           const Point<dim>                          &y) const
   {
     const Tensor<1, dim> drift =
-      y - rigid->body.place(rigid->body.original(y, pose), old_pose);
+      y - move->old_pose().place(move->pose().original(y));
     return place.slip + place.increment - drift;
   }
 
@@ -37,7 +35,7 @@ namespace isochor
   {
     const Tensor<2, dim> one = unit_symmetric_tensor<dim>();
     const Tensor<2, dim> turned =
-      one - old_pose.rotation * transpose(pose.rotation);
+      one - move->old_pose().rotation * transpose(move->pose().rotation);
     return one -
            turned * (one - outer_product(closest.normal, closest.normal) -
                      closest.distance * Tensor<2, dim>(closest.curvature));
@@ -51,7 +49,7 @@ namespace isochor
     const typename Partner<dim>::SurfacePlace &place) const
   {
     const Point<dim>        x       = place.start->x + place.increment;
-    const ClosestPoint<dim> closest = rigid->body.closest(x, pose);
+    const ClosestPoint<dim> closest = rigid->body.closest(x, move->pose());
     return nearest_place<dim>(closest.distance,
                               closest.normal,
                               closest.curvature,
@@ -69,8 +67,8 @@ namespace isochor
     PartnerPlace<dim> result;
     const Point<dim> &X = place.start->X;
     result.gap_by_x     = unit_symmetric_tensor<dim>();
-    result.gap          = place.start->displacement + place.increment -
-                 (rigid->body.place(X, pose) - X);
+    result.gap =
+      place.start->displacement + place.increment - (move->pose().place(X) - X);
     return result;
   }
 
@@ -100,14 +98,14 @@ namespace isochor
     if (!rigid->body.has_free_components())
       return;
     const Point<dim>        x       = place.start->x + place.increment;
-    const ClosestPoint<dim> closest = rigid->body.closest(x, pose);
+    const ClosestPoint<dim> closest = rigid->body.closest(x, move->pose());
     const Point<dim>        y =
-      is_unilateral ? closest.point : rigid->body.place(place.start->X, pose);
-    const auto moves = rigid->body.motion(y, time, increments);
-    const auto turns = rigid->body.normal_change(x, closest, time, increments);
-    const Tensor<1, dim> &n   = closest.normal;
-    const Tensor<1, dim>  s   = slip(place, closest.point);
-    const Tensor<2, dim>  s_x = slip_by_x(closest);
+      is_unilateral ? closest.point : move->pose().place(place.start->X);
+    const auto            moves = move->motion(y);
+    const auto            turns = move->normal_change(x, closest);
+    const Tensor<1, dim> &n     = closest.normal;
+    const Tensor<1, dim>  s     = slip(place, closest.point);
+    const Tensor<2, dim>  s_x   = slip_by_x(closest);
     motions.resize(2);
     for (unsigned int i = 0; i < RigidBody<dim>::n_components; ++i)
       {

@@ -2,187 +2,131 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/grid/lattice_source.h>
 #include <isochor/rigid_body/rigid_body.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
 namespace isochor
 {
-  RigidScheme
-  RigidScheme::newmark(const double beta,
-                       const double gamma,
-                       const double dt,
-                       const double alpha)
+  namespace
   {
-    Assert(beta > 0 && dt > 0, ExcMessage("There is no such scheme."));
-    RigidScheme scheme;
-    scheme.acceleration = {
-      {1 / (beta * dt * dt), -1 / (beta * dt), 1 - 0.5 / beta}};
-    scheme.velocity = {
-      {gamma / (beta * dt), 1 - gamma / beta, dt * (1 - 0.5 * gamma / beta)}};
-    for (unsigned int k = 0; k < 3; ++k)
-      scheme.inertia[k] =
-        (1 - alpha) * scheme.acceleration[k] + (k == 2 ? alpha : 0.);
-    return scheme;
+    /** The rotation by a vector, in 2D about the third axis. */
+    template <int dim>
+    Tensor<2, dim>
+    rotation_by(const Tensor<1, 3> &vector)
+    {
+      const Tensor<2, 3> R = FiniteRotation(vector).matrix();
+      Tensor<2, dim>     result;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          result[i][j] = R[i][j];
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  RigidBody<dim>::RigidBody(const std::string &section)
+    : section(section)
+    , own_name(section.substr(
+        section.find(": ") == std::string::npos ? 0 : section.find(": ") + 2))
+  {}
+
+
+
+  template <int dim>
+  void
+  RigidBody<dim>::declare_parameters(ParameterHandler &prm)
+  {
+    RigidShape<dim>::declare_shapes(prm);
+    prm.declare_entry("Reference point",
+                      "",
+                      Patterns::List(Patterns::Double(), 0, dim),
+                      "The point (m) that moves by x and y (and z), that "
+                      "rotations and moments are about, and that is the centre "
+                      "of mass. Empty: the centre of the shape.");
+    RigidMotion<dim>::declare_parameters(prm);
+    RigidInertia<dim>::declare_parameters(prm);
   }
 
 
 
   template <int dim>
-  bool
-  RigidBody<dim>::has_free_components() const
+  void
+  RigidBody<dim>::parse_parameters(ParameterHandler &prm)
   {
-    return std::any_of(free.begin(), free.end(), [](const bool is_free) {
-      return is_free;
-    });
+    own_shape        = RigidShape<dim>::create(prm, section);
+    pose_n.reference = prm.get("Reference point").empty() ?
+                         own_shape->centre() :
+                         parse_point<dim>(prm.get("Reference point"),
+                                          section + "/Reference point");
+    motion.parse_parameters(prm, section);
+    inertia.parse_parameters(prm, section, motion);
+    const Components start = motion.prescribed(0);
+    pose_n.displacement    = RigidComponents<dim>::translation(start);
+    total                  = RigidComponents<dim>::rotation(start);
+    pose_n.rotation        = rotation_by<dim>(total);
+    inertia.start(motion.loads(0), rotation_in_space(), motion);
   }
 
 
 
   template <int dim>
-  double
-  RigidBody<dim>::at(const Formula &formula, const double time)
+  std::set<std::string>
+  RigidBody<dim>::parameters_in_use() const
   {
-    return formula ? (*formula)(Point<dim>(), time) : 0.;
+    std::set<std::string> names = own_shape->parameters_in_use();
+    names.insert({"Shape", "Reference point", "Motion", "Free"});
+    if (motion.has_free_components())
+      names.insert(
+        {"Force", "Moment", "Mass", "Moment of inertia", "Initial velocity"});
+    return names;
   }
 
 
 
   template <int dim>
-  typename RigidBody<dim>::Vector3
-  RigidBody<dim>::in_space(const Tensor<1, dim> &v)
+  Tensor<2, 3>
+  RigidBody<dim>::rotation_in_space() const
   {
-    Vector3 result;
-    for (unsigned int d = 0; d < dim; ++d)
-      result[d] = v[d];
-    return result;
+    Tensor<2, 3> R = unit_symmetric_tensor<3>();
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        R[i][j] = pose_n.rotation[i][j];
+    return R;
   }
 
 
 
   template <int dim>
-  Tensor<1, dim>
-  RigidBody<dim>::in_plane(const Vector3 &v)
+  typename RigidBody<dim>::Components
+  RigidBody<dim>::complete(const double      time,
+                           const Components &increments) const
   {
-    Tensor<1, dim> result;
-    for (unsigned int d = 0; d < dim; ++d)
-      result[d] = v[d];
-    return result;
-  }
-
-
-
-  template <int dim>
-  bool
-  RigidBody<dim>::rotation_is_free() const
-  {
-    return std::any_of(free.begin() + dim, free.end(), [](const bool is_free) {
-      return is_free;
-    });
-  }
-
-
-
-  template <int dim>
-  typename RigidBody<dim>::Vector3
-  RigidBody<dim>::prescribed_rotation(const double time) const
-  {
-    Vector3 result;
-    for (unsigned int r = 0; r < n_rotations; ++r)
-      result[axis(r)] = at(motions[dim + r], time);
-    return result;
-  }
-
-
-
-  template <int dim>
-  Tensor<1, dim>
-  RigidBody<dim>::translation_increment(const double      time,
-                                        const Components &increments) const
-  {
-    Tensor<1, dim> result;
-    for (unsigned int d = 0; d < dim; ++d)
-      result[d] =
-        free[d] ? increments[d] : at(motions[d], time) - old.displacement[d];
-    return result;
-  }
-
-
-
-  template <int dim>
-  typename RigidBody<dim>::Vector3
-  RigidBody<dim>::rotation_increment(const double      time,
-                                     const Components &increments) const
-  {
-    if (!rotation_is_free())
+    const Components now = motion.prescribed(time),
+                     old = motion.prescribed(old_time);
+    Components result;
+    for (unsigned int c = 0; c < n_components; ++c)
+      if (motion.is_free(c))
+        result[c] = increments[c];
+      else if (c < dim)
+        result[c] = now[c] - pose_n.displacement[c];
+      else
+        result[c] = now[c] - old[c];
+    if (dim == 3 && !motion.has_free_rotations())
       {
-        // not to lose turns, which a rotation matrix doesn't count
-        if (dim == 2)
-          return prescribed_rotation(time) - old.total;
-        return FiniteRotation::vector_of(
-          FiniteRotation(prescribed_rotation(time)).matrix() *
-          transpose(old.rotation));
+        // the turn from the old to the new rotation
+        const Tensor<1, 3> turn = FiniteRotation::vector_of(
+          FiniteRotation(RigidComponents<dim>::rotation(now)).matrix() *
+          transpose(rotation_in_space()));
+        for (unsigned int r = 0; r < n_rotations; ++r)
+          result[dim + r] = turn[r];
       }
-    Vector3 theta = prescribed_rotation(time) - prescribed_rotation(old.time);
-    for (unsigned int r = 0; r < n_rotations; ++r)
-      if (free[dim + r])
-        theta[axis(r)] = increments[dim + r];
-    return theta;
-  }
-
-
-
-  template <int dim>
-  RigidPose<dim>
-  RigidBody<dim>::old_pose() const
-  {
-    RigidPose<dim> pose;
-    pose.displacement = old.displacement;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        pose.rotation[i][j] = old.rotation[i][j];
-    return pose;
-  }
-
-
-
-  template <int dim>
-  RigidPose<dim>
-  RigidBody<dim>::pose(const double time, const Components &increments) const
-  {
-    RigidPose<dim> pose;
-    pose.displacement =
-      old.displacement + translation_increment(time, increments);
-    const Tensor<2, 3> R =
-      FiniteRotation(rotation_increment(time, increments)).matrix() *
-      old.rotation;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        pose.rotation[i][j] = R[i][j];
-    return pose;
-  }
-
-
-
-  template <int dim>
-  Point<dim>
-  RigidBody<dim>::place(const Point<dim> &X, const RigidPose<dim> &pose) const
-  {
-    return reference + pose.displacement + pose.rotation * (X - reference);
-  }
-
-
-
-  template <int dim>
-  Point<dim>
-  RigidBody<dim>::original(const Point<dim>     &x,
-                           const RigidPose<dim> &pose) const
-  {
-    return reference +
-           transpose(pose.rotation) * (x - reference - pose.displacement);
+    return result;
   }
 
 
@@ -191,9 +135,9 @@ namespace isochor
   ClosestPoint<dim>
   RigidBody<dim>::closest(const Point<dim> &x, const RigidPose<dim> &pose) const
   {
-    ClosestPoint<dim>     result = own_shape->closest(original(x, pose));
+    ClosestPoint<dim>     result = own_shape->closest(pose.original(x));
     const Tensor<2, dim> &R      = pose.rotation;
-    result.point                 = place(result.point, pose);
+    result.point                 = pose.place(result.point);
     result.normal                = R * result.normal;
     result.curvature =
       symmetrize(R * Tensor<2, dim>(result.curvature) * transpose(R));
@@ -203,94 +147,117 @@ namespace isochor
 
 
   template <int dim>
-  Tensor<1, dim>
-  RigidBody<dim>::velocity(const Point<dim>     &x,
-                           const RigidPose<dim> &pose,
-                           const double          dt) const
+  void
+  RigidBody<dim>::equations(const double       time,
+                            const RigidScheme &scheme,
+                            const Components  &increments,
+                            Components        &residual,
+                            Matrix            &matrix) const
   {
-    return (x - place(original(x, pose), old_pose())) / dt;
+    inertia.equations(scheme,
+                      complete(time, increments),
+                      motion.loads(time),
+                      rotation_in_space(),
+                      motion,
+                      residual,
+                      matrix);
   }
 
 
 
   template <int dim>
-  std::array<typename RigidBody<dim>::Vector3, RigidBody<dim>::n_rotations>
-  RigidBody<dim>::spins(const Vector3 &theta) const
+  Tensor<1, 3>
+  RigidBody<dim>::total_after(const double      time,
+                              const Components &increments) const
   {
-    // the columns of T by the rows of its transpose
-    const FiniteRotation             rotation(theta);
-    std::array<Vector3, n_rotations> result;
-    for (unsigned int k = 0; k < 3; ++k)
-      {
-        Vector3 e;
-        e[k]                 = 1;
-        const Vector3 pulled = rotation.pull_back(e);
-        for (unsigned int r = 0; r < n_rotations; ++r)
-          result[r][k] = pulled[axis(r)];
-      }
-    return result;
+    const Tensor<1, 3> theta = RigidComponents<dim>::rotation(increments);
+    if (!motion.has_free_rotations())
+      return RigidComponents<dim>::rotation(motion.prescribed(time));
+    if (dim == 2)
+      return total + theta;
+    // of the rotation vectors of the same rotation that nearest to the last
+    const Tensor<1, 3> v = FiniteRotation::vector_of(
+      FiniteRotation(theta).matrix() * rotation_in_space());
+    const double angle = v.norm();
+    if (angle == 0)
+      return v;
+    const Tensor<1, 3> n = v / angle;
+    const double turns   = std::round((total * n - angle) / (2 * numbers::PI));
+    return (angle + 2 * numbers::PI * turns) * n;
   }
 
 
 
   template <int dim>
-  std::array<Tensor<1, dim>, RigidBody<dim>::n_components>
-  RigidBody<dim>::motion(const Point<dim> &x,
-                         const double      time,
-                         const Components &increments) const
+  void
+  RigidBody<dim>::advance(const double       time,
+                          const RigidScheme &scheme,
+                          const Components  &increments)
   {
-    std::array<Tensor<1, dim>, n_components> result;
+    const Components all = complete(time, increments);
+    inertia.advance(scheme, all, rotation_in_space());
+    total = total_after(time, all);
+    pose_n.displacement += RigidComponents<dim>::translation(all);
+    pose_n.rotation = rotation_by<dim>(total);
+    old_time        = time;
+  }
+
+
+
+  template <int dim>
+  void
+  RigidBody<dim>::set_statistics(const double      time,
+                                 const Components &increments,
+                                 Statistics       &statistics) const
+  {
+    const Components     all = complete(time, increments);
+    const Tensor<1, dim> u =
+      pose_n.displacement + RigidComponents<dim>::translation(all);
+    const Tensor<1, 3> turn = total_after(time, all);
     for (unsigned int d = 0; d < dim; ++d)
-      result[d][d] = 1;
-    const auto    spin = spins(rotation_increment(time, increments));
-    const Vector3 arm =
-      in_space(x - reference - pose(time, increments).displacement);
+      statistics.set(std::string("Translation ") + "xyz"[d] +
+                       " of rigid body " + own_name + " (m)",
+                     u[d]);
     for (unsigned int r = 0; r < n_rotations; ++r)
-      result[dim + r] = in_plane(cross_product_3d(spin[r], arm));
-    return result;
+      statistics.set("Rotation" +
+                       (dim == 2 ? "" : std::string(" ") + "xyz"[r]) +
+                       " of rigid body " + own_name + " (rad)",
+                     turn[RigidComponents<dim>::axis(r)]);
   }
 
 
 
   template <int dim>
-  Tensor<1, dim>
-  RigidBody<dim>::second_motion(const Point<dim>  &x,
-                                const double       time,
-                                const Components  &increments,
-                                const unsigned int i,
-                                const unsigned int j) const
+  std::string
+  RigidBody<dim>::save_state() const
   {
-    if (i < dim || j < dim)
-      return Tensor<1, dim>();
-    // x - c - u = exp(θ) (arm at the start of the step)
-    const FiniteRotation turn(rotation_increment(time, increments));
-    const Vector3        arm =
-      transpose(turn.matrix()) *
-      in_space(x - reference - pose(time, increments).displacement);
-    return in_plane(turn.second_derivative(axis(i - dim), axis(j - dim), arm));
+    std::ostringstream state;
+    state.precision(std::numeric_limits<double>::max_digits10);
+    state << old_time << ' ' << pose_n.displacement << ' ' << pose_n.rotation
+          << ' ' << total << ' ';
+    inertia.save(state);
+    return state.str();
   }
 
 
 
   template <int dim>
-  std::array<Tensor<1, dim>, RigidBody<dim>::n_components>
-  RigidBody<dim>::normal_change(const Point<dim>        &x,
-                                const ClosestPoint<dim> &closest,
-                                const double             time,
-                                const Components        &increments) const
+  void
+  RigidBody<dim>::load_state(const std::string &text)
   {
-    // n(x) = R n_0(X(x)): it spins, and x moves backwards along the surface
-    const auto moves = motion(x, time, increments);
-    const auto spin  = spins(rotation_increment(time, increments));
-    std::array<Tensor<1, dim>, n_components> result;
-    for (unsigned int c = 0; c < n_components; ++c)
-      {
-        result[c] = -(closest.curvature * moves[c]);
-        if (c >= dim)
-          result[c] +=
-            in_plane(cross_product_3d(spin[c - dim], in_space(closest.normal)));
-      }
-    return result;
+    std::istringstream state(text);
+    state >> old_time;
+    for (unsigned int d = 0; d < dim; ++d)
+      state >> pose_n.displacement[d];
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        state >> pose_n.rotation[i][j];
+    for (unsigned int i = 0; i < 3; ++i)
+      state >> total[i];
+    inertia.load(state);
+    AssertThrow(state,
+                ExcMessage("The state of <" + section +
+                           "> in the checkpoint is incomplete."));
   }
 
 
@@ -302,7 +269,7 @@ namespace isochor
     auto facets = own_shape->surface(reach);
     for (auto &facet : facets)
       for (Point<dim> &corner : facet)
-        corner = place(corner, pose);
+        corner = pose.place(corner);
     return facets;
   }
 

@@ -116,6 +116,25 @@ namespace isochor
     template <unsigned int n_nodes>
     using Elements = std::vector<std::array<std::size_t, n_nodes>>;
 
+    /** Throw for elements that are no part of a surface or of what it encloses.
+     */
+    template <int dim>
+    void
+    check_type(const int type, const std::string &subject)
+    {
+      // gmsh's types: 1 line, 2 triangle, 4 tetrahedron, 15 point
+      AssertThrow(type == 1 || type == 2 || (dim == 3 && type == 4) ||
+                    type == 15,
+                  ExcMessage(subject + "has elements of gmsh's type " +
+                             std::to_string(type) + ", but a rigid body in " +
+                             std::to_string(dim) + "D needs " +
+                             (dim == 2 ? "lines or triangles" :
+                                         "triangles or tetrahedra") +
+                             " of first order."));
+    }
+
+
+
     /** Read elements with dim nodes (facets) and with dim + 1 nodes (cells). */
     template <int dim>
     void
@@ -125,19 +144,10 @@ namespace isochor
                   Elements<dim>     &facets,
                   Elements<dim + 1> &cells)
     {
-      // gmsh's types: 1 line, 2 triangle, 4 tetrahedron, 15 point
       const int   facet_type = dim - 1, cell_type = dim == 2 ? 2 : 4;
       std::string line;
       const auto  read = [&](const int type, std::istream &numbers) {
-        const bool is_known = type == facet_type || type == cell_type ||
-                              type == 15 || (dim == 3 && type == 1);
-        AssertThrow(is_known,
-                    ExcMessage(subject + "has elements of gmsh's type " +
-                               std::to_string(type) + ", but a rigid body in " +
-                               std::to_string(dim) + "D needs " +
-                               (dim == 2 ? "lines or triangles" :
-                                            "triangles or tetrahedra") +
-                               " of first order."));
+        check_type<dim>(type, subject);
         if (type == cell_type)
           {
             cells.emplace_back();

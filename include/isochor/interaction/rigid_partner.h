@@ -47,9 +47,8 @@ namespace isochor
          const Point<dim>                          &y) const;
 
     const std::shared_ptr<RigidBodyInScene<dim>> rigid;
-    double                                       time = 0;
-    typename RigidBody<dim>::Components          increments{};
-    RigidPose<dim>                               old_pose, pose;
+    /** Of the step as it is now. */
+    std::unique_ptr<RigidMove<dim>> move;
   };
 } // namespace isochor
 

@@ -5,12 +5,12 @@
 #ifndef isochor_rigid_body_h
 #define isochor_rigid_body_h
 
-#include <isochor/base/expression.h>
-#include <isochor/base/finite_rotation.h>
 #include <isochor/base/statistics.h>
+#include <isochor/rigid_body/rigid_inertia.h>
+#include <isochor/rigid_body/rigid_motion.h>
+#include <isochor/rigid_body/rigid_move.h>
 #include <isochor/rigid_body/rigid_shape.h>
 
-#include <array>
 #include <memory>
 #include <set>
 #include <string>
@@ -18,58 +18,26 @@
 
 namespace isochor
 {
-  /** Where a rigid body is: a place X of t = 0 is at x = c + u + R (X - c),
-   * with the reference point c, the displacement u (m) and the rotation R. */
-  template <int dim>
-  struct RigidPose
-  {
-    Tensor<1, dim> displacement;
-    Tensor<2, dim> rotation = unit_symmetric_tensor<dim>();
-  };
-
-  /** What a scheme in time makes of the increment Δ of a step and of velocity
-   * and acceleration at its start: their coefficients, in this order. All are
-   * zero in statics. */
-  struct RigidScheme
-  {
-    /** The acceleration in the equation of motion; the acceleration and the
-     * velocity at the end of the step. */
-    std::array<double, 3> inertia{}, acceleration{}, velocity{};
-
-    bool
-    is_static() const
-    {
-      return inertia[0] == 0;
-    }
-
-    /** Newmark's scheme over a step of size @p dt, Bossak's for @p alpha ≠ 0.
-     */
-    static RigidScheme
-    newmark(const double beta,
-            const double gamma,
-            const double dt,
-            const double alpha = 0);
-  };
-
   /**
    * A rigid body, described by a subsection "Rigid body: NAME": its shape, its
    * motion, of which each component is prescribed, fixed or free, and its own
    * equations for those that are free. It is the same on all ranks.
    *
-   * The components are the displacement of the reference point along the axes
-   * (m), then the rotation (2D) or the rotation vector (3D; rad) about it. What
-   * is free has as unknowns of a step the increments Δu and Δθ: u = u_n + Δu,
-   * R = exp([Δθ]×) R_n. The centre of mass is the reference point.
+   * In a step the increments Δu and Δθ of what is free are unknowns, see
+   * RigidMove. If a rotation is free, those that are prescribed have the
+   * increments of their formulas as components of Δθ; if none is, the rotation
+   * is exp([θ(t)]×).
    */
   template <int dim>
   class RigidBody
   {
   public:
-    static constexpr unsigned int n_rotations  = (dim == 2 ? 1 : 3);
-    static constexpr unsigned int n_components = dim + n_rotations;
-    /** One number for each component. */
-    using Components = std::array<double, n_components>;
-    using Matrix     = std::array<Components, n_components>;
+    static constexpr unsigned int n_rotations =
+      RigidComponents<dim>::n_rotations;
+    static constexpr unsigned int n_components = RigidComponents<dim>::n;
+    /** One number for each component, see RigidComponents. */
+    using Components = typename RigidComponents<dim>::Values;
+    using Matrix     = typename RigidComponents<dim>::Matrix;
 
     /** In the subsection of a rigid body. */
     static void
@@ -94,77 +62,52 @@ namespace isochor
     {
       return *own_shape;
     }
-    /** "x", "y", "rotation", or "x", "y", "z", "rx", "ry", "rz". */
-    static const std::vector<std::string> &
-    component_names();
     /** Whether a component is an unknown. */
     bool
     is_free(const unsigned int component) const
     {
-      return free[component];
+      return motion.is_free(component);
     }
     bool
-    has_free_components() const;
+    has_free_components() const
+    {
+      return motion.has_free_components();
+    }
     /** @throws ExcMessage if what is free has no mass. In dynamics. */
     void
-    check_inertia() const;
+    check_inertia() const
+    {
+      inertia.check(section, motion);
+    }
 
     /** At the start of the step. */
-    RigidPose<dim>
-    old_pose() const;
-    /** At @p time, the end of the step, with these @p increments of what is
-     * free; others are ignored. */
-    RigidPose<dim>
-    pose(const double time, const Components &increments) const;
-    /** The same if what is free stays where it is. */
+    const RigidPose<dim> &
+    old_pose() const
+    {
+      return pose_n;
+    }
+    /** The step to @p time with these @p increments of what is free; those of
+     * other components are ignored. It knows the pose at its end, and how what
+     * touches the rigid body moves. */
+    RigidMove<dim>
+    move(const double time, const Components &increments) const
+    {
+      return RigidMove<dim>(pose_n, complete(time, increments));
+    }
+    /** The pose at @p time if what is free stays where it is. */
     RigidPose<dim>
     prescribed_pose(const double time) const
     {
-      return pose(time, Components());
+      return move(time, Components()).pose();
     }
-
-    /** x of a place X of t = 0. */
-    Point<dim>
-    place(const Point<dim> &X, const RigidPose<dim> &pose) const;
-    /** X of a place x. */
-    Point<dim>
-    original(const Point<dim> &x, const RigidPose<dim> &pose) const;
     /** What @p x sees of the surface, in space. */
     ClosestPoint<dim>
     closest(const Point<dim> &x, const RigidPose<dim> &pose) const;
-    /** The mean velocity (m/s) in the step of size @p dt of the material place
-     * that is at @p x at its end. */
-    Tensor<1, dim>
-    velocity(const Point<dim>     &x,
-             const RigidPose<dim> &pose,
-             const double          dt) const;
 
-    /** How the material place of the rigid body at @p x moves with each
-     * increment, ∂x/∂Δ. A force f on it does the work f·∂x/∂Δ. */
-    std::array<Tensor<1, dim>, n_components>
-    motion(const Point<dim> &x,
-           const double      time,
-           const Components &increments) const;
-    /** ∂²x/∂Δ_i∂Δ_j of the same place; zero but for rotations. */
-    Tensor<1, dim>
-    second_motion(const Point<dim>  &x,
-                  const double       time,
-                  const Components  &increments,
-                  const unsigned int i,
-                  const unsigned int j) const;
-    /** How the normal at a fixed place @p x changes with each increment, with
-     * what closest() gives there. The distance changes by -normal·∂x/∂Δ. */
-    std::array<Tensor<1, dim>, n_components>
-    normal_change(const Point<dim>        &x,
-                  const ClosestPoint<dim> &closest,
-                  const double             time,
-                  const Components        &increments) const;
-
-    /** The equations of what is free without forces of contact: inertia minus
-     * Force and Moment, in statics (a @p scheme of zeros) without the former;
-     * work-conjugate to the increments (N, N m). The @p matrix is the
-     * derivative of the @p residual; 0 in rows and columns of other components.
-     */
+    /** The equations of what is free, without forces of contact: inertia minus
+     * force and moment (N, N m), in statics (a @p scheme of zeros) without the
+     * former; work-conjugate to the increments. The @p matrix is the derivative
+     * of the @p residual; 0 in rows and columns of other components. */
     void
     equations(const double       time,
               const RigidScheme &scheme,
@@ -178,8 +121,7 @@ namespace isochor
             const RigidScheme &scheme,
             const Components  &increments);
 
-    /** The displacement and rotation at the end of the step, before advance().
-     */
+    /** Displacement and rotation at the end of the step, before advance(). */
     void
     set_statistics(const double      time,
                    const Components &increments,
@@ -194,75 +136,24 @@ namespace isochor
     surface(const RigidPose<dim> &pose, const double reach) const;
 
   private:
-    using Vector3 = Tensor<1, 3>;
-    using Formula = std::unique_ptr<Expression<dim>>;
-
-    void
-    parse_free(const std::string &list);
-    void
-    parse_loads(ParameterHandler &prm);
-    void
-    parse_inertia(ParameterHandler &prm);
-    /** Pose, velocity and acceleration of t = 0. */
-    void
-    start();
-
-    /** 0 if there is no formula. */
-    static double
-    at(const Formula &formula, const double time);
-    /** The rotation component of a rotation vector: z in 2D. */
-    static constexpr unsigned int
-    axis(const unsigned int r)
-    {
-      return dim == 2 ? 2 : r;
-    }
-    static Vector3
-    in_space(const Tensor<1, dim> &v);
-    static Tensor<1, dim>
-    in_plane(const Vector3 &v);
-    bool
-    rotation_is_free() const;
-    Vector3
-    prescribed_rotation(const double time) const;
-    /** All increments of the step to @p time. */
-    Tensor<1, dim>
-    translation_increment(const double      time,
-                          const Components &increments) const;
-    Vector3
-    rotation_increment(const double time, const Components &increments) const;
-    Vector3
-    total_rotation(const double time, const Vector3 &theta) const;
-    /** How the rotation spins with each component of its increment. */
-    std::array<Vector3, n_rotations>
-    spins(const Vector3 &theta) const;
-    void
-    rotation_equations(const double       time,
-                       const RigidScheme &scheme,
-                       const Vector3     &theta,
-                       Components        &residual,
-                       Matrix            &matrix) const;
+    /** Those of what is free, and those that are prescribed. */
+    Components
+    complete(const double time, const Components &increments) const;
+    /** In 2D, too, as a matrix in space. */
+    Tensor<2, 3>
+    rotation_in_space() const;
+    Tensor<1, 3>
+    total_after(const double time, const Components &all_increments) const;
 
     std::string                      section, own_name;
     std::unique_ptr<RigidShape<dim>> own_shape;
-    Point<dim>                       reference; ///< c
-    std::vector<Formula>             motions, loads;
-    std::array<bool, n_components>   free{};
-    double                           mass = 0;
-    /** About the axes at t = 0; in 2D about z. */
-    Vector3    moment_of_inertia;
-    Components initial_velocity{};
-
-    /** At the start of the step: the pose; the rotation vector, continuous in
-     * time; velocity and acceleration, those of the rotation in the axes of the
-     * body. */
-    struct State
-    {
-      double         time = 0;
-      Tensor<1, dim> displacement, velocity, acceleration;
-      Tensor<2, 3>   rotation = unit_symmetric_tensor<3>();
-      Vector3        total, angular_velocity, angular_acceleration;
-    };
-    State old;
+    RigidMotion<dim>                 motion;
+    RigidInertia<dim>                inertia;
+    /** At the start of the step: time, pose, and the rotation vector, which is
+     * continuous in time. */
+    double         old_time = 0;
+    RigidPose<dim> pose_n;
+    Tensor<1, 3>   total;
   };
 } // namespace isochor
 
