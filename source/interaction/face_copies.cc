@@ -42,8 +42,6 @@ namespace isochor
       copy.pressure = points.pressure[face.q];
       copy.vertex.assign(stencil.vertex, stencil.vertex + stencil.n_nodes);
       copy.shape.assign(stencil.shape, stencil.shape + stencil.n_nodes);
-      copy.pressure_shape.assign(stencil.pressure_shape,
-                                 stencil.pressure_shape + stencil.n_nodes);
       copy.gradient.assign(stencil.gradient,
                            stencil.gradient + stencil.n_nodes);
       copy.normal          = face.normal;

@@ -228,7 +228,7 @@ namespace isochor
             N[I]              = N_p.shape[I] + by_r;
             place.increment += N[I] * nodal.increment(N_p.vertex[I]);
             if (step.mixed())
-              p += (N_p.pressure_shape[I] + by_r) * pressure(I);
+              p += N[I] * pressure(I);
           }
         if (pressures_of_points)
           p = points->pressure[face.q];
@@ -243,7 +243,7 @@ namespace isochor
            N_p.n_nodes,
            own_nodes.data(),
            N.data(),
-           N_p.pressure_shape,
+           N_p.shape,
            p,
            1.,
            1.,

@@ -27,7 +27,7 @@ namespace isochor
     double                    radius = 0;
     double                    pressure; ///< of its point (Pa)
     std::vector<unsigned int> vertex;
-    std::vector<double>       shape, pressure_shape; ///< at its point
+    std::vector<double>       shape; ///< at its point
     std::vector<Tensor<1, dim>> gradient;
     Tensor<1, dim>              normal;     ///< outward, at t = 0
     Tensor<1, dim>              normal_now; ///< at the start of the step
@@ -60,8 +60,7 @@ namespace isochor
               {static_cast<unsigned int>(vertex.size()),
                vertex.data(),
                shape.data(),
-               gradient.data(),
-               pressure_shape.data()}};
+               gradient.data()}};
     }
 
     template <class Archive>
@@ -69,8 +68,8 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &body &material &key &F &history &radius &pressure &vertex &shape
-        &pressure_shape &gradient &normal &normal_now &area &area_per_volume &X
-          &x &r &displacement &gamma;
+        &gradient &normal &normal_now &area &area_per_volume &X &x &r
+          &displacement &gamma;
     }
   };
 
