@@ -75,6 +75,7 @@ namespace isochor
     set_initial_pressure();
     for (const auto &condition : scene.boundary_conditions)
       condition->prepare_contact(setup.context());
+    scene.inertia.take_pressures(setup.context(), unknowns);
     scene.inertia.start_step(setup.context(),
                              scene.boundary_conditions,
                              scene.points,
