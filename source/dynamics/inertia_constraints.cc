@@ -151,6 +151,8 @@ namespace isochor
     // those of a grid that is kept are those of the last step
     if (by_stresses && !prescribed && step.mixed() && !step.grid_is_kept)
       leave_out_unfelt_pressure(step, start);
+    if (by_stresses && !prescribed)
+      collect_boundary_forces(step, conditions);
     const bool from_walls = by_stresses && !pressed.followers.entry.empty();
     if (from_walls)
       {

@@ -71,6 +71,25 @@ namespace isochor
 
   template <int dim>
   void
+  InertiaTerm<dim>::take_pressures(const StepContext<dim> &step,
+                                   const NodalField       &unknowns)
+  {
+    if (!is_active())
+      return;
+    step.nodes.initialize(start_unknowns, step.n_components);
+    start_unknowns.set_ghost_state(true);
+    for (unsigned int node = 0; node < step.nodes.n_local() && step.mixed();
+         ++node)
+      {
+        const unsigned int entry            = node * step.n_components + dim;
+        start_unknowns.local_element(entry) = unknowns.local_element(entry);
+      }
+  }
+
+
+
+  template <int dim>
+  void
   InertiaTerm<dim>::start_step(
     const StepContext<dim>                                     &step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
@@ -104,14 +123,10 @@ namespace isochor
   {
     StepContext<dim> start = step;
     start.time             = step.old_time;
-    NodalField loads, rest;
+    NodalField loads;
     step.nodes.initialize(loads, step.n_components);
-    step.nodes.initialize(rest, step.n_components);
     for (const auto &condition : conditions)
-      {
-        condition->add_external_force(start, loads);
-        condition->add_boundary_force(start, rest, loads);
-      }
+      condition->add_external_force(start, loads);
     const PointLayout &l = points.layout();
     points.for_each([&](const unsigned int k,
                         const unsigned int q,
@@ -140,6 +155,30 @@ namespace isochor
       for (unsigned int a = 0; a < dim; ++a)
         force.local_element(node * dim + a) +=
           loads.local_element(node * step.n_components + a);
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::collect_boundary_forces(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
+  {
+    StepContext<dim> start = step;
+    start.time             = step.old_time;
+    NodalField forces;
+    step.nodes.initialize(forces, step.n_components);
+    for (const auto &condition : conditions)
+      {
+        condition->note_start(start, start_unknowns);
+        condition->add_boundary_force(start, start_unknowns, forces);
+      }
+    forces.compress(VectorOperation::add);
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      for (unsigned int a = 0; a < dim; ++a)
+        force.local_element(node * dim + a) +=
+          forces.local_element(node * step.n_components + a);
   }
 
 

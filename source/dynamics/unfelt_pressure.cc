@@ -38,6 +38,11 @@ namespace isochor
     volume.solve(
       step, load, none_held, pressure_followers(constraints), {}, pressure);
 
+    pressure.update_ghost_values();
+    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
+      start_unknowns.local_element(node * step.n_components + dim) =
+        pressure.local_element(node);
+
     NodalField unfelt;
     step.nodes.initialize(unfelt, dim);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)

@@ -67,8 +67,7 @@ namespace isochor
   BodyPairTerm<dim>::evaluate_element(const StepContext<dim> &step,
                                       const NodalField       &unknowns,
                                       const PairElement      &element,
-                                      const bool pressures_of_points,
-                                      const bool with_matrix,
+                                      const bool              with_matrix,
                                       InteractionKernel<dim> &kernel,
                                       Action                 &action) const
   {
@@ -80,10 +79,7 @@ namespace isochor
         copy.domain(step.kernel),
         copy.normal,
         [&](const unsigned int I) { return nodal.increment(copy.vertex[I]); },
-        [&](const unsigned int I) {
-          return pressures_of_points ? copy.pressure :
-                                       nodal.pressure(copy.vertex[I]);
-        },
+        [&](const unsigned int I) { return nodal.pressure(copy.vertex[I]); },
         with_matrix);
     };
     /** N_I at r from the point of a subdomain, and p there. */
@@ -95,13 +91,13 @@ namespace isochor
       for (unsigned int I = 0; I < N.size(); ++I)
         {
           N[I] = copy.shape_at(I, r);
-          if (step.mixed() && !pressures_of_points)
+          if (step.mixed())
             p += N[I] * nodal.pressure(copy.vertex[I]);
         }
-      return pressures_of_points ? copy.pressure : p;
+      return p;
     };
 
-    action.acts                   = false;
+    action                        = Action();
     const EvaluationStatus status = stress_of(own, own_stress);
     if (status != EvaluationStatus::success)
       return status;
@@ -215,11 +211,12 @@ namespace isochor
       share * A / BodySurface<dim>::n_gauss,
       2 * own.gamma * share,
       step.has_inertia ? 1. : 0.,
-      own.area_ratio};
+      own.area_ratio,
+      step.step_size() > 0 ? element.w_at_start : 0.};
     const auto projection = kernel.add(law, place, measure);
     action.acts           = projection.state != SurfaceState::open;
     action.force          = measure.weight * projection.f;
-    action.slip           = Tensor<1, dim>();
+    action.w              = kernel.pressure_on(place, measure.gamma);
     if (!element.is_tied && law.constrains_tangent() && action.acts)
       {
         action.slip = (kernel.traction() - projection.f) / measure.gamma;
@@ -244,7 +241,7 @@ namespace isochor
     for (unsigned int e = 0; e < elements.size(); ++e)
       {
         const EvaluationStatus status = evaluate_element(
-          step, unknowns, elements[e], false, with_matrix, kernel, action);
+          step, unknowns, elements[e], with_matrix, kernel, action);
         if (status != EvaluationStatus::success)
           return status;
         system.add_element(first_element + e,
@@ -290,18 +287,12 @@ namespace isochor
                                         const NodalField       &unknowns,
                                         NodalField             &force) const
   {
-    // at the start of a step nodes don't have pressures yet
-    const bool at_rest = step.time == step.old_time &&
-                         std::all_of(unknowns.begin(),
-                                     unknowns.end(),
-                                     [](const double u) { return u == 0.; });
     InteractionKernel<dim> kernel;
     Action                 action;
     for (const PairElement &element : elements)
       {
         // what can't be evaluated stops assemble(), too
-        if (evaluate_element(
-              step, unknowns, element, at_rest, false, kernel, action) !=
+        if (evaluate_element(step, unknowns, element, false, kernel, action) !=
             EvaluationStatus::success)
           return;
         for (unsigned int I = 0; I < element.vertices.size(); ++I)
@@ -347,14 +338,12 @@ namespace isochor
                                     const NodalField &,
                                     const PairElement &,
                                     const bool,
-                                    const bool,
                                     InteractionKernel<2> &,
                                     Action &) const;
   template EvaluationStatus
   BodyPairTerm<3>::evaluate_element(const StepContext<3> &,
                                     const NodalField &,
                                     const PairElement &,
-                                    const bool,
                                     const bool,
                                     InteractionKernel<3> &,
                                     Action &) const;

@@ -252,6 +252,24 @@ namespace isochor
       copies = copy_faces(*grid, *points, surface);
     for (FaceCopy<dim> &copy : copies)
       start_step(step.kernel, step.has_inertia, copy);
+    for (PairElement &element : elements)
+      element.w_at_start = 0;
+  }
+
+
+
+  template <int dim>
+  void
+  BodyPairTerm<dim>::note_start(const StepContext<dim> &start,
+                                const NodalField       &unknowns)
+  {
+    InteractionKernel<dim> kernel;
+    Action                 action;
+    for (PairElement &element : elements)
+      {
+        evaluate_element(start, unknowns, element, false, kernel, action);
+        element.w_at_start = action.w;
+      }
   }
 
 
@@ -320,7 +338,7 @@ namespace isochor
     for (const PairElement &element : elements)
       {
         Action action;
-        evaluate_element(step, unknowns, element, false, false, kernel, action);
+        evaluate_element(step, unknowns, element, false, kernel, action);
         if (!action.acts)
           continue;
         const FaceCopy<dim> &own  = copies[element.own];

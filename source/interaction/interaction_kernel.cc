@@ -4,6 +4,8 @@
  * --------------------------------------------------------------------- */
 #include <isochor/interaction/interaction_kernel.h>
 
+#include <cmath>
+
 namespace isochor
 {
   template <int dim>
@@ -83,31 +85,58 @@ namespace isochor
 
 
   template <int dim>
+  void
+  InteractionKernel<dim>::take_mean_of_step(const PartnerPlace<dim> &place,
+                                            const Measure           &measure,
+                                            Projection &projection) const
+  {
+    const double w   = pressure_on(place, measure.gamma),
+                 w_0 = measure.w_at_start;
+    if (!(w_0 * w < 0))
+      return;
+    const Tensor<1, dim> &n      = place.normal;
+    const double          change = w_0 * w / std::abs(w - w_0),
+                 by_w =
+                   (w_0 > 0 ? 1 : -1) * w_0 * w_0 / ((w - w_0) * (w - w_0));
+    projection.f += change * n;
+    projection.f_by_w += by_w * outer_product(n, n);
+    projection.f_by_n +=
+      by_w * outer_product(n, t - measure.gamma * place.gap) +
+      change * Tensor<2, dim>(unit_symmetric_tensor<dim>());
+  }
+
+
+
+  template <int dim>
   typename InteractionKernel<dim>::Projection
   InteractionKernel<dim>::add(const InteractionLaw<dim> &law,
                               const PartnerPlace<dim>   &place,
                               const Measure             &measure)
   {
-    Projection projection = law.project(t - measure.gamma * place.gap,
-                                        place.normal,
-                                        measure.area_ratio);
-    projection.f          = place.mask * projection.f;
-    projection.f_by_w     = place.mask * projection.f_by_w;
-    projection.f_by_n     = place.mask * projection.f_by_n;
+    Projection at_end  = law.project(t - measure.gamma * place.gap,
+                                    place.normal,
+                                    measure.area_ratio);
+    at_end.f           = place.mask * at_end.f;
+    at_end.f_by_w      = place.mask * at_end.f_by_w;
+    at_end.f_by_n      = place.mask * at_end.f_by_n;
+    Projection in_step = at_end;
+    if (law.is_unilateral())
+      take_mean_of_step(place, measure, in_step);
     // (f - M t) / γ
     const Tensor<1, dim> constrained = law.constrains_tangent() ?
                                          place.mask * t :
                                          (t * place.normal) * place.normal;
-    const Tensor<1, dim> mismatch =
-      (projection.f - constrained) / measure.gamma;
-    add_to_residual(projection, measure, mismatch);
+    const Tensor<1, dim> mismatch = (in_step.f - constrained) / measure.gamma,
+                         mismatch_at_end =
+                           (at_end.f - constrained) / measure.gamma;
+    add_to_residual(in_step, measure, mismatch, mismatch_at_end);
     if (with_matrix)
       {
-        add_to_matrix(law, place, projection, measure, mismatch);
+        add_to_matrix(law, place, in_step, at_end, measure, mismatch_at_end);
         if (!xi_by.empty())
-          add_sliding_to_matrix(projection, measure, mismatch);
+          add_sliding_to_matrix(in_step, measure, mismatch_at_end);
       }
-    return projection;
+    return at_end;
   }
 
 
@@ -116,7 +145,8 @@ namespace isochor
   void
   InteractionKernel<dim>::add_to_residual(const Projection     &projection,
                                           const Measure        &measure,
-                                          const Tensor<1, dim> &mismatch)
+                                          const Tensor<1, dim> &mismatch,
+                                          const Tensor<1, dim> &at_end)
   {
     const double W = measure.weight;
     for (unsigned int i = 0; i < n_dofs; ++i)
@@ -125,7 +155,7 @@ namespace isochor
     for (const Side &side : sides)
       for (unsigned int I = 0; I < side.n_nodes && side.stress->mixed; ++I)
         residual[side.node[I] * n_components + dim] +=
-          W * side.weight * side.shape[I] * (mismatch * side.stress->volume);
+          W * side.weight * side.shape[I] * (at_end * side.stress->volume);
   }
 
 
@@ -135,8 +165,9 @@ namespace isochor
   InteractionKernel<dim>::add_to_matrix(const InteractionLaw<dim> &law,
                                         const PartnerPlace<dim>   &place,
                                         const Projection          &projection,
+                                        const Projection          &at_end,
                                         const Measure             &measure,
-                                        const Tensor<1, dim>      &mismatch)
+                                        const Tensor<1, dim> &mismatch_at_end)
   {
     const double          W = measure.weight;
     const Tensor<1, dim> &n = place.normal;
@@ -144,14 +175,17 @@ namespace isochor
       {
         const Tensor<1, dim> dn =
           place.normal_by_x * trace[j] + turn_of_normal[j];
-        const Tensor<1, dim> dg = place.gap_by_x * trace[j] + turn_of_gap[j];
+        const Tensor<1, dim> dg = place.gap_by_x * trace[j] + turn_of_gap[j],
+                             dw = t_by[j] - measure.gamma * dg;
         const Tensor<1, dim> df =
-          projection.f_by_w * (t_by[j] - measure.gamma * dg) +
-          projection.f_by_n * dn;
+          projection.f_by_w * dw + projection.f_by_n * dn;
         const Tensor<1, dim> constrained =
           law.constrains_tangent() ? place.mask * t_by[j] :
                                      (t_by[j] * n + t * dn) * n + (t * n) * dn;
-        const Tensor<1, dim> d_mismatch = (df - constrained) / measure.gamma;
+        const Tensor<1, dim> d_mismatch = (df - constrained) / measure.gamma,
+                             d_at_end   = (at_end.f_by_w * dw +
+                                         at_end.f_by_n * dn - constrained) /
+                                        measure.gamma;
         for (unsigned int i = 0; i < n_dofs; ++i)
           matrix[i * n_dofs + j] +=
             W * (measure.theta * (d_mismatch * adjoint[i]) - df * trace[i]);
@@ -159,7 +193,7 @@ namespace isochor
           {
             if (!side.stress->mixed)
               continue;
-            const double change = d_mismatch * side.stress->volume;
+            const double change = d_at_end * side.stress->volume;
             for (unsigned int I = 0; I < side.n_nodes; ++I)
               matrix[(side.node[I] * n_components + dim) * n_dofs + j] +=
                 W * side.weight * side.shape[I] * change;
@@ -171,7 +205,7 @@ namespace isochor
           {
             const double change =
               W * side.weight *
-              (mismatch * side.stress->volume_by_u[J * dim + b]);
+              (mismatch_at_end * side.stress->volume_by_u[J * dim + b]);
             for (unsigned int I = 0; I < side.n_nodes; ++I)
               matrix[(side.node[I] * n_components + dim) * n_dofs +
                      side.node[J] * n_components + b] += side.shape[I] * change;

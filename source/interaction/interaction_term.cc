@@ -118,6 +118,7 @@ namespace isochor
         AssertThrow(status == EvaluationStatus::success,
                     ExcMessage("The stress of a point can't be evaluated as it "
                                "was at the end of the last step."));
+        element.w_at_start = {};
         element.gamma      = 2 * stress.normal_modulus * face.area_per_volume;
         element.area_ratio = stress.area.norm();
         for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
@@ -139,6 +140,27 @@ namespace isochor
           for (unsigned int b = 0; b < dim; ++b)
             element.adjoint.push_back(
               stress.elastic_traction_by_displacement(J, b));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::note_start(const StepContext<dim> &start,
+                                   const NodalField       &unknowns)
+  {
+    for (const auto &interaction : interactions)
+      interaction->partner->update(start, unknowns);
+    InteractionKernel<dim> kernel;
+    std::vector<Action>    actions;
+    for (FaceElement &element : faces)
+      {
+        element.w_at_start = {};
+        actions.clear();
+        evaluate_face(start, unknowns, element, false, kernel, &actions);
+        for (const Action &action : actions)
+          element.w_at_start[action.gauss_point] = action.w;
       }
   }
 
@@ -180,8 +202,7 @@ namespace isochor
   InteractionTerm<dim>::evaluate_face(const StepContext<dim> &step,
                                       const NodalField       &unknowns,
                                       const FaceElement      &element,
-                                      const bool pressures_of_points,
-                                      const bool with_matrix,
+                                      const bool              with_matrix,
                                       InteractionKernel<dim> &kernel,
                                       std::vector<Action>    *actions) const
   {
@@ -190,8 +211,7 @@ namespace isochor
     const auto              &N_p  = of.stencil;
     const NodalUnknowns<dim> nodal(step, unknowns);
     const auto               pressure = [&](const unsigned int I) {
-      return pressures_of_points ? double(points->pressure[face.q]) :
-                                                 nodal.pressure(N_p.vertex[I]);
+      return nodal.pressure(N_p.vertex[I]);
     };
     const EvaluationStatus status = stress.evaluate(
       step.kernel,
@@ -230,8 +250,6 @@ namespace isochor
             if (step.mixed())
               p += N[I] * pressure(I);
           }
-        if (pressures_of_points)
-          p = points->pressure[face.q];
         place.slip = slips.get(BodySurface<dim>::key(face), g);
         PartnerPlace<dim> found;
         const int         chosen = choose(element, g, place, found);
@@ -261,7 +279,8 @@ namespace isochor
             thickness(step.kernel.axisymmetric, start.X[0]),
           element.gamma,
           step.has_inertia ? 1. : 0.,
-          element.area_ratio};
+          element.area_ratio,
+          step.step_size() > 0 ? element.w_at_start[g] : 0.};
         const auto projection = kernel.add(*interaction.law, found, measure);
         if (actions == nullptr)
           continue;
@@ -278,7 +297,8 @@ namespace isochor
                             start.x + place.increment,
                             measure.weight * projection.f,
                             slip,
-                            projection.state});
+                            projection.state,
+                            kernel.pressure_on(found, measure.gamma)});
       }
     return EvaluationStatus::success;
   }
@@ -299,8 +319,8 @@ namespace isochor
     InteractionKernel<dim> kernel;
     for (unsigned int e = 0; e < faces.size(); ++e)
       {
-        const EvaluationStatus status = evaluate_face(
-          step, unknowns, faces[e], false, with_matrix, kernel, nullptr);
+        const EvaluationStatus status =
+          evaluate_face(step, unknowns, faces[e], with_matrix, kernel, nullptr);
         if (status != EvaluationStatus::success)
           return status;
         system.add_element(first_element + e,
@@ -343,11 +363,6 @@ namespace isochor
                                            const NodalField       &unknowns,
                                            NodalField             &force) const
   {
-    // at the start of a step nodes don't have pressures yet
-    const bool at_rest = step.time == step.old_time &&
-                         std::all_of(unknowns.begin(),
-                                     unknowns.end(),
-                                     [](const double u) { return u == 0.; });
     for (const auto &interaction : interactions)
       interaction->partner->update(step, unknowns);
     InteractionKernel<dim>    kernel;
@@ -355,8 +370,7 @@ namespace isochor
     for (const FaceElement &element : faces)
       {
         // what can't be evaluated stops assemble(), too
-        if (evaluate_face(
-              step, unknowns, element, at_rest, false, kernel, nullptr) !=
+        if (evaluate_face(step, unknowns, element, false, kernel, nullptr) !=
             EvaluationStatus::success)
           return;
         set_nodes(step, element, nodes);
@@ -388,7 +402,7 @@ namespace isochor
     for (const FaceElement &element : faces)
       {
         actions.clear();
-        evaluate_face(step, unknowns, element, false, false, kernel, &actions);
+        evaluate_face(step, unknowns, element, false, kernel, &actions);
         for (const Action &action : actions)
           {
             for (unsigned int a = 0; a < dim; ++a)

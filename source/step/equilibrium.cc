@@ -73,14 +73,15 @@ namespace isochor
     linear_step.start_step(nodes, n_components);
     at_start = true;
     set_initial_pressure();
+    for (const auto &condition : scene.boundary_conditions)
+      condition->prepare_contact(setup.context());
+    scene.inertia.take_pressures(setup.context(), unknowns);
     scene.inertia.start_step(setup.context(),
                              scene.boundary_conditions,
                              scene.points,
                              scene.time.step == 0);
     setup.collect_elements(terms);
     set_external_force();
-    for (const auto &condition : scene.boundary_conditions)
-      condition->prepare_contact(setup.context());
     start_contact(setup.nodes_have_changed());
     set_weight();
     compute_residual_floor();

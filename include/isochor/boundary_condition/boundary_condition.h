@@ -234,6 +234,15 @@ namespace isochor
     prepare_contact(const StepContext<dim> & /*step*/)
     {}
 
+    /** In dynamics, where a step starts with the acceleration of the forces:
+     * @p unknowns are those at its start, without increments, with what
+     * pressures the nodes of its grid can have. @p start is the step that ends
+     * there. Collective. */
+    virtual void
+    note_start(const StepContext<dim> & /*start*/,
+               const NodalField & /*unknowns*/)
+    {}
+
     /** The search for the contact nodes of a step begins, or begins again
      * after a failure: with those of the last step that was accepted. */
     virtual void

@@ -67,6 +67,11 @@ namespace isochor
       return is_active() && from_stresses;
     }
 
+    /** Take the pressures of @p unknowns for those of the nodes at the start of
+     * a step whose grid is kept. */
+    void
+    take_pressures(const StepContext<dim> &step, const NodalField &unknowns);
+
     /** Take the points as they are at the start of the step. If it @p carries
      * accelerations, as the first one does, those of the points count in any
      * case. Collective. */
@@ -333,13 +338,20 @@ namespace isochor
     /** Whether held nodes move otherwise than the points. Collective. */
     bool
     starts_suddenly(const StepContext<dim> &step) const;
-    /** Loads minus internal forces at the start of the step, from the stresses
-     * of the points. Collective. */
+    /** Dead loads minus internal forces at the start of the step, from the
+     * stresses of the points. Collective. */
     void
     collect_forces(
       const StepContext<dim>                                     &step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       MaterialPoints<dim>                                        &points);
+
+    /** Add the forces that @p conditions assemble, which depend on nodal
+     * pressures. Collective. */
+    void
+    collect_boundary_forces(
+      const StepContext<dim>                                     &step,
+      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
 
     /**
      * The pressures of the points come from the nodes of the last grid. Let
@@ -349,8 +361,8 @@ namespace isochor
      * The pressure equation says what work such a pressure does in the step;
      * the rest of p_p does work on changes of volume that no pressure of this
      * grid feels and nothing but the shear stiffness resists. They grow by it,
-     * and with them the rest of p_p. @p constraints are those of the start of
-     * the step. Collective.
+     * and with them the rest of p_p. p_I goes to @ref start_unknowns, too.
+     * @p constraints are those of the start of the step. Collective.
      */
     void
     leave_out_unfelt_pressure(const StepContext<dim> &step,
@@ -449,6 +461,8 @@ namespace isochor
     /** All with dim components per node. Σ_p m_p N_I v_p and M a_n; the
      * projection of v_p; velocity and acceleration at the start of the step. */
     NodalField momentum, force, projected, velocity, acceleration;
+    /** The unknowns at the start of the step: no increments. */
+    NodalField start_unknowns;
     /** The same at its end, after finish_step(), and what the acceleration
      * exceeds that of the forces by. */
     struct AtEnd

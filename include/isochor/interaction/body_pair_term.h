@@ -59,6 +59,9 @@ namespace isochor
                      ElementNodes           &elements) override;
     void
     prepare_contact(const StepContext<dim> &step) override;
+    void
+    note_start(const StepContext<dim> &start,
+               const NodalField       &unknowns) override;
     EvaluationStatus
     assemble(const StepContext<dim> &step,
              const NodalField       &unknowns,
@@ -113,6 +116,7 @@ namespace isochor
       /** Tied to the only one of the others, at these coordinates of it. */
       bool               is_tied = false;
       Tensor<1, dim - 1> tied_at;
+      double             w_at_start = 0; ///< see InteractionKernel::Measure
       /** By vertex of the element; and of each of the others, which of them its
        * vertices are. */
       std::vector<unsigned int>              vertices;
@@ -126,6 +130,7 @@ namespace isochor
       Tensor<1, dim> force;     ///< on the body of the Gauss point (N)
       Tensor<1, dim> slip;      ///< to be remembered (m)
       bool           acts = false;
+      double         w    = 0; ///< InteractionKernel::pressure_on() (Pa)
     };
 
     /** The face of a pair that acts, and where on it the Gauss point is. */
@@ -158,7 +163,6 @@ namespace isochor
     evaluate_element(const StepContext<dim> &step,
                      const NodalField       &unknowns,
                      const PairElement      &element,
-                     const bool              pressures_of_points,
                      const bool              with_matrix,
                      InteractionKernel<dim> &kernel,
                      Action                 &action) const;

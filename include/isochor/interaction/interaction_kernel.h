@@ -100,6 +100,8 @@ namespace isochor
       double gamma;          ///< Pa/m
       double theta      = 0; ///< θ
       double area_ratio = 1; ///< see InteractionLaw::project()
+      /** w·n at the start of the step, see add(); 0 if that doesn't matter. */
+      double w_at_start = 0;
     };
 
     /** Begin with an element of @p n_nodes nodes with @p n_components unknowns.
@@ -146,7 +148,19 @@ namespace isochor
     {
       return trace[i];
     }
-    /** Add what acts at the place by @p law. */
+    /**
+     * Add what acts at the place by @p law. In dynamics a step takes the mean
+     * of the forces at its start and its end, which is no gradient of
+     *   E(w) = max(0, w)²/(2γ),  w = (t - γ g)·n,
+     * where contact begins or ends in the step, from w_0 to w: stiff contact
+     * would gain energy from nothing. With
+     *   f_n = 2 γ (E(w) - E(w_0))/(w - w_0) - max(0, w_0)
+     * in the place of max(0, w), the mean does the work E(w_0) - E(w) (the
+     * discrete gradient of Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467). The
+     * two differ by w_0 w/|w - w_0| if w_0 and w have different signs, else by
+     * nothing. The pressure equation, which holds at the end of the step, and
+     * the result have max(0, w).
+     */
     Projection
     add(const InteractionLaw<dim> &law,
         const PartnerPlace<dim>   &place,
@@ -158,15 +172,29 @@ namespace isochor
     {
       return t;
     }
+    /** w·n there. */
+    double
+    pressure_on(const PartnerPlace<dim> &place, const double gamma) const
+    {
+      return t * place.normal - gamma * (place.gap * place.normal);
+    }
 
     /** Of the element, as MixedSystem::add_element() wants them. */
     std::vector<double> residual, matrix;
 
   private:
+    /** Add the discrete gradient's part to @p projection, see add(). */
+    void
+    take_mean_of_step(const PartnerPlace<dim> &place,
+                      const Measure           &measure,
+                      Projection              &projection) const;
+    /** @p projection is that of the step; @p mismatch (f - M t)/γ with it, and
+     * @p at_end with that of the end of the step. */
     void
     add_to_residual(const Projection     &projection,
                     const Measure        &measure,
-                    const Tensor<1, dim> &mismatch);
+                    const Tensor<1, dim> &mismatch,
+                    const Tensor<1, dim> &at_end);
     /** What comes from sliding: N_I there are those of another place. */
     void
     add_sliding_to_matrix(const Projection     &projection,
@@ -176,8 +204,9 @@ namespace isochor
     add_to_matrix(const InteractionLaw<dim> &law,
                   const PartnerPlace<dim>   &place,
                   const Projection          &projection,
+                  const Projection          &at_end,
                   const Measure             &measure,
-                  const Tensor<1, dim>      &mismatch);
+                  const Tensor<1, dim>      &mismatch_at_end);
 
     unsigned int n_components = 0, n_dofs = 0;
     bool         with_matrix = false;

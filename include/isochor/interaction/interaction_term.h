@@ -57,6 +57,9 @@ namespace isochor
     /** Find γ and the adjoint of the step. */
     void
     prepare_contact(const StepContext<dim> &step) override;
+    void
+    note_start(const StepContext<dim> &start,
+               const NodalField       &unknowns) override;
     EvaluationStatus
     assemble(const StepContext<dim> &step,
              const NodalField       &unknowns,
@@ -111,6 +114,8 @@ namespace isochor
       double                                                     gamma      = 0;
       double                                                     area_ratio = 1;
       std::vector<Tensor<1, dim>> adjoint; ///< B, if θ is not 0
+      /** See InteractionKernel::Measure. */
+      std::array<double, BodySurface<dim>::n_gauss> w_at_start{};
     };
 
     /** What acts at a Gauss point of a face by one of its interactions. */
@@ -121,17 +126,17 @@ namespace isochor
       Tensor<1, dim> force; ///< on the body (N)
       Tensor<1, dim> slip;  ///< to be remembered (m)
       SurfaceState   state;
+      double         w; ///< InteractionKernel::pressure_on() (Pa)
     };
 
     typename SurfaceStress<dim>::Domain
     domain(const StepContext<dim> &step, const unsigned int face) const;
-    /** Residual and matrix of a face. @p pressures_of_points: take p from the
-     * points, not from the nodes. @p actions, if not null, gets what acts. */
+    /** Residual and matrix of a face. @p actions, if not null, gets what acts.
+     */
     EvaluationStatus
     evaluate_face(const StepContext<dim> &step,
                   const NodalField       &unknowns,
                   const FaceElement      &element,
-                  const bool              pressures_of_points,
                   const bool              with_matrix,
                   InteractionKernel<dim> &kernel,
                   std::vector<Action>    *actions) const;
