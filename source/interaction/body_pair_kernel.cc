@@ -212,6 +212,7 @@ namespace isochor
       2 * own.gamma * share,
       step.has_inertia ? 1. : 0.,
       own.area_ratio,
+      rounding_of_contact(2 * own.gamma * share, own.area_per_volume),
       step.step_size() > 0 ? element.w_at_start : 0.};
     const auto projection = kernel.add(law, place, measure);
     action.acts           = projection.state != SurfaceState::open;

@@ -113,9 +113,14 @@ namespace isochor
                               const PartnerPlace<dim>   &place,
                               const Measure             &measure)
   {
-    Projection at_end  = law.project(t - measure.gamma * place.gap,
+    const Tensor<1, dim> w    = t - measure.gamma * place.gap;
+    const double         pull = law.is_unilateral() ? -(w * place.normal) : 0.;
+    const bool           touches = pull > 0 && pull < measure.rounding;
+    Projection at_end = law.project(touches ? w + pull * place.normal : w,
                                     place.normal,
                                     measure.area_ratio);
+    if (touches)
+      at_end.f -= pull * place.normal;
     at_end.f           = place.mask * at_end.f;
     at_end.f_by_w      = place.mask * at_end.f_by_w;
     at_end.f_by_n      = place.mask * at_end.f_by_n;

@@ -280,6 +280,7 @@ namespace isochor
           element.gamma,
           step.has_inertia ? 1. : 0.,
           element.area_ratio,
+          rounding_of_contact(element.gamma, face.area_per_volume),
           step.step_size() > 0 ? element.w_at_start[g] : 0.};
         const auto projection = kernel.add(*interaction.law, found, measure);
         if (actions == nullptr)

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
 #include <isochor/equations/nodal_unknowns.h>
+#include <isochor/equations/pressure_mapping.h>
 #include <isochor/postprocess/carried_reactions.h>
 #include <isochor/postprocess/energy_loss.h>
 #include <isochor/postprocess/postprocessor.h>
@@ -355,6 +356,8 @@ namespace isochor
       NodalField force, rest;
       step.nodes.initialize(force, step.n_components);
       step.nodes.initialize(rest, step.n_components);
+      if (step.mixed())
+        map_pressure_to_nodes(start, rest);
       for (const auto &condition : result.conditions)
         {
           condition->add_external_force(start, force);

@@ -8,7 +8,7 @@
 #include <isochor/equations/constraint_conflicts.h>
 #include <isochor/step/equilibrium.h>
 #include <isochor/step/scene_checks.h>
-#include <isochor/transfer/pressure_mapping.h>
+#include <isochor/equations/pressure_mapping.h>
 
 #include <algorithm>
 #include <cmath>

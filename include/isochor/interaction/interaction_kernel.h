@@ -42,6 +42,14 @@ namespace isochor
     return std::max(0., -(nu * n));
   }
 
+  /** Measure::rounding of a subdomain: @p gamma times what is small against its
+   * height, 1/@p area_per_volume. */
+  inline double
+  rounding_of_contact(const double gamma, const double area_per_volume)
+  {
+    return 1e-10 * gamma / area_per_volume;
+  }
+
   /** For EquationTerm::add_unit_residual(): of places at a distance @p r from
    * the origin a unit of the last digit remains in gaps, which are multiplied
    * by
@@ -100,6 +108,9 @@ namespace isochor
       double gamma;          ///< Pa/m
       double theta      = 0; ///< θ
       double area_ratio = 1; ///< see InteractionLaw::project()
+      /** A traction of some rounding errors (Pa): with a pull of less there is
+       * contact, so that a body which touches its partner is held by it. */
+      double rounding = 0;
       /** w·n at the start of the step, see add(); 0 if that doesn't matter. */
       double w_at_start = 0;
     };

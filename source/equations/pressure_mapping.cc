@@ -2,7 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/transfer/pressure_mapping.h>
+#include <isochor/equations/pressure_mapping.h>
 
 #include <algorithm>
 
