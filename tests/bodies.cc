@@ -115,8 +115,7 @@ namespace
           const std::string &settings,
           const std::string &first,
           const std::string &second,
-          const std::string &bodies    = "auto",
-          const double       tolerance = 1e-10)
+          const std::string &bodies = "auto")
   {
     const std::string common =
       "Newton/Tolerance = 1e-13\nNewton/Inexact = false\n" + settings;
@@ -141,10 +140,10 @@ namespace
                 std::to_string(n_wrong));
     test::check_error(name + ": the first as alone",
                       difference<dim>(both, a),
-                      tolerance);
+                      1e-10);
     test::check_error(name + ": the second as alone",
                       difference<dim>(both, b),
-                      tolerance);
+                      1e-10);
     return both;
   }
 
@@ -216,8 +215,7 @@ namespace
   test_crossing()
   {
     // from 0.25 s on they overlap, at 0.5 s they are at the same place
-    const auto both =
-      compare<2>("through each other", flying, left, right, "auto", 1e-9);
+    const auto both = compare<2>("through each other", flying, left, right);
     // mass times mean velocity
     std::array<double, 2> momentum{};
     const PointLayout     layout(2, 0, true, true, false, false, false);
@@ -241,14 +239,8 @@ namespace
                flying + "Formulation/Type = u\n",
                left,
                right,
-               "left: x < 2; right: x > 2",
-               1e-9);
-    compare<2>("through each other, adaptive",
-               flying + adaptive,
-               left,
-               right,
-               "auto",
-               1e-9);
+               "left: x < 2; right: x > 2");
+    compare<2>("through each other, adaptive", flying + adaptive, left, right);
   }
 
 
@@ -262,9 +254,7 @@ namespace
                         "Grid reset/Steps between resets = 0\n"
                         "Grid reset/Smallest element quality = 0\n",
                "x < 4 && y < 0.25",
-               "y > 0.375 && y < 0.75",
-               "auto",
-               1e-9);
+               "y > 0.375 && y < 0.75");
     // of several bodies none knows the pressure of its weight
     const std::string falling = flying +
                                 "Formulation/PPP leaves out weight = false\n"
@@ -280,16 +270,13 @@ namespace
           compare<2>("through each other, " + name,
                      falling + floor + grid,
                      left,
-                     right,
-                     "auto",
-                     1e-9);
+                     right);
           compare<2>("side by side, " + name,
                      falling + "Dynamics/Initial velocity = 0, -0.5\n" + floor +
                        grid,
                      left,
                      beside,
-                     "second: x > 1.5",
-                     1e-9);
+                     "second: x > 1.5");
         }
   }
 
@@ -307,9 +294,7 @@ namespace
                "Boundary conditions/Displacement = left: x=0\n"
                "Time/End time = 1.5\nTime/Step size = 0.25\n",
                "z > 0.5 && z < 1.5",
-               "z > 2.5 && z < 3.5",
-               "auto",
-               1e-9);
+               "z > 2.5 && z < 3.5");
   }
 
 
@@ -382,7 +367,7 @@ namespace
                    left + ") || (" + right + ")\n");
     test::check_error("a probe stays in its body",
                       std::abs(crossed - alone),
-                      1e-9);
+                      1e-10);
   }
 
 
