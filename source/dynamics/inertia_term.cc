@@ -108,8 +108,8 @@ namespace isochor
     prescribed = false;
     step.nodes.initialize(velocity, dim);
     step.nodes.initialize(acceleration, dim);
-    step.nodes.initialize(inertial_acceleration, dim);
-    inertial_acceleration.set_ghost_state(true); // each rank computes all
+    step.nodes.initialize(element.acceleration, dim);
+    element.acceleration.set_ghost_state(true); // each rank computes all
   }
 
 
@@ -297,7 +297,7 @@ namespace isochor
           const unsigned int i   = node * dim + d;
           const double       a_n = acceleration.local_element(i);
           const double v_n = trial.settles ? 0. : velocity.local_element(i);
-          inertial_acceleration.local_element(i) =
+          element.acceleration.local_element(i) =
             scheme().inertial_acceleration(
               a_n,
               scheme().acceleration(
@@ -315,7 +315,7 @@ namespace isochor
             for (unsigned int d = 0; d < dim; ++d)
               element.residual[I * nc + d] +=
                 element.mass[I * n + J] *
-                inertial_acceleration.local_element(element.nodes[J] * dim + d);
+                element.acceleration.local_element(element.nodes[J] * dim + d);
         if (with_matrix)
           {
             element.matrix.assign(n_dofs * n_dofs, 0.);

@@ -244,11 +244,48 @@ namespace isochor
 
   template <int dim>
   void
+  BodyPairTerm<dim>::resume(const StepContext<dim> &step)
+  {
+    std::vector<unsigned int> vertices;
+    touch_vertices(vertices);
+    const auto is_active = [&](const unsigned int copy) {
+      const auto &of_copy = copies[copy].vertex;
+      return std::all_of(of_copy.begin(),
+                         of_copy.end(),
+                         [&](const unsigned int vertex) {
+                           return step.nodes.node(vertex) !=
+                                  numbers::invalid_unsigned_int;
+                         });
+    };
+    std::vector<PairElement> found;
+    found.swap(elements);
+    for (PairElement &element : found)
+      {
+        std::vector<unsigned int> others;
+        std::copy_if(element.others.begin(),
+                     element.others.end(),
+                     std::back_inserter(others),
+                     is_active);
+        if (others.empty())
+          continue;
+        element.others = others;
+        element.of_other.clear();
+        number_nodes(element);
+        elements.push_back(element);
+      }
+  }
+
+
+
+  template <int dim>
+  void
   BodyPairTerm<dim>::prepare_contact(const StepContext<dim> &step)
   {
     if (grid->n_layers() == 1)
       return;
-    if (step.grid_is_kept)
+    if (surface.faces().empty())
+      resume(step);
+    else if (step.grid_is_kept)
       copies = copy_faces(*grid, *points, surface);
     for (FaceCopy<dim> &copy : copies)
       start_step(step.kernel, step.has_inertia, copy);
@@ -370,7 +407,6 @@ namespace isochor
     if (grid->n_layers() == 1)
       return;
     slips.accept();
-    surface.advance(step, unknowns);
     double largest = 0;
     for (unsigned int f = 0; f < surface.faces().size(); ++f)
       largest = std::max(

@@ -37,13 +37,13 @@ namespace isochor
                          const PointArrays<dim>     &points)
   {
     all_faces.clear();
-    if (points.outer_faces.empty())
+    if (points.domain_corners.outer_faces.empty())
       return;
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          if (points.outer_faces[q] == 0)
+          if (points.domain_corners.outer_faces[q] == 0)
             continue;
           const CornerVectors<dim> &corners = points.domain[q];
           const std::size_t         first   = all_faces.size();
@@ -54,18 +54,17 @@ namespace isochor
               // the height is (dim + 1) times the distance of the centroid
               const unsigned int other = (c == 0 ? 1 : 0);
               volume = (corners[other] - corners[c]) * A / dim;
-              if (((points.outer_faces[q] >> c) & 1) == 0)
+              if (((points.domain_corners.outer_faces[q] >> c) & 1) == 0)
                 continue;
               Face face;
-              face.k            = k;
-              face.q            = q;
-              face.id           = points.id[q];
-              face.opposite     = c;
-              face.area         = A.norm();
-              face.normal       = A / face.area;
-              face.reference    = Point<dim>(points.location(geometry, k, q) -
+              face.k         = k;
+              face.q         = q;
+              face.id        = points.domain_corners.id[q];
+              face.opposite  = c;
+              face.area      = A.norm();
+              face.normal    = A / face.area;
+              face.reference = Point<dim>(points.location(geometry, k, q) -
                                           points.displacement[q]);
-              face.displacement = points.displacement[q];
               for (unsigned int o = 0, i = 0; o <= dim; ++o)
                 if (o != c)
                   face.corners[i++] = corners[o];
@@ -75,19 +74,6 @@ namespace isochor
           for (std::size_t f = first; f < all_faces.size(); ++f)
             all_faces[f].area_per_volume = area / volume;
         }
-  }
-
-
-
-  template <int dim>
-  void
-  BodySurface<dim>::advance(const StepContext<dim> &step,
-                            const NodalField       &unknowns)
-  {
-    const NodalUnknowns<dim> nodal(step, unknowns);
-    for (Face &face : all_faces)
-      face.displacement += nodal.increment_at(
-        step.points.stencil(step.grid.geometry(), face.k, face.q));
   }
 
 
@@ -128,7 +114,7 @@ namespace isochor
     place.X = face.reference + R;
     place.x =
       step.points.location(step.grid.geometry(), face.k, face.q) + place.r;
-    place.displacement = face.displacement + place.r - R;
+    place.displacement = step.points.displacement[face.q] + place.r - R;
     place.weight       = 1. / n_gauss;
     return place;
   }

@@ -47,7 +47,6 @@ namespace isochor
       copy.normal          = face.normal;
       copy.area            = face.area;
       copy.area_per_volume = face.area_per_volume;
-      copy.displacement    = face.displacement;
       for (unsigned int i = 0; i < dim; ++i)
         {
           copy.X[i] = face.reference + face.corners[i];

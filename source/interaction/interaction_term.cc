@@ -23,7 +23,7 @@ namespace isochor
 
   template <int dim>
   void
-  InteractionTerm<dim>::touch_vertices(std::vector<unsigned int> & /*vertices*/)
+  InteractionTerm<dim>::find_faces()
   {
     if (interactions.empty())
       return;
@@ -100,6 +100,8 @@ namespace isochor
   void
   InteractionTerm<dim>::prepare_contact(const StepContext<dim> &step)
   {
+    if (faces.empty()) // as in a run that is resumed on a kept grid
+      find_faces();
     NodalField rest;
     step.nodes.initialize(rest, step.n_components);
     for (const auto &interaction : interactions)
@@ -428,11 +430,10 @@ namespace isochor
 
   template <int dim>
   void
-  InteractionTerm<dim>::advance(const StepContext<dim> &step,
-                                const NodalField       &unknowns)
+  InteractionTerm<dim>::advance(const StepContext<dim> & /*step*/,
+                                const NodalField & /*unknowns*/)
   {
     slips.accept();
-    surface.advance(step, unknowns);
   }
 
 

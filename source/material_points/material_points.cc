@@ -343,8 +343,8 @@ namespace isochor
     arrays.domain.resize(point_layout.with_domains ? n : 0);
     arrays.displacement.resize(point_layout.with_domains ? n : 0);
     arrays.seeded_volume.resize(point_layout.with_ancestry ? n : 0);
-    arrays.outer_faces.resize(point_layout.with_surface ? n : 0);
-    arrays.id.resize(point_layout.with_surface ? n : 0);
+    arrays.domain_corners.outer_faces.resize(point_layout.with_surface ? n : 0);
+    arrays.domain_corners.id.resize(point_layout.with_surface ? n : 0);
 
     attach(arrays);
     const PointLayout &l = point_layout;
@@ -360,9 +360,10 @@ namespace isochor
       read_state(q, location, properties, arrays);
       if (l.with_surface)
         {
-          arrays.outer_faces[q] =
+          arrays.domain_corners.outer_faces[q] =
             static_cast<unsigned char>(properties[l.outer_faces]);
-          arrays.id[q] = particles->get_property_pool().get_id(slots->slot[q]);
+          arrays.domain_corners.id[q] =
+            particles->get_property_pool().get_id(slots->slot[q]);
         }
       if (!l.with_domains)
         return;
@@ -388,7 +389,8 @@ namespace isochor
       order_by_cell();
     attach(arrays);
     const PointLayout &l = point_layout;
-    if (!fields_are_copied && !l.axisymmetric && l.n_history == 0 && !l.dynamic)
+    if (!fields_are_copied && !l.axisymmetric && l.n_history == 0 &&
+        !l.dynamic && !l.with_surface)
       return;
     for_each([&](const unsigned int /*k*/,
                  const unsigned int q,
@@ -428,6 +430,8 @@ namespace isochor
       }
     if (l.axisymmetric)
       arrays.radius[q] = location[0];
+    for (unsigned int d = 0; l.with_surface && d < dim; ++d)
+      arrays.displacement[q][d] = properties[l.displacement + d];
     double *const history =
       arrays.history.data() + q * std::size_t(l.n_history);
     for (unsigned int i = 0; i < l.n_history; ++i)

@@ -30,12 +30,9 @@ namespace isochor
    *    what is stored elastically;
    *  - external work of loads and of prescribed motions, by the mean of the
    *    forces at both ends of a step times Δu_I;
-   *  - what the scheme lost: external work minus the change of kinetic and
-   *    strain energy, minus plastic work. In statics the errors of load
-   *    stepping are in it, in dynamics also those of time integration and of
-   *    the transfer between points and nodes, and a warning says so if it is
-   *    more than 1 % per cycle. In statics the warning is one of elastic bodies
-   *    that drift (EnergyLoss).
+   *  - what the scheme lost (EnergyLoss): external work minus the change of
+   *    kinetic and strain energy, minus plastic work: errors of load stepping,
+   *    time integration and the transfer between points and nodes.
    */
   template <int dim>
   class Energies : public Postprocessor<dim>

@@ -398,8 +398,7 @@ namespace isochor
         first_element.push_back(elements.size());
         term->collect_elements(step, elements);
       }
-    if (scene.grid.n_layers() == 1)
-      watch.contact.look(step, elements, scene.time.step == 0);
+    watch.contact.look(step, elements, scene.time.step == 0);
   }
 
 
@@ -420,11 +419,9 @@ namespace isochor
   StepSetup<dim>::advance(const StepContext<dim> &step,
                           const NodalField       &unknowns)
   {
-    const bool is_asked_for = std::any_of(scene.boundary_conditions.begin(),
-                                          scene.boundary_conditions.end(),
-                                          [](const auto &condition) {
-                                            return condition->needs_reset();
-                                          });
+    bool is_asked_for = false;
+    for (const auto &condition : scene.boundary_conditions)
+      is_asked_for = is_asked_for || condition->needs_reset();
     grid_reset.advance(step, unknowns, is_asked_for, arrays);
     is_current = false;
     grid_reset.look_for_contact(

@@ -18,7 +18,8 @@ namespace isochor
                           const ElementNodes     &elements,
                           const bool              at_start)
   {
-    if (!at_start && !has_several)
+    // bodies with fields of their own share no nodes, only elements of contact
+    if ((!at_start && !has_several) || step.grid.n_layers() > 1)
       return;
     const unsigned int n_before =
       std::exchange(n_bodies, number_of_parts(step, elements));

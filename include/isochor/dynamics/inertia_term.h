@@ -491,9 +491,9 @@ namespace isochor
     {
       std::vector<unsigned int> nodes;
       std::vector<double>       mass, residual, matrix;
+      NodalField                acceleration; ///< of the equation of motion
     };
-    NodalField inertial_acceleration;
-    Scratch    element;
+    Scratch element;
   };
 } // namespace isochor
 

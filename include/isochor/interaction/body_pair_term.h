@@ -143,6 +143,10 @@ namespace isochor
 
     void
     find_elements();
+    /** In a run that is resumed on a kept grid: find the elements, with the
+     * nodes that are active. Collective. */
+    void
+    resume(const StepContext<dim> &step);
     bool
     find_tie(const Point<dim> &X, PairElement &element) const;
     void

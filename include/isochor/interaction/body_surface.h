@@ -43,7 +43,6 @@ namespace isochor
       /** At t = 0, from the point of the subdomain (m). */
       std::array<Tensor<1, dim>, dim> corners;
       Point<dim>                      reference; ///< of the point, at t = 0
-      Tensor<1, dim> displacement; ///< of the point since t = 0, at t_n (m)
     };
 
     /** A Gauss point. */
@@ -56,13 +55,9 @@ namespace isochor
       double         weight;       ///< of the face's area
     };
 
-    /** Find the faces of @p points, as gathered. */
+    /** Find the faces of @p points, as they are at the start of a step. */
     void
     find(const SimplexGeometry<dim> &geometry, const PointArrays<dim> &points);
-
-    /** Move with the increments of @p unknowns, at the end of a step. */
-    void
-    advance(const StepContext<dim> &step, const NodalField &unknowns);
 
     const std::vector<Face> &
     faces() const

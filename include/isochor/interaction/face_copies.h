@@ -35,10 +35,9 @@ namespace isochor
     std::array<Point<dim>, dim> X; ///< corners at t = 0
     std::array<Point<dim>, dim> x; ///< at the start of the step
     std::array<Tensor<1, dim>, dim>
-                   r;              ///< from the subdomain's point, at t_n (m)
-    Tensor<1, dim> displacement;   ///< of its point since t = 0 (m)
-    double         gamma      = 0; ///< |N·A·N| times area_per_volume (Pa/m)
-    double         area_ratio = 1; ///< of the area at t_n to that at t = 0
+           r;              ///< from the subdomain's point, at t_n (m)
+    double gamma      = 0; ///< |N·A·N| times area_per_volume (Pa/m)
+    double area_ratio = 1; ///< of the area at t_n to that at t = 0
     /** B_J,b of SurfaceStress at the start of the step; empty in statics. */
     std::vector<Tensor<1, dim>> adjoint;
 
@@ -68,8 +67,7 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &body &material &key &F &history &radius &pressure &vertex &shape
-        &gradient &normal &normal_now &area &area_per_volume &X &x &r
-          &displacement &gamma;
+        &gradient &normal &normal_now &area &area_per_volume &X &x &r &gamma;
     }
   };
 

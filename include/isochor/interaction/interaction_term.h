@@ -50,7 +50,10 @@ namespace isochor
       this->points = &points;
     }
     void
-    touch_vertices(std::vector<unsigned int> &vertices) override;
+    touch_vertices(std::vector<unsigned int> & /*vertices*/) override
+    {
+      find_faces();
+    }
     void
     collect_elements(const StepContext<dim> &step,
                      ElementNodes           &elements) override;
@@ -129,6 +132,10 @@ namespace isochor
       double         w; ///< InteractionKernel::pressure_on() (Pa)
     };
 
+    /** The faces that take part, as they are at the start of the step.
+     * Collective. */
+    void
+    find_faces();
     typename SurfaceStress<dim>::Domain
     domain(const StepContext<dim> &step, const unsigned int face) const;
     /** Residual and matrix of a face. @p actions, if not null, gets what acts.

@@ -62,9 +62,15 @@ namespace isochor
     }
   };
 
-  /** What the corners of domains act on, of points that have domains. */
+  /** Of points that have domains: what the corners of these act on, and which
+   * faces are on the surface of the body. */
   struct DomainCorners
   {
+    /** Bit c stands for the face opposite to corner c; and the numbers of the
+     * points. If the layout has them. */
+    std::vector<unsigned char>         outer_faces;
+    std::vector<types::particle_index> id;
+
     /** Pairs (point, cell) for the corners, at least dim + 1 a point: the cells
      * whose nodes corners touch. */
     std::vector<std::pair<unsigned int, unsigned int>> cells;
@@ -73,7 +79,7 @@ namespace isochor
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &cells;
+      archive &outer_faces &id &cells;
     }
   };
 
@@ -109,14 +115,11 @@ namespace isochor
     std::vector<double> seeded_volume;
     /** Domains at t = 0, relative to the points, if the layout has them. */
     std::vector<CornerVectors<dim>> domain;
-    /** Which faces of these are on the surface of the body: bit c stands for
-     * the face opposite to corner c; and the numbers of the points. If the
-     * layout has them. */
-    std::vector<unsigned char>         outer_faces;
-    std::vector<types::particle_index> id;
-    /** Of the points since t = 0. Only if they see functions that are linear on
-     * their domains (BodyQuadrature::is_linear_on_domains()): N_I at x in the
-     * domain of point p is N_pI + ∇N_pI·(x - x_p). */
+    /** Of the points since t = 0: at the last reset of the grid or, if the
+     * layout has their surface, at the start of the step. Only if they have
+     * domains. If functions are linear on these
+     * (BodyQuadrature::is_linear_on_domains()), N_I at x in the domain of point
+     * p is N_pI + ∇N_pI·(x - x_p). */
     std::vector<Tensor<1, dim>> displacement;
 
     /**
@@ -250,7 +253,7 @@ namespace isochor
       stencil_vertex.clear();
       stencil_shape.clear();
       stencil_gradient.clear();
-      domain_corners = {};
+      domain_corners.cells.clear();
       overlapped_cells.clear();
     }
 
@@ -360,7 +363,8 @@ namespace isochor
       archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
         &pressure &F &material &history &velocity &acceleration &domain
           &stencil_start &stencil_vertex &stencil_shape &stencil_gradient
-            &domain_corners &overlapped_cells &deformed_cell &n_history &radius;
+            &domain_corners &overlapped_cells &deformed_cell &n_history &radius
+              &displacement;
     }
   };
 } // namespace isochor
