@@ -35,16 +35,9 @@ namespace isochor
     std::array<Point<dim>, dim> X; ///< corners at t = 0
     std::array<Point<dim>, dim> x; ///< at the start of the step
     std::array<Tensor<1, dim>, dim>
-<<<<<<< HEAD
            r;              ///< from the subdomain's point, at t_n (m)
-    double gamma      = 0; ///< |N·A·N| times area_per_volume (Pa/m)
+    double gamma      = 0; ///< surface_stiffness() (Pa/m)
     double area_ratio = 1; ///< of the area at t_n to that at t = 0
-=======
-                   r;              ///< from the subdomain's point, at t_n (m)
-    Tensor<1, dim> displacement;   ///< of its point since t = 0 (m)
-    double         gamma      = 0; ///< surface_stiffness() (Pa/m)
-    double         area_ratio = 1; ///< of the area at t_n to that at t = 0
->>>>>>> dyn
     /** B_J,b of SurfaceStress at the start of the step; empty in statics. */
     std::vector<Tensor<1, dim>> adjoint;
 
