@@ -169,19 +169,41 @@ namespace isochor
     const auto tree_at_start = pack_rtree(at_start), tree_now = pack_rtree(now);
     elements.clear();
     std::vector<Entry> near;
-    const auto         find =
-      [&](const auto &tree, const Point<dim> &x, auto &element) {
-        near.clear();
-        tree.query(bgi::intersects(x), std::back_inserter(near));
-        element.others.clear();
-        for (const Entry &entry : near)
-          if (const unsigned int body = copies[element.own].body,
-              other                   = copies[entry.second].body;
-              body != other && law_of(body, other).acts())
-            element.others.push_back(entry.second);
-        std::sort(element.others.begin(), element.others.end());
-        return !element.others.empty();
-      };
+    const auto         find = [&](const auto       &tree,
+                          const Point<dim> &x,
+                          PairElement      &element,
+                          const auto       &may_act) {
+      near.clear();
+      tree.query(bgi::intersects(x), std::back_inserter(near));
+      element.others.clear();
+      const unsigned int body = copies[element.own].body;
+      for (const Entry &entry : near)
+        if (const unsigned int other = copies[entry.second].body;
+            body != other && may_act(body, other))
+          element.others.push_back(entry.second);
+      std::sort(element.others.begin(), element.others.end());
+      return !element.others.empty();
+    };
+    const auto acts = [&](const unsigned int a, const unsigned int b) {
+      return law_of(a, b).acts();
+    };
+    const auto is_contact = [&](const unsigned int a, const unsigned int b) {
+      return law_of(a, b).acts() && law_of(a, b).is_unilateral() &&
+             tied_pairs.count(std::minmax(a, b)) == 0;
+    };
+    if (!knows_tied_pairs)
+      for (unsigned int i = 0; i < copies.size(); ++i)
+        {
+          PairElement element;
+          element.own = i;
+          std::array<double, dim> middle;
+          middle.fill(1. / dim);
+          const Point<dim> X = place_on<dim>(copies[i].X, middle);
+          if (find(tree_at_start, X, element, acts) && find_tie(X, element))
+            tied_pairs.insert(
+              std::minmax(copies[i].body, copies[element.others[0]].body));
+        }
+    knows_tied_pairs = true;
     for (unsigned int f = 0; f < surface.faces().size(); ++f)
       for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
         {
@@ -192,8 +214,9 @@ namespace isochor
           const auto      &own     = copies[element.own];
           const Point<dim> X       = place_on<dim>(own.X, weights),
                            x       = place_on<dim>(own.x, weights);
-          if (!(find(tree_at_start, X, element) && find_tie(X, element)) &&
-              !find(tree_now, x, element))
+          if (!(find(tree_at_start, X, element, acts) &&
+                find_tie(X, element)) &&
+              !find(tree_now, x, element, is_contact))
             continue;
           number_nodes(element);
           elements.push_back(element);

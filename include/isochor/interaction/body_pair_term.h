@@ -13,6 +13,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,10 @@ namespace isochor
    * body ends; the mean traction is t = κ t₁ - κ' t₂ with the same weights
    * κ = γ'/(γ + γ'), and γ_h = 2 γ γ'/(γ + γ').
    *
-   * Faces of two bodies that coincide at t = 0 are tied, others may come into
-   * contact without friction, unless an interaction says something else. An
-   * element is a Gauss point with the faces of other bodies that it may meet in
-   * the step, of which the nearest acts.
+   * Bodies with faces that coincide at t = 0 are tied there, others may come
+   * into contact without friction, unless an interaction says something else.
+   * An element is a Gauss point with the faces of other bodies that it may meet
+   * in the step, of which the nearest acts.
    */
   template <int dim>
   class BodyPairTerm : public BoundaryCondition<dim>
@@ -175,15 +176,19 @@ namespace isochor
     std::unique_ptr<InteractionLaw<dim>>           default_contact, default_tie;
     /** By pair of bodies, the lower number first: the law, if one is given. */
     std::map<std::pair<unsigned int, unsigned int>, const InteractionLaw<dim> *>
-                               laws;
-    std::vector<std::string>   body_names;
-    const BackgroundGrid<dim> *grid   = nullptr;
-    const PointArrays<dim>    *points = nullptr;
-    BodySurface<dim>           surface;
-    std::vector<FaceCopy<dim>> copies;        ///< of all ranks
-    unsigned int               first_own = 0; ///< of the copies
-    std::vector<PairElement>   elements;
-    double                     largest_increment = 0; ///< of the last step (m)
+      laws;
+    /** Pairs of bodies, the lower number first, that are tied somewhere: they
+     * don't come into contact elsewhere, as at the edges of what is tied. */
+    std::set<std::pair<unsigned int, unsigned int>> tied_pairs;
+    bool                                            knows_tied_pairs = false;
+    std::vector<std::string>                        body_names;
+    const BackgroundGrid<dim>                      *grid   = nullptr;
+    const PointArrays<dim>                         *points = nullptr;
+    BodySurface<dim>                                surface;
+    std::vector<FaceCopy<dim>>                      copies; ///< of all ranks
+    unsigned int             first_own = 0;                 ///< of the copies
+    std::vector<PairElement> elements;
+    double                   largest_increment = 0; ///< of the last step (m)
     /** How far from each other faces and Gauss points of elements were at the
      * last reset, at most where there is an element; and how much two bodies
      * can have come closer since (m). */
