@@ -171,8 +171,7 @@ struct RandomElement
             return typename PointArrays<dim>::Stencil{dim + 1,
                                                       nullptr,
                                                       points.shape[q].data(),
-                                                      element.gradient.data(),
-                                                      points.shape[q].data()};
+                                                      element.gradient.data()};
           },
           with_matrix) :
         kernel.evaluate(

@@ -374,7 +374,7 @@ namespace isochor
           asked_by = "section <" + path.front() + ">";
         }
     const bool can_interact = quadrature->is_linear_on_domains();
-    if (asked_by.empty() && (!can_interact || grid.source().is_adaptive()))
+    if (asked_by.empty() && !can_interact)
       {
         points.share_fields();
         return;

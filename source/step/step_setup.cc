@@ -297,6 +297,8 @@ namespace isochor
       arrays, *locator, scene.kernel, needs_occupancy, occupancy);
     watch.spacing.check(arrays, time, scene.time.step == 0, scene.warnings);
     watch.spacing.compare_volumes(arrays, time, scene.warnings);
+    warn_of_interfaces_in_cells(
+      arrays, scene.kernel, scene.grid.communicator(), time, scene.warnings);
     if (needs_occupancy)
       watch.cavities.look(occupancy,
                           time,

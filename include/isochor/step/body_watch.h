@@ -8,6 +8,7 @@
 #include <isochor/cut_cells/cavity_watch.h>
 #include <isochor/material_points/point_spacing.h>
 #include <isochor/transfer/contact_watch.h>
+#include <isochor/transfer/interface_watch.h>
 
 namespace isochor
 {
