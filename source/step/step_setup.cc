@@ -211,12 +211,11 @@ namespace isochor
                              LastMotion &last_motion)
   {
     // the initial acceleration, found in the first step, is the points'
-    const bool repeated =
-      is_current && !(scene.has_inertia() && scene.time.step == 0);
-    laid_out      = !repeated && grid_reset.due();
-    nodes_changed = false;
-    if (repeated && scene.has_inertia() &&
-        (scene.time.starts_anew || disturbed))
+    const bool dynamic  = scene.has_inertia(),
+               repeated = is_current && !(dynamic && scene.time.step == 0);
+    laid_out            = !repeated && grid_reset.due();
+    nodes_changed       = false;
+    if (repeated && dynamic && (scene.time.starts_anew || disturbed))
       scene.points.update(arrays);
     if (repeated)
       return;
@@ -308,7 +307,7 @@ namespace isochor
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched_vertices);
     keep_each_once(touched_vertices);
-    touched_vertices.shrink_to_fit(); // each cell has named all of its own
+    touched_vertices.shrink_to_fit(); // each cell has named its own
     if (extends)
       {
         std::vector<unsigned int> never;
@@ -423,7 +422,7 @@ namespace isochor
   {
     bool is_asked_for = false;
     for (const auto &condition : scene.boundary_conditions)
-      is_asked_for = is_asked_for || condition->needs_reset();
+      is_asked_for |= condition->needs_reset();
     grid_reset.advance(step, unknowns, is_asked_for, arrays);
     is_current = false;
     grid_reset.look_for_contact(
