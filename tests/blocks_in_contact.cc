@@ -116,7 +116,7 @@ namespace
              "bottom: y=0\n"
              "Interaction: body 2 - place/Law = tie\n"
              "Interaction: body 2 - place/Surface = y > "
-          << 1.75 + gap - 1e-6
+          << 1.75 + gap - 0.01
           << "\nInteraction: body 2 - place/Displacement = x=0, y=-"
           << 2 * (gap + 0.1)
           << "*if(t<0.5, t, if(t<1, 1-t, t-1))\n"

@@ -136,6 +136,9 @@ namespace isochor
      * Collective. */
     void
     find_faces();
+    /** @throws ExcMessage for an interaction without a face. Collective. */
+    void
+    check_surfaces();
     typename SurfaceStress<dim>::Domain
     domain(const StepContext<dim> &step, const unsigned int face) const;
     /** Residual and matrix of a face. @p actions, if not null, gets what acts.
@@ -162,10 +165,11 @@ namespace isochor
     std::vector<std::unique_ptr<Interaction<dim>>> interactions;
     const BackgroundGrid<dim>                     *grid   = nullptr;
     const PointArrays<dim>                        *points = nullptr;
-    BodySurface<dim>                               surface;
-    std::vector<FaceElement>                       faces;
-    mutable SlipMemory<dim>                        slips;
-    mutable SurfaceStress<dim>                     stress;
+    bool                       is_checked = false; ///< see check_surfaces()
+    BodySurface<dim>           surface;
+    std::vector<FaceElement>   faces;
+    mutable SlipMemory<dim>    slips;
+    mutable SurfaceStress<dim> stress;
   };
 } // namespace isochor
 
