@@ -251,7 +251,7 @@ namespace isochor
     if (step.grid_is_kept)
       copies = copy_faces(*grid, *points, surface);
     for (FaceCopy<dim> &copy : copies)
-      start_step(step.kernel, step.has_inertia, copy);
+      start_step(step, copy);
     for (PairElement &element : elements)
       element.w_at_start = 0;
   }

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/interaction/body_surface.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace isochor
@@ -147,6 +148,36 @@ namespace isochor
 
 
 
+  template <int dim>
+  double
+  surface_stiffness(const StepContext<dim>   &step,
+                    const SurfaceStress<dim> &stress,
+                    const MaterialModel<dim> &material,
+                    const double              area_per_volume)
+  {
+    double modulus = stress.normal_modulus;
+    if (stress.mixed && step.has_inertia && step.step_size() > 0)
+      {
+        const double speed    = 2 / (area_per_volume * step.step_size()),
+                     resolved = material.density() * speed * speed;
+        modulus +=
+          resolved / std::max(1., resolved * material.inverse_bulk_modulus());
+      }
+    return modulus * area_per_volume;
+  }
+
+
+
+  template double
+  surface_stiffness(const StepContext<2> &,
+                    const SurfaceStress<2> &,
+                    const MaterialModel<2> &,
+                    const double);
+  template double
+  surface_stiffness(const StepContext<3> &,
+                    const SurfaceStress<3> &,
+                    const MaterialModel<3> &,
+                    const double);
   template class BodySurface<2>;
   template class BodySurface<3>;
 } // namespace isochor

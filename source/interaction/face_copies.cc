@@ -92,14 +92,13 @@ namespace isochor
 
   template <int dim>
   void
-  start_step(const MixedKernel<dim> &kernel,
-             const bool              with_adjoint,
-             FaceCopy<dim>          &copy)
+  start_step(const StepContext<dim> &step, FaceCopy<dim> &copy)
   {
     SurfaceStress<dim> stress;
+    const auto         domain = copy.domain(step.kernel);
     const auto         status = stress.evaluate(
-      kernel,
-      copy.domain(kernel),
+      step.kernel,
+      domain,
       copy.normal,
       [](const unsigned int) { return Tensor<1, dim>(); },
       [&](const unsigned int) { return copy.pressure; },
@@ -107,10 +106,11 @@ namespace isochor
     AssertThrow(status == EvaluationStatus::success,
                 ExcMessage("The stress of a point can't be evaluated as it was "
                            "at the end of the last step."));
-    copy.gamma      = stress.normal_modulus * copy.area_per_volume;
+    copy.gamma =
+      surface_stiffness(step, stress, *domain.material, copy.area_per_volume);
     copy.area_ratio = stress.area.norm();
     copy.adjoint.clear();
-    for (unsigned int J = 0; J < copy.vertex.size() && with_adjoint; ++J)
+    for (unsigned int J = 0; J < copy.vertex.size() && step.has_inertia; ++J)
       for (unsigned int b = 0; b < dim; ++b)
         copy.adjoint.push_back(stress.elastic_traction_by_displacement(J, b));
   }
@@ -122,11 +122,11 @@ namespace isochor
              const PointArrays<2> &,
              const BodySurface<2> &);
   template void
-  start_step(const MixedKernel<2> &, const bool, FaceCopy<2> &);
+  start_step(const StepContext<2> &, FaceCopy<2> &);
   template std::vector<FaceCopy<3>>
   copy_faces(const BackgroundGrid<3> &,
              const PointArrays<3> &,
              const BodySurface<3> &);
   template void
-  start_step(const MixedKernel<3> &, const bool, FaceCopy<3> &);
+  start_step(const StepContext<3> &, FaceCopy<3> &);
 } // namespace isochor

@@ -119,7 +119,9 @@ namespace isochor
                     ExcMessage("The stress of a point can't be evaluated as it "
                                "was at the end of the last step."));
         element.w_at_start = {};
-        element.gamma      = 2 * stress.normal_modulus * face.area_per_volume;
+        element.gamma =
+          2 *
+          surface_stiffness(step, stress, *of.material, face.area_per_volume);
         element.area_ratio = stress.area.norm();
         for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
           {

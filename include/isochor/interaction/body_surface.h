@@ -7,6 +7,7 @@
 
 #include <isochor/equations/equation_term.h>
 #include <isochor/equations/nodal_unknowns.h>
+#include <isochor/equations/surface_stress.h>
 
 #include <array>
 #include <vector>
@@ -92,6 +93,21 @@ namespace isochor
   private:
     std::vector<Face> all_faces;
   };
+
+  /**
+   * γ of a subdomain (Pa/m): |N·A·N| times @p area_per_volume, the constant of
+   * the trace inequality. In u-p, where A are the deviatoric moduli, pressures
+   * that a contact's beginning changes do work on gaps of the size p/γ in
+   * dynamics, energy that nothing accounts for. There the bulk modulus is
+   * added as far as the @p step resolves it, min(K, ρ (2 d/Δt)²) with
+   * d = 1/area_per_volume: ω Δt = 2 for what vibrates in the subdomain.
+   */
+  template <int dim>
+  double
+  surface_stiffness(const StepContext<dim>   &step,
+                    const SurfaceStress<dim> &stress,
+                    const MaterialModel<dim> &material,
+                    const double              area_per_volume);
 } // namespace isochor
 
 #endif

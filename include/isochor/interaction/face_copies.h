@@ -37,7 +37,7 @@ namespace isochor
     std::array<Tensor<1, dim>, dim>
                    r;              ///< from the subdomain's point, at t_n (m)
     Tensor<1, dim> displacement;   ///< of its point since t = 0 (m)
-    double         gamma      = 0; ///< |N·A·N| times area_per_volume (Pa/m)
+    double         gamma      = 0; ///< surface_stiffness() (Pa/m)
     double         area_ratio = 1; ///< of the area at t_n to that at t = 0
     /** B_J,b of SurfaceStress at the start of the step; empty in statics. */
     std::vector<Tensor<1, dim>> adjoint;
@@ -81,12 +81,10 @@ namespace isochor
              const PointArrays<dim>    &points,
              const BodySurface<dim>    &surface);
 
-  /** Set gamma, area_ratio and the adjoint of a copy. */
+  /** Set gamma, area_ratio and, in dynamics, the adjoint of a copy. */
   template <int dim>
   void
-  start_step(const MixedKernel<dim> &kernel,
-             const bool              with_adjoint,
-             FaceCopy<dim>          &copy);
+  start_step(const StepContext<dim> &step, FaceCopy<dim> &copy);
 } // namespace isochor
 
 #endif
