@@ -213,12 +213,13 @@ namespace isochor
       step.has_inertia ? 1. : 0.,
       own.area_ratio,
       rounding_of_contact(2 * own.gamma * share, own.area_per_volume),
-      step.step_size() > 0 ? element.w_at_start : 0.};
+      step.step_size() > 0 && element.has_start ? &element.start : nullptr};
     const auto projection = kernel.add(law, place, measure);
-    action.acts           = projection.state != SurfaceState::open;
-    action.force          = measure.weight * projection.f;
-    action.w              = kernel.pressure_on(place, measure.gamma);
-    if (!element.is_tied && law.constrains_tangent() && action.acts)
+    action.meets          = true;
+    action.force          = measure.weight * kernel.mean_traction();
+    action.end            = kernel.at_end();
+    if (!element.is_tied && law.constrains_tangent() &&
+        projection.state != SurfaceState::open)
       {
         action.slip = (kernel.traction() - projection.f) / measure.gamma;
         action.slip -= (action.slip * at.normal) * at.normal;

@@ -313,7 +313,7 @@ namespace isochor
     for (FaceCopy<dim> &copy : copies)
       start_step(step, copy);
     for (PairElement &element : elements)
-      element.w_at_start = 0;
+      element.has_start = false;
   }
 
 
@@ -328,7 +328,8 @@ namespace isochor
     for (PairElement &element : elements)
       {
         evaluate_element(start, unknowns, element, false, kernel, action);
-        element.w_at_start = action.w;
+        element.start     = action.end;
+        element.has_start = true;
       }
   }
 
@@ -399,7 +400,7 @@ namespace isochor
       {
         Action action;
         evaluate_element(step, unknowns, element, false, kernel, action);
-        if (!action.acts)
+        if (!action.meets)
           continue;
         const FaceCopy<dim> &own  = copies[element.own];
         const unsigned int   body = own.body, other = copies[action.other].body;

@@ -85,24 +85,27 @@ namespace isochor
 
 
   template <int dim>
-  void
-  InteractionKernel<dim>::take_mean_of_step(const PartnerPlace<dim> &place,
-                                            const Measure           &measure,
-                                            Projection &projection) const
+  typename InteractionKernel<dim>::Projection
+  InteractionKernel<dim>::in_step(const Projection       &at_end,
+                                  const StartOfStep<dim> &start,
+                                  const Tensor<1, dim>   &w_vector,
+                                  const Tensor<1, dim>   &n)
   {
-    const double w   = pressure_on(place, measure.gamma),
-                 w_0 = measure.w_at_start;
-    if (!(w_0 * w < 0))
-      return;
-    const Tensor<1, dim> &n      = place.normal;
-    const double          change = w_0 * w / std::abs(w - w_0),
-                 by_w =
-                   (w_0 > 0 ? 1 : -1) * w_0 * w_0 / ((w - w_0) * (w - w_0));
-    projection.f += change * n;
-    projection.f_by_w += by_w * outer_product(n, n);
-    projection.f_by_n +=
-      by_w * outer_product(n, t - measure.gamma * place.gap) +
-      change * Tensor<2, dim>(unit_symmetric_tensor<dim>());
+    const double w = w_vector * n, w_0 = start.w;
+    if (!(w * w_0 < 0))
+      return at_end;
+    // f times a factor or f_0 times one, and its derivative
+    const bool   begins = w > 0;
+    const double change = std::abs(w - w_0), factor = w / change,
+                 by_w            = std::abs(w_0) / (change * change);
+    const Tensor<1, dim> &f      = begins ? at_end.f : start.f;
+    Projection            result = at_end;
+    result.f                     = factor * f;
+    result.f_by_w *= begins ? factor : 0.;
+    result.f_by_n *= begins ? factor : 0.;
+    result.f_by_w += by_w * outer_product(f, n);
+    result.f_by_n += by_w * outer_product(f, w_vector);
+    return result;
   }
 
 
@@ -121,25 +124,29 @@ namespace isochor
                                     measure.area_ratio);
     if (touches)
       at_end.f -= pull * place.normal;
-    at_end.f           = place.mask * at_end.f;
-    at_end.f_by_w      = place.mask * at_end.f_by_w;
-    at_end.f_by_n      = place.mask * at_end.f_by_n;
-    Projection in_step = at_end;
-    if (law.is_unilateral())
-      take_mean_of_step(place, measure, in_step);
+    at_end.f      = place.mask * at_end.f;
+    at_end.f_by_w = place.mask * at_end.f_by_w;
+    at_end.f_by_n = place.mask * at_end.f_by_n;
+    const Projection acting =
+      measure.start != nullptr && law.is_unilateral() ?
+        in_step(at_end, *measure.start, w, place.normal) :
+        at_end;
+    end = {w * place.normal, at_end.f};
+    mean =
+      measure.start != nullptr ? (measure.start->f + acting.f) / 2 : at_end.f;
     // (f - M t) / γ
     const Tensor<1, dim> constrained = law.constrains_tangent() ?
                                          place.mask * t :
                                          (t * place.normal) * place.normal;
-    const Tensor<1, dim> mismatch = (in_step.f - constrained) / measure.gamma,
+    const Tensor<1, dim> mismatch    = (acting.f - constrained) / measure.gamma,
                          mismatch_at_end =
                            (at_end.f - constrained) / measure.gamma;
-    add_to_residual(in_step, measure, mismatch, mismatch_at_end);
+    add_to_residual(acting, measure, mismatch, mismatch_at_end);
     if (with_matrix)
       {
-        add_to_matrix(law, place, in_step, at_end, measure, mismatch_at_end);
+        add_to_matrix(law, place, acting, at_end, measure, mismatch_at_end);
         if (!xi_by.empty())
-          add_sliding_to_matrix(in_step, measure, mismatch_at_end);
+          add_sliding_to_matrix(acting, measure, mismatch_at_end);
       }
     return at_end;
   }

@@ -142,7 +142,7 @@ namespace isochor
         AssertThrow(status == EvaluationStatus::success,
                     ExcMessage("The stress of a point can't be evaluated as it "
                                "was at the end of the last step."));
-        element.w_at_start = {};
+        element.start.clear();
         element.gamma =
           2 *
           surface_stiffness(step, stress, *of.material, face.area_per_volume);
@@ -182,11 +182,11 @@ namespace isochor
     std::vector<Action>    actions;
     for (FaceElement &element : faces)
       {
-        element.w_at_start = {};
         actions.clear();
         evaluate_face(start, unknowns, element, false, kernel, &actions);
+        element.start.assign(BodySurface<dim>::n_gauss, {});
         for (const Action &action : actions)
-          element.w_at_start[action.gauss_point] = action.w;
+          element.start[action.gauss_point] = action.end;
       }
   }
 
@@ -307,7 +307,8 @@ namespace isochor
           step.has_inertia ? 1. : 0.,
           element.area_ratio,
           rounding_of_contact(element.gamma, face.area_per_volume),
-          step.step_size() > 0 ? element.w_at_start[g] : 0.};
+          step.step_size() > 0 && !element.start.empty() ? &element.start[g] :
+                                                           nullptr};
         const auto projection = kernel.add(*interaction.law, found, measure);
         if (actions == nullptr)
           continue;
@@ -322,10 +323,10 @@ namespace isochor
         actions->push_back({element.partners[chosen],
                             g,
                             start.x + place.increment,
-                            measure.weight * projection.f,
+                            measure.weight * kernel.mean_traction(),
                             slip,
                             projection.state,
-                            kernel.pressure_on(found, measure.gamma)});
+                            kernel.at_end()});
       }
     return EvaluationStatus::success;
   }

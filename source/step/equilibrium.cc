@@ -6,9 +6,9 @@
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/equations/constraint_conflicts.h>
+#include <isochor/equations/pressure_mapping.h>
 #include <isochor/step/equilibrium.h>
 #include <isochor/step/scene_checks.h>
-#include <isochor/equations/pressure_mapping.h>
 
 #include <algorithm>
 #include <cmath>

@@ -117,7 +117,8 @@ namespace isochor
       /** Tied to the only one of the others, at these coordinates of it. */
       bool               is_tied = false;
       Tensor<1, dim - 1> tied_at;
-      double             w_at_start = 0; ///< see InteractionKernel::Measure
+      StartOfStep<dim>   start;
+      bool               has_start = false; ///< whether that is known
       /** By vertex of the element; and of each of the others, which of them its
        * vertices are. */
       std::vector<unsigned int>              vertices;
@@ -127,11 +128,12 @@ namespace isochor
     /** What acts at a Gauss point, at the iterate. */
     struct Action
     {
-      unsigned int   other = 0; ///< number of the copy
-      Tensor<1, dim> force;     ///< on the body of the Gauss point (N)
-      Tensor<1, dim> slip;      ///< to be remembered (m)
-      bool           acts = false;
-      double         w    = 0; ///< InteractionKernel::pressure_on() (Pa)
+      unsigned int other = 0; ///< number of the copy
+      /** On the body of the Gauss point (N), the mean over the step. */
+      Tensor<1, dim>   force;
+      Tensor<1, dim>   slip;          ///< to be remembered (m)
+      bool             meets = false; ///< whether there is another face
+      StartOfStep<dim> end;           ///< InteractionKernel::at_end()
     };
 
     /** The face of a pair that acts, and where on it the Gauss point is. */

@@ -50,6 +50,14 @@ namespace isochor
     return 1e-10 * gamma / area_per_volume;
   }
 
+  /** What acts at a place at the start of a step. */
+  template <int dim>
+  struct StartOfStep
+  {
+    double         w = 0; ///< w·n (Pa), see InteractionLaw
+    Tensor<1, dim> f;     ///< Pa
+  };
+
   /** For EquationTerm::add_unit_residual(): of places at a distance @p r from
    * the origin a unit of the last digit remains in gaps, which are multiplied
    * by
@@ -111,8 +119,9 @@ namespace isochor
       /** A traction of some rounding errors (Pa): with a pull of less there is
        * contact, so that a body which touches its partner is held by it. */
       double rounding = 0;
-      /** w·n at the start of the step, see add(); 0 if that doesn't matter. */
-      double w_at_start = 0;
+      /** What there was at the start of the step, see add(); null if that
+       * doesn't matter. */
+      const StartOfStep<dim> *start = nullptr;
     };
 
     /** Begin with an element of @p n_nodes nodes with @p n_components unknowns.
@@ -161,16 +170,15 @@ namespace isochor
     }
     /**
      * Add what acts at the place by @p law. In dynamics a step takes the mean
-     * of the forces at its start and its end, which is no gradient of
-     *   E(w) = max(0, w)²/(2γ),  w = (t - γ g)·n,
-     * where contact begins or ends in the step, from w_0 to w: stiff contact
-     * would gain energy from nothing. With
-     *   f_n = 2 γ (E(w) - E(w_0))/(w - w_0) - max(0, w_0)
-     * in the place of max(0, w), the mean does the work E(w_0) - E(w) (the
-     * discrete gradient of Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467). The
-     * two differ by w_0 w/|w - w_0| if w_0 and w have different signs, else by
-     * nothing. The pressure equation, which holds at the end of the step, and
-     * the result have max(0, w).
+     * of the forces at its start and its end. Where contact begins or ends, as
+     * w·n goes from w_0 to w, that is no gradient of E(w) = max(0, w)²/(2γ),
+     * and stiff contact would gain energy from nothing. There
+     *   f w/(w - w_0) (it begins),  f_0 w/(w_0 - w) (it ends)
+     * takes the place of f: the normal part of the mean is then
+     * γ (E(w) - E(w_0))/(w - w_0) and does the work E(w_0) - E(w) (the discrete
+     * gradient of Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467), and friction
+     * keeps its ratio to it. The pressure equation, which holds at the end of
+     * the step, and the result have f.
      */
     Projection
     add(const InteractionLaw<dim> &law,
@@ -183,22 +191,31 @@ namespace isochor
     {
       return t;
     }
-    /** w·n there. */
-    double
-    pressure_on(const PartnerPlace<dim> &place, const double gamma) const
+    /** After add(): what acts there at the end of the step, for the next one.
+     */
+    const StartOfStep<dim> &
+    at_end() const
     {
-      return t * place.normal - gamma * (place.gap * place.normal);
+      return end;
+    }
+    /** After add(): the mean over the step, or f if there is no start. */
+    const Tensor<1, dim> &
+    mean_traction() const
+    {
+      return mean;
     }
 
     /** Of the element, as MixedSystem::add_element() wants them. */
     std::vector<double> residual, matrix;
 
   private:
-    /** Add the discrete gradient's part to @p projection, see add(). */
-    void
-    take_mean_of_step(const PartnerPlace<dim> &place,
-                      const Measure           &measure,
-                      Projection              &projection) const;
+    /** The projection @p end of the vector @p w as it acts in the step, see
+     * add(). */
+    static Projection
+    in_step(const Projection       &end,
+            const StartOfStep<dim> &start,
+            const Tensor<1, dim>   &w,
+            const Tensor<1, dim>   &n);
     /** @p projection is that of the step; @p mismatch (f - M t)/γ with it, and
      * @p at_end with that of the end of the step. */
     void
@@ -225,7 +242,8 @@ namespace isochor
      * partner; ∂t; what n and g turn by with the partner; the adjoint B. */
     std::vector<Tensor<1, dim>> trace, t_by, turn_of_normal, turn_of_gap,
       adjoint;
-    Tensor<1, dim>               t;
+    Tensor<1, dim>               t, mean;
+    StartOfStep<dim>             end;
     std::vector<Side>            sides;
     std::vector<FaceCoordinates> xi_by, shape_by_xi; ///< empty: no sliding
   };

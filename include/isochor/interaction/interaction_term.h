@@ -117,19 +117,19 @@ namespace isochor
       double                                                     gamma      = 0;
       double                                                     area_ratio = 1;
       std::vector<Tensor<1, dim>> adjoint; ///< B, if θ is not 0
-      /** See InteractionKernel::Measure. */
-      std::array<double, BodySurface<dim>::n_gauss> w_at_start{};
+      /** By Gauss point, if it is known. */
+      std::vector<StartOfStep<dim>> start;
     };
 
     /** What acts at a Gauss point of a face by one of its interactions. */
     struct Action
     {
-      unsigned int   interaction, gauss_point;
-      Point<dim>     x;     ///< at the iterate
-      Tensor<1, dim> force; ///< on the body (N)
-      Tensor<1, dim> slip;  ///< to be remembered (m)
-      SurfaceState   state;
-      double         w; ///< InteractionKernel::pressure_on() (Pa)
+      unsigned int     interaction, gauss_point;
+      Point<dim>       x;     ///< at the iterate
+      Tensor<1, dim>   force; ///< on the body (N), the mean over the step
+      Tensor<1, dim>   slip;  ///< to be remembered (m)
+      SurfaceState     state;
+      StartOfStep<dim> end; ///< InteractionKernel::at_end()
     };
 
     /** The faces that take part, as they are at the start of the step.
