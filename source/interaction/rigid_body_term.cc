@@ -82,13 +82,13 @@ namespace isochor
 
   template <int dim>
   void
-  RigidBodyTerm<dim>::touch_vertices(std::vector<unsigned int> &vertices)
+  RigidBodyTerm<dim>::touch_masters(const ActiveNodes<dim>    &nodes,
+                                    std::vector<unsigned int> &vertices)
   {
     for (const auto &one : bodies)
       if (one->body.has_free_components())
         for (const unsigned int k : {0, 1})
-          vertices.push_back(grid->triangulation().n_vertices() +
-                             one->first_control_node + k);
+          vertices.push_back(nodes.control_vertex(one->first_control_node + k));
   }
 
 

@@ -134,11 +134,15 @@ namespace isochor
                            "/") != std::string::npos)
         ++n_materials;
       SceneSections      sections(n_materials);
-      const std::string  kind = "Interaction: ";
       std::istringstream lines(settings);
       for (std::string line; std::getline(lines, line);)
-        if (line.compare(0, kind.size(), kind) == 0)
-          sections.interactions.push_back({line.substr(0, line.find('/')), ""});
+        {
+          const NamedSection section = {line.substr(0, line.find('/')), ""};
+          if (line.rfind("Interaction: ", 0) == 0)
+            sections.interactions.push_back(section);
+          if (line.rfind("Rigid body: ", 0) == 0)
+            sections.rigid_bodies.push_back(section);
+        }
       MaterialPointMethod<dim>::declare_parameters(prm, sections);
       set_parameters(prm,
                      "Quadrature/Type = points\n"

@@ -63,17 +63,13 @@ namespace isochor
       this->name = "Rigid bodies";
     }
 
-    void
-    initialize(const BackgroundGrid<dim> &grid) override
-    {
-      this->grid = &grid;
-    }
     std::vector<ControlNode<dim>>
     control_nodes() const override;
     void
     set_first_control_node(const unsigned int first) override;
     void
-    touch_vertices(std::vector<unsigned int> &vertices) override;
+    touch_masters(const ActiveNodes<dim>    &nodes,
+                  std::vector<unsigned int> &vertices) override;
     void
     collect_elements(const StepContext<dim> &step,
                      ElementNodes           &elements) override;
@@ -115,7 +111,6 @@ namespace isochor
     scheme(const StepContext<dim> &step);
 
     const Bodies               bodies;
-    const BackgroundGrid<dim> *grid = nullptr;
   };
 } // namespace isochor
 

@@ -1,0 +1,211 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// The matrix of interactions, all of it, against finite differences of the
+// residual: after the second step of scenes, when the surface has been deformed
+// and friction remembers, at unknowns that are out of equilibrium.
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <isochor/interaction/interaction_term.h>
+
+#include "material_test_tools.h"
+#include "scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  // what was measured
+  double       worst = 0, norm = 0;
+  unsigned int n_checked;
+} // namespace
+
+namespace isochor
+{
+  template <int dim>
+  class TangentCheck : public Postprocessor<dim>
+  {
+  public:
+    void
+    evaluate_nodes(const StepResult<dim> &result, Statistics &) override
+    {
+      for (const auto &condition : result.conditions)
+        {
+          auto *const term =
+            dynamic_cast<InteractionTerm<dim> *>(condition.get());
+          if (term != nullptr && result.step.old_time > 0)
+            check(result.step, result.unknowns, *term);
+        }
+    }
+
+  private:
+    static void
+    check(const StepContext<dim> &step,
+          const NodalField       &solution,
+          InteractionTerm<dim>   &term)
+    {
+      const unsigned int n = step.n_components, all = step.nodes.n_local() * n;
+      ElementNodes       elements;
+      term.collect_elements(step, elements);
+      NodalConstraints none;
+      none.reinit(all, step.nodes.control_entries(n));
+      MixedSystem<dim> system(step.nodes);
+      system.reinit(true, n, elements, none, false);
+      NodalField unknowns(solution), zero;
+      step.nodes.initialize(zero, n);
+      test::Random random;
+      for (unsigned int i = 0; i < all; ++i)
+        unknowns.local_element(i) +=
+          (static_cast<int>(i % n) < dim ? 0.003 : 0.03) * random();
+      const auto assemble = [&](const bool with_matrix) {
+        system.start_assembly(with_matrix);
+        const auto status =
+          term.assemble(step, unknowns, zero, 0, with_matrix, system);
+        system.finish_assembly(zero);
+        AssertThrow(status == EvaluationStatus::success, ExcInternalError());
+      };
+      assemble(true);
+      const SparseSystem &A = system.matrix();
+      FullMatrix<double>  matrix(A.n_equations, A.n_equations);
+      for (unsigned int i = 0; i < A.n_equations; ++i)
+        for (std::size_t k = A.row_start[i]; k < A.row_start[i + 1]; ++k)
+          matrix(i, A.column[k]) = A.values[k];
+      norm = matrix.linfty_norm();
+      for (unsigned int j = 0; j < all; ++j)
+        {
+          if (system.equation(j) == numbers::invalid_unsigned_int)
+            continue;
+          const double   x = unknowns.local_element(j), h = 1e-6;
+          Vector<double> difference(A.n_equations);
+          for (const double sign : {1., -1.})
+            {
+              unknowns.local_element(j) = x + sign * h;
+              assemble(false);
+              for (unsigned int i = 0; i < all; ++i)
+                if (system.equation(i) != numbers::invalid_unsigned_int)
+                  difference[system.equation(i)] +=
+                    sign * system.residual.local_element(i) / (2 * h);
+            }
+          unknowns.local_element(j) = x;
+          for (unsigned int i = 0; i < A.n_equations; ++i)
+            test::add_error(
+              worst,
+              std::abs(difference[i] - matrix(i, system.equation(j))) / norm);
+        }
+      n_checked += A.n_equations;
+    }
+  };
+  ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, TangentCheck, "Tangent check")
+} // namespace isochor
+
+namespace
+{
+  using Variants = std::vector<std::pair<std::string, std::string>>;
+
+  /** Scenes of all @p laws with one @p tool of a certain @p form: the largest
+   * error of the matrix over its norm. */
+  template <int dim>
+  void
+  check(const std::pair<std::string, std::string> &form,
+        const std::pair<std::string, std::string> &tool,
+        const Variants                            &laws)
+  {
+    const std::string cells = dim == 2 ? "4, 4" : "2, 2, 2",
+                      size  = dim == 2 ? "1.3, 1.6" : "1.6, 1.6, 1.6",
+                      zero  = dim == 2 ? "x=0, y=0" : "x=0, y=0, z=0";
+    std::string wrong;
+    for (const auto &[name, law] : laws)
+      {
+        worst     = 0;
+        n_checked = 0;
+        test::run_scene<dim>(
+          "Grid/Upper corner = " + size + "\nGrid/Subdivisions = " + cells +
+          "\nMaterial points/Region = x<1 && y<1" +
+          (dim == 3 ? " && z<1" : "") +
+          "\nQuadrature/Type = CPDI\n"
+          "Material/Young modulus = 1\nMaterial/Density = 1\n"
+          "Material/Poisson ratio = 0.3\nTime/Step size = 0.05\n"
+          "Time/End time = 0.1\nInteraction: body - place/Law = tie\n"
+          "Interaction: body - place/Surface = y<0.01\n"
+          "Interaction: body - place/Displacement = " +
+          zero + '\n' + tool.second + law + form.second);
+        if (!(n_checked > 20 && norm > 0 && worst < 1e-7))
+          wrong += name + ": " + std::to_string(n_checked) +
+                   " equations, error " + test::in_short(worst) + "; ";
+      }
+    test::check(tool.first + ", " + form.first + ", " + std::to_string(dim) +
+                  "D: " + std::to_string(laws.size()) + " laws",
+                wrong.empty(),
+                wrong);
+  }
+
+  const std::string at    = "Interaction: body - tool/",
+                    shape = "Rigid body: tool/";
+  const Variants laws     = {
+        {"tie", at + "Law = tie\n"},
+        {"unilateral", at + "Law = unilateral\n"},
+        {"sticks", at + "Law = Coulomb\n" + at + "Friction coefficient = 100\n"},
+        {"slides", at + "Law = Coulomb\n" + at + "Friction coefficient = 0.01\n"},
+        {"adhesion",
+         at + "Law = Coulomb\n" + at + "Friction coefficient = 0.1\n" + at +
+           "Adhesion = 0.01\n"},
+        {"capped",
+         at + "Law = Coulomb\n" + at + "Friction coefficient = 1\n" + at +
+           "Largest shear stress = 0.003\n"}};
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const std::string                upper = at + "Surface = y>0.5\n",
+                    motion               = upper + shape +
+                             "Motion = rotation=0.5*t, x=0.2*t, y=-0.3*t\n",
+                    turning =
+                      upper + shape +
+                      "Motion = rx=0.2*t, rz=0.5*t, x=0.1*t, y=-0.3*t\n",
+                    plane  = shape + "Shape = half plane\n" + shape,
+                    circle = shape + "Shape = circle\n" + shape +
+                             "Radius = 0.5\n" + shape,
+                    box = shape + "Shape = box\n" + shape;
+  const Variants forms  = {
+     {"u", "Formulation/Type = u\n"},
+     {"u-p", ""},
+     {"u-p, nu = 0.5", "Material/Poisson ratio = 0.5\n"},
+     {"u-p, inertia", "Dynamics/Inertia = true\n"},
+     {"u, Mohr-Coulomb",
+      "Formulation/Type = u\nMaterial/Model = Mohr-Coulomb\n"
+       "Material/Mohr-Coulomb/Cohesion = 0.01\n"},
+     {"u-p, J2", "Material/Model = J2\nMaterial/J2/Yield stress = 0.02\n"},
+     {"u-p, axisymmetric", "Formulation/Geometry = axisymmetric\n"}};
+  const Variants tools = {
+    {"half plane", plane + "Point = 0, 1\n" + shape + "Normal = 0.1, -1\n"},
+    {"circle", circle + "Centre = 0.4, 1.49\n"},
+    {"rounded corner",
+     box + "Lower corner = 0.4, 0.98\n" + shape + "Upper corner = 3, 3\n" +
+       shape + "Edge radius = 0.1\n"}};
+  for (const auto &form : forms)
+    for (const auto &[name, tool] : tools)
+      {
+        check<2>(form, {name, tool + motion}, laws);
+      }
+  for (const auto &form : forms)
+    check<2>(form,
+             {"place of one component",
+              "Interaction: body - place/Displacement = y=0\n"},
+             {{"tie", ""}});
+  for (unsigned int i = 0; i < 4; ++i)
+    {
+      check<3>(forms[i],
+               {"half plane",
+                plane + "Point = 0, 1, 0\n" + shape +
+                  "Normal = 0.1, -1, 0.1\n" + turning},
+               laws);
+      check<3>(forms[i],
+               {"sphere", circle + "Centre = 0.4, 1.48, 0.3\n" + turning},
+               laws);
+    }
+}
