@@ -80,10 +80,6 @@ namespace isochor
     AssertThrow(most_shear >= 0,
                 ExcMessage("The parameter <Largest shear stress> of an "
                            "interaction must not be negative."));
-    AssertThrow(friction > 0 || adhesion > 0,
-                ExcMessage("With <Law = Coulomb> an interaction needs a "
-                           "<Friction coefficient> or an <Adhesion>. Without "
-                           "friction set <Law = unilateral>."));
   }
 
 
