@@ -298,7 +298,8 @@ namespace isochor
                                   const PairElement      &element,
                                   const Point<dim>       &x) const
   {
-    Meeting nearest;
+    constexpr double rounding = 1e-10;
+    Meeting          nearest;
     for (unsigned int i = 0; i < element.others.size(); ++i)
       {
         const FaceCopy<dim>        &other = copies[element.others[i]];
@@ -307,15 +308,25 @@ namespace isochor
           corners[c] =
             other.x[c] + increment_at(step, unknowns, other, other.r[c]);
         auto projection = std::make_unique<FaceProjection<dim>>(x, corners);
-        if (!element.is_tied &&
-            (facing(copies[element.own].normal_now, other.normal_now) == 0 ||
-             (nearest.projection && nearest.projection->distance_square <=
-                                      projection->distance_square)))
-          continue;
+        if (nearest.projection)
+          {
+            // of faces that meet at the nearest place the one is the surface
+            // there that x is farther out of
+            const double d     = projection->distance_square,
+                         least = nearest.projection->distance_square;
+            const bool is_same = std::abs(d - least) <= rounding * least;
+            if (is_same ? projection->distance <= nearest.projection->distance :
+                          d > least)
+              continue;
+          }
         nearest.place      = i;
         nearest.corners    = corners;
         nearest.projection = std::move(projection);
       }
+    if (nearest.projection && !element.is_tied &&
+        facing(copies[element.own].normal_now,
+               copies[element.others[nearest.place]].normal_now) == 0)
+      nearest.projection.reset();
     return nearest;
   }
 
