@@ -170,11 +170,10 @@ namespace isochor
     NodalField forces;
     step.nodes.initialize(forces, step.n_components);
     for (const auto &condition : conditions)
-      {
-        condition->note_start(start, start_unknowns);
-        condition->add_boundary_force(start, start_unknowns, forces);
-      }
+      condition->add_boundary_force(start, start_unknowns, forces);
     forces.compress(VectorOperation::add);
+    for (const auto &condition : conditions)
+      condition->note_start(start, start_unknowns, forces);
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       for (unsigned int a = 0; a < dim; ++a)
         force.local_element(node * dim + a) +=

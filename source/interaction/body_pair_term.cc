@@ -321,7 +321,8 @@ namespace isochor
   template <int dim>
   void
   BodyPairTerm<dim>::note_start(const StepContext<dim> &start,
-                                const NodalField       &unknowns)
+                                const NodalField       &unknowns,
+                                const NodalField & /*forces*/)
   {
     InteractionKernel<dim> kernel;
     Action                 action;

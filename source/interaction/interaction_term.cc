@@ -174,7 +174,8 @@ namespace isochor
   template <int dim>
   void
   InteractionTerm<dim>::note_start(const StepContext<dim> &start,
-                                   const NodalField       &unknowns)
+                                   const NodalField       &unknowns,
+                                   const NodalField & /*forces*/)
   {
     for (const auto &interaction : interactions)
       interaction->partner->update(start, unknowns);

@@ -42,10 +42,14 @@ namespace isochor
     for (unsigned int a = 0; a < dim; ++a)
       if (!components[a].empty())
         {
-          result.mask[a][a]     = 1;
-          result.gap_by_x[a][a] = 1;
-          result.gap[a] = place.start->displacement[a] + place.increment[a] -
-                          components[a].front()(place.start->X, time);
+          result.mask[a][a]       = 1;
+          result.gap_by_x[a][a]   = 1;
+          const auto displacement = [&](const double t) {
+            return components[a].front()(place.start->X, t);
+          };
+          result.gap[a] =
+            place.start->displacement[a] + place.increment[a] -
+            (trial.size == 0 ? displacement(time) : trial.at_end(displacement));
         }
     return result;
   }

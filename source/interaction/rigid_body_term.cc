@@ -126,19 +126,58 @@ namespace isochor
   RigidBodyTerm<dim>::constrain(const StepContext<dim> &step,
                                 NodalConstraints       &constraints) const
   {
-    // a search for the accelerations at t = 0: rigid bodies know theirs
-    const bool is_trial = step.time == step.old_time;
+    // a search for accelerations: rigid bodies know theirs
+    const bool is_trial = in_trial || step.time == step.old_time;
     for (const auto &one : bodies)
       {
         const auto at = one->entries(step);
         if (at[0] == numbers::invalid_unsigned_int)
           continue;
+        const auto coasts = one->body.coast(step.time - step.old_time);
         for (unsigned int i = 0; i < n_components; ++i)
           if (is_trial || !one->body.is_free(i))
-            constraints.constrain(at[i], 0.);
+            constraints.constrain(
+              at[i], one->body.is_free(i) ? coasts[i] * one->scale(i) : 0.);
         // components of the second node that are no rotation
         for (unsigned int a = RigidBody<dim>::n_rotations; a < dim; ++a)
           constraints.constrain(at[dim] + a, 0.);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  RigidBodyTerm<dim>::set_trial(const StepContext<dim> &step,
+                                const double            trial_size,
+                                const SmoothStart      &start)
+  {
+    in_trial = trial_size != 0 && step.time != step.old_time;
+    for (const auto &one : bodies)
+      one->body.set_trial({step.old_time, step.time, trial_size, start});
+  }
+
+
+
+  template <int dim>
+  void
+  RigidBodyTerm<dim>::note_start(const StepContext<dim> &start,
+                                 const NodalField & /*unknowns*/,
+                                 const NodalField &forces)
+  {
+    for (const auto &one : bodies)
+      {
+        if (!one->body.has_free_components())
+          continue;
+        std::vector<double> sums(n_components);
+        if (owns(start, *one))
+          for (unsigned int i = 0; i < n_components; ++i)
+            sums[i] =
+              forces.local_element(one->entries(start)[i]) * one->scale(i);
+        Utilities::MPI::sum(sums, grid->communicator(), sums);
+        typename RigidBody<dim>::Components all;
+        std::copy(sums.begin(), sums.end(), all.begin());
+        one->body.accelerate(all);
       }
   }
 

@@ -107,7 +107,7 @@ namespace isochor
   RigidBody<dim>::complete(const double      time,
                            const Components &increments) const
   {
-    const Components now = motion.prescribed(time),
+    const Components now = motion.at_end(time),
                      old = motion.prescribed(old_time);
     Components result;
     for (unsigned int c = 0; c < n_components; ++c)

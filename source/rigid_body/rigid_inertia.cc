@@ -149,16 +149,27 @@ namespace isochor
                            const Tensor<2, 3>     &rotation,
                            const RigidMotion<dim> &motion)
   {
-    velocity                = Components::translation(initial_velocity);
-    const Tensor<2, 3> back = transpose(rotation);
-    angular_velocity        = back * Components::rotation(initial_velocity);
-    acceleration            = 0;
-    angular_acceleration    = 0;
+    velocity = Components::translation(initial_velocity);
+    angular_velocity =
+      transpose(rotation) * Components::rotation(initial_velocity);
+    accelerate(loads, rotation, motion);
+  }
+
+
+
+  template <int dim>
+  void
+  RigidInertia<dim>::accelerate(const Values           &forces,
+                                const Tensor<2, 3>     &rotation,
+                                const RigidMotion<dim> &motion)
+  {
+    acceleration         = 0;
+    angular_acceleration = 0;
     for (unsigned int d = 0; d < dim; ++d)
       if (motion.is_free(d) && mass > 0)
-        acceleration[d] = loads[d] / mass;
+        acceleration[d] = forces[d] / mass;
     const Vector3 rest =
-      back * Components::rotation(loads) -
+      transpose(rotation) * Components::rotation(forces) -
       cross_product_3d(angular_velocity, scale(moments, angular_velocity));
     for (unsigned int r = 0; r < Components::n_rotations; ++r)
       {
@@ -166,6 +177,23 @@ namespace isochor
         if (motion.is_free(dim + r) && moments[i] > 0)
           angular_acceleration[i] = rest[i] / moments[i];
       }
+  }
+
+
+
+  template <int dim>
+  typename RigidInertia<dim>::Values
+  RigidInertia<dim>::coast(const double dt, const Tensor<2, 3> &rotation) const
+  {
+    const Tensor<1, dim> u = dt * (velocity + dt / 2 * acceleration);
+    const Vector3        turn =
+      rotation * (dt * (angular_velocity + dt / 2 * angular_acceleration));
+    Values result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = u[d];
+    for (unsigned int r = 0; r < Components::n_rotations; ++r)
+      result[dim + r] = turn[Components::axis(r)];
+    return result;
   }
 
 

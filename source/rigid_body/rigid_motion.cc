@@ -183,6 +183,22 @@ namespace isochor
 
   template <int dim>
   typename RigidMotion<dim>::Values
+  RigidMotion<dim>::at_end(const double time) const
+  {
+    if (trial.size == 0)
+      return prescribed(time);
+    Values result{};
+    for (unsigned int c = 0; c < Components::n; ++c)
+      if (motions[c])
+        result[c] = trial.at_end(
+          [&](const double t) { return (*motions[c])(Point<dim>(), t); });
+    return result;
+  }
+
+
+
+  template <int dim>
+  typename RigidMotion<dim>::Values
   RigidMotion<dim>::loads(const double time) const
   {
     return values(forces, time);

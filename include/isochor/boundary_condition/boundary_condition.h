@@ -236,11 +236,13 @@ namespace isochor
 
     /** In dynamics, where a step starts with the acceleration of the forces:
      * @p unknowns are those at its start, without increments, with what
-     * pressures the nodes of its grid can have. @p start is the step that ends
-     * there. Collective. */
+     * pressures the nodes of its grid can have, and @p forces those that all
+     * conditions then have by add_boundary_force(). @p start is the step that
+     * ends there. Collective. */
     virtual void
     note_start(const StepContext<dim> & /*start*/,
-               const NodalField & /*unknowns*/)
+               const NodalField & /*unknowns*/,
+               const NodalField & /*forces*/)
     {}
 
     /** The search for the contact nodes of a step begins, or begins again

@@ -101,6 +101,30 @@ namespace isochor
               motion.acceleration + acceleration_per_jerk * motion.jerk};
     }
   };
+
+  /** What is prescribed in the trial steps of dynamics, see
+   * BoundaryCondition::set_trial(). */
+  struct TrialMotion
+  {
+    double      start = 0, end = 0; ///< of the step that it is a trial for (s)
+    double      size = 0;           ///< of the trial (s); 0: there is none
+    SmoothStart smooth;
+
+    /** The value at the end of the trial of what is @p value(t) in time. */
+    template <typename Function>
+    double
+    at_end(const Function &value) const
+    {
+      const double dt = end - start;
+      if (dt == 0)
+        return value(start); // nothing moves
+      std::array<double, n_motion_places> places;
+      for (unsigned int k = 0; k < n_motion_places; ++k)
+        places[k] = value(start + k * dt / (n_motion_places - 1));
+      const auto [v, a] = smooth.of(motion_of_step(places, dt));
+      return places[0] + size * (v + size / 2 * a);
+    }
+  };
 } // namespace isochor
 
 #endif

@@ -62,7 +62,8 @@ namespace isochor
     prepare_contact(const StepContext<dim> &step) override;
     void
     note_start(const StepContext<dim> &start,
-               const NodalField       &unknowns) override;
+               const NodalField       &unknowns,
+               const NodalField       &forces) override;
     EvaluationStatus
     assemble(const StepContext<dim> &step,
              const NodalField       &unknowns,

@@ -61,8 +61,18 @@ namespace isochor
     void
     prepare_contact(const StepContext<dim> &step) override;
     void
+    set_trial(const StepContext<dim> &step,
+              const double            trial_size,
+              const SmoothStart      &start) override
+    {
+      for (const auto &interaction : interactions)
+        interaction->partner->set_trial(
+          {step.old_time, step.time, trial_size, start});
+    }
+    void
     note_start(const StepContext<dim> &start,
-               const NodalField       &unknowns) override;
+               const NodalField       &unknowns,
+               const NodalField       &forces) override;
     EvaluationStatus
     assemble(const StepContext<dim> &step,
              const NodalField       &unknowns,

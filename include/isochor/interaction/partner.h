@@ -5,6 +5,7 @@
 #ifndef isochor_partner_h
 #define isochor_partner_h
 
+#include <isochor/grid/prescribed_motion.h>
 #include <isochor/interaction/body_surface.h>
 #include <isochor/interaction/interaction_kernel.h>
 
@@ -34,6 +35,11 @@ namespace isochor
      */
     virtual void
     update(const StepContext<dim> & /*step*/, const NodalField & /*unknowns*/)
+    {}
+
+    /** A trial step of dynamics begins or, if it has no size, is over. */
+    virtual void
+    set_trial(const TrialMotion & /*trial*/)
     {}
 
     /** Where @p place is from the nearest place of the partner, for laws that

@@ -30,6 +30,12 @@ namespace isochor
       time = step.time;
     }
 
+    void
+    set_trial(const TrialMotion &next) override
+    {
+      trial = next;
+    }
+
     /** A prescribed place is no surface that could be left. */
     PartnerPlace<dim>
     nearest(const typename Partner<dim>::SurfacePlace &place) const override
@@ -42,6 +48,7 @@ namespace isochor
   private:
     std::array<std::vector<Expression<dim>>, dim> components; ///< one or none
     double                                        time = 0;
+    TrialMotion                                   trial;
   };
 } // namespace isochor
 

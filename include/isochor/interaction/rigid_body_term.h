@@ -76,6 +76,14 @@ namespace isochor
     void
     constrain(const StepContext<dim> &step,
               NodalConstraints       &constraints) const override;
+    void
+    set_trial(const StepContext<dim> &step,
+              const double            trial_size,
+              const SmoothStart      &start) override;
+    void
+    note_start(const StepContext<dim> &start,
+               const NodalField       &unknowns,
+               const NodalField       &forces) override;
     EvaluationStatus
     assemble(const StepContext<dim> &step,
              const NodalField       &unknowns,
@@ -111,6 +119,8 @@ namespace isochor
     scheme(const StepContext<dim> &step);
 
     const Bodies               bodies;
+    /** Whether there is a trial step in which bodies move. */
+    bool in_trial = false;
   };
 } // namespace isochor
 

@@ -115,6 +115,26 @@ namespace isochor
               Components        &residual,
               Matrix            &matrix) const;
 
+    /** A trial step of dynamics begins or, if it has no size, is over. */
+    void
+    set_trial(const TrialMotion &trial)
+    {
+      motion.set_trial(trial);
+    }
+    /** What is free goes on as it does at the start of the step: its increments
+     * after @p dt. */
+    Components
+    coast(const double dt) const
+    {
+      return inertia.coast(dt, rotation_in_space());
+    }
+    /** What is free has the acceleration at the start of the step that these
+     * @p forces and moments give it, loads included. */
+    void
+    accelerate(const Components &forces)
+    {
+      inertia.accelerate(forces, rotation_in_space(), motion);
+    }
     /** The step to @p time has converged. */
     void
     advance(const double       time,

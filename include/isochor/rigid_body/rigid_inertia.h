@@ -70,6 +70,15 @@ namespace isochor
           const Tensor<2, 3>     &rotation,
           const RigidMotion<dim> &motion);
 
+    /** The acceleration that @p forces cause. */
+    void
+    accelerate(const Values           &forces,
+               const Tensor<2, 3>     &rotation,
+               const RigidMotion<dim> &motion);
+    /** Increments after @p dt with velocity and acceleration as they are. */
+    Values
+    coast(const double dt, const Tensor<2, 3> &rotation) const;
+
     /** Inertia minus @p loads, work-conjugate to the @p increments, and the
      * derivative, of what is free; 0 elsewhere. @p rotation is that at the
      * start of the step. */

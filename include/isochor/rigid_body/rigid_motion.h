@@ -8,6 +8,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <isochor/base/expression.h>
+#include <isochor/grid/prescribed_motion.h>
 #include <isochor/rigid_body/rigid_move.h>
 
 #include <array>
@@ -52,6 +53,15 @@ namespace isochor
     /** Displacement and rotation vector since t = 0; 0 if fixed or free. */
     Values
     prescribed(const double time) const;
+    /** The same at the end of a step to @p time, also of a trial. */
+    Values
+    at_end(const double time) const;
+    /** A trial step of dynamics begins or, if it has no size, is over. */
+    void
+    set_trial(const TrialMotion &next)
+    {
+      trial = next;
+    }
     /** Force and moment, 0 where there is none. */
     Values
     loads(const double time) const;
@@ -68,6 +78,7 @@ namespace isochor
 
     Formulas                        motions, forces;
     std::array<bool, Components::n> free{};
+    TrialMotion                     trial;
   };
 } // namespace isochor
 
