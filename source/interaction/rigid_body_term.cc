@@ -174,7 +174,7 @@ namespace isochor
           for (unsigned int i = 0; i < n_components; ++i)
             sums[i] =
               forces.local_element(one->entries(start)[i]) * one->scale(i);
-        Utilities::MPI::sum(sums, grid->communicator(), sums);
+        Utilities::MPI::sum(sums, start.grid.communicator(), sums);
         typename RigidBody<dim>::Components all;
         std::copy(sums.begin(), sums.end(), all.begin());
         one->body.accelerate(all);
