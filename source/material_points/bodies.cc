@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace isochor
 {
@@ -165,20 +166,105 @@ namespace isochor
 
 
 
+  namespace
+  {
+    /** What is connected and of one material. */
+    template <int dim>
+    struct Component
+    {
+      unsigned int     part, material;
+      BoundingBox<dim> box;
+      unsigned int     colour = 0;
+    };
+
+    /** The connected parts of each material, and by seed which it belongs to.
+     */
+    template <int dim>
+    std::vector<Component<dim>>
+    find_components(const std::vector<Seed<dim>> &seeds,
+                    std::vector<unsigned int>    &component_of_seed)
+    {
+      const std::vector<unsigned int> parts = parts_by_domains(seeds);
+      std::map<unsigned int, std::vector<unsigned int>> of_material;
+      for (unsigned int s = 0; s < seeds.size(); ++s)
+        of_material[seeds[s].material].push_back(s);
+      std::vector<Component<dim>> components;
+      component_of_seed.resize(seeds.size());
+      for (const auto &[material, numbers] : of_material)
+        {
+          std::vector<Seed<dim>> of_one;
+          for (const unsigned int s : numbers)
+            of_one.push_back(seeds[s]);
+          const std::vector<unsigned int> own   = parts_by_domains(of_one);
+          const unsigned int              first = components.size();
+          for (unsigned int i = 0; i < numbers.size(); ++i)
+            {
+              const unsigned int s       = numbers[i],
+                                 c       = first + (own.empty() ? 0 : own[i]);
+              component_of_seed[s]       = c;
+              const BoundingBox<dim> box = box_of(seeds[s]);
+              if (c == components.size())
+                components.push_back(
+                  {parts.empty() ? 0 : parts[s], material, box});
+              else
+                components[c].box.merge_with(box);
+            }
+        }
+      return components;
+    }
+
+    /** Give components of one material and part other colours unless they are
+     * several cells apart from each other: those of one colour may share the
+     * nodes of a grid without feeling each other. */
+    template <int dim>
+    void
+    colour_components(const std::vector<Seed<dim>> &seeds,
+                      std::vector<Component<dim>>  &components)
+    {
+      double size = 0;
+      for (const Seed<dim> &seed : seeds)
+        for (unsigned int c = 0; c < dim; ++c)
+          size = std::max(size, (seed.domain[c + 1] - seed.domain[c]).norm());
+      for (auto one = components.begin(); one != components.end(); ++one)
+        {
+          // a domain is no longer than a cell, and half of it as a rule
+          BoundingBox<dim> around = one->box;
+          around.extend(6 * size);
+          std::set<unsigned int> taken;
+          for (auto other = components.begin(); other != one; ++other)
+            if (other->part == one->part && other->material == one->material &&
+                around.get_neighbor_type(other->box) !=
+                  NeighborType::not_neighbors)
+              taken.insert(other->colour);
+          while (taken.count(one->colour) != 0)
+            ++one->colour;
+        }
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::vector<std::string>
   Bodies<dim>::names_by_parts(const std::vector<Seed<dim>> &seeds)
   {
-    const std::vector<unsigned int> parts = parts_by_domains(seeds);
-    std::map<std::pair<unsigned int, unsigned int>, std::string> known;
-    std::vector<std::string>                                     names;
+    std::vector<unsigned int>   component_of_seed;
+    std::vector<Component<dim>> components =
+      find_components(seeds, component_of_seed);
+    colour_components(seeds, components);
+    std::map<std::array<unsigned int, 3>, std::string> known;
+    std::vector<std::string>                           names;
     names.reserve(seeds.size());
     for (unsigned int s = 0; s < seeds.size(); ++s)
-      names.push_back(known
-                        .emplace(std::make_pair(parts.empty() ? 0 : parts[s],
-                                                seeds[s].material),
-                                 "body " + std::to_string(known.size() + 1))
-                        .first->second);
+      {
+        const Component<dim> &c = components[component_of_seed[s]];
+        names.push_back(known
+                          .emplace(std::array<unsigned int, 3>{{c.part,
+                                                                c.material,
+                                                                c.colour}},
+                                   "body " + std::to_string(known.size() + 1))
+                          .first->second);
+      }
     return names;
   }
 
