@@ -353,7 +353,9 @@ namespace isochor
       NodalField force, rest;
       step.nodes.initialize(force, step.n_components);
       step.nodes.initialize(rest, step.n_components);
-      if (step.mixed())
+      if (result.start != nullptr)
+        rest = *result.start;
+      else if (step.mixed())
         map_pressure_to_nodes(start, rest);
       for (const auto &condition : result.conditions)
         {

@@ -72,6 +72,14 @@ namespace isochor
     void
     take_pressures(const StepContext<dim> &step, const NodalField &unknowns);
 
+    /** The unknowns that the forces at the start of the step are those of, if
+     * it started with these; else null. */
+    const NodalField *
+    unknowns_at_start() const
+    {
+      return is_active() && by_stresses ? &start_unknowns : nullptr;
+    }
+
     /** Take the points as they are at the start of the step. If it @p carries
      * accelerations, as the first one does, those of the points count in any
      * case. Collective. */
