@@ -346,12 +346,18 @@ namespace isochor
     for (const auto &interaction : interactions)
       interaction->partner->update(step, unknowns);
     InteractionKernel<dim> kernel;
+    std::vector<Action>    actions;
+    acting = Tensor<1, dim>();
     for (unsigned int e = 0; e < faces.size(); ++e)
       {
-        const EvaluationStatus status =
-          evaluate_face(step, unknowns, faces[e], with_matrix, kernel, nullptr);
+        actions.clear();
+        const EvaluationStatus status = evaluate_face(
+          step, unknowns, faces[e], with_matrix, kernel, &actions);
         if (status != EvaluationStatus::success)
           return status;
+        for (const Action &action : actions)
+          if (step.has_inertia)
+            acting += action.force;
         system.add_element(first_element + e,
                            kernel.residual.data(),
                            with_matrix ? kernel.matrix.data() : nullptr,

@@ -89,8 +89,7 @@ namespace isochor
       stiffness     = sums[shear_modulus];
       external_sum += sums[external];
       stress_work += sums[plastic];
-      // at the points p θ' isn't what is stored, as the pressure equation holds
-      // in the mean and with the stabilisation: the sum has what that stores
+      // p θ' of the points lacks what the stabilisation stores
       plastic_sum =
         stress_work - (any_dissipates(result.step) ? stabilisation.stored : 0.);
     }
@@ -353,7 +352,9 @@ namespace isochor
       NodalField force, rest;
       step.nodes.initialize(force, step.n_components);
       step.nodes.initialize(rest, step.n_components);
-      if (step.mixed())
+      if (result.start != nullptr)
+        rest = *result.start;
+      else if (step.mixed())
         map_pressure_to_nodes(start, rest);
       for (const auto &condition : result.conditions)
         {
@@ -386,9 +387,8 @@ namespace isochor
           }
       if (std::exchange(has_other_grid, false))
         carry_reactions(step, held, places, reactions);
-      // in statics nothing reacts before the first step, unless the body is
-      // stressed from the start; in dynamics nothing does, but for the impulse,
-      // to what starts suddenly
+      // before the first step nothing reacts, in statics unless the body is
+      // stressed, in dynamics to what starts suddenly, but for the impulse
       const bool starts_unloaded =
         result.time.step == 0 &&
         (result.points.layout().dynamic ?

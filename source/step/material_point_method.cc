@@ -308,7 +308,8 @@ namespace isochor
                                  scene.boundary_conditions,
                                  scene.inertia.work_of_jump(step,
                                                             scene.points,
-                                                            scene.time)};
+                                                            scene.time),
+                                 scene.inertia.unknowns_at_start()};
     {
       TimerOutput::Scope scope(terminal.timer(), "postprocessing");
       set_statistics(result);

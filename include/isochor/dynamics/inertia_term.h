@@ -67,11 +67,16 @@ namespace isochor
       return is_active() && from_stresses;
     }
 
-    /** Take the pressures of @p unknowns for those of the nodes at the start of
-     * a step whose grid is kept. */
+    /** @p unknowns have the nodes' pressures if the grid of the step is kept.
+     */
     void
     take_pressures(const StepContext<dim> &step, const NodalField &unknowns);
-
+    /** Those of the forces that the step started with, if it did; else null. */
+    const NodalField *
+    unknowns_at_start() const
+    {
+      return is_active() && by_stresses ? &start_unknowns : nullptr;
+    }
     /** Take the points as they are at the start of the step. If it @p carries
      * accelerations, as the first one does, those of the points count in any
      * case. Collective. */
@@ -155,15 +160,13 @@ namespace isochor
     {
       return trial.walls_lead;
     }
-    /** In a trial: no longer look for the nodes that walls push. Nodes have to
-     * be constrained anew. */
+    /** The same: and no longer look for the nodes that walls push. */
     void
     let_walls_follow()
     {
       let_walls_lead(false);
       trial.walls_judge = false;
     }
-    /** Whether the equations are those of a trial. */
     bool
     in_trial() const
     {
@@ -198,7 +201,7 @@ namespace isochor
     finish_settling(const StepContext<dim> &step,
                     const NodalField       &unknowns,
                     PointArrays<dim>       &points);
-    /** Back to the equations of a step. */
+    /** Back to those of a step. */
     void
     end_trial(
       const StepContext<dim>                                     &step,
@@ -346,8 +349,7 @@ namespace isochor
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       MaterialPoints<dim>                                        &points);
 
-    /** Add the forces that @p conditions assemble, which depend on nodal
-     * pressures. Collective. */
+    /** Add the forces that @p conditions assemble. Collective. */
     void
     collect_boundary_forces(
       const StepContext<dim>                                     &step,
@@ -361,8 +363,8 @@ namespace isochor
      * The pressure equation says what work such a pressure does in the step;
      * the rest of p_p does work on changes of volume that no pressure of this
      * grid feels and nothing but the shear stiffness resists. They grow by it,
-     * and with them the rest of p_p. p_I goes to @ref start_unknowns, too.
-     * @p constraints are those of the start of the step. Collective.
+     * and with them the rest of p_p. p_I goes to @ref start_unknowns. @p
+     * constraints are those of the start of the step. Collective.
      */
     void
     leave_out_unfelt_pressure(const StepContext<dim> &step,
@@ -465,11 +467,10 @@ namespace isochor
     NodalField start_unknowns;
     /** The same at its end, after finish_step(), and what the acceleration
      * exceeds that of the forces by. */
-    struct AtEnd
+    struct
     {
       NodalField velocity, acceleration, excess;
-    };
-    AtEnd at_end;
+    } at_end;
     /** Prescribed entries, of local nodes. */
     std::vector<unsigned char> held;
     WallMotion
@@ -487,13 +488,12 @@ namespace isochor
     bool                prescribed = false;
 
     /** What assemble() works with. */
-    struct Scratch
+    struct
     {
       std::vector<unsigned int> nodes;
       std::vector<double>       mass, residual, matrix;
       NodalField                acceleration; ///< of the equation of motion
-    };
-    Scratch element;
+    } element;
   };
 } // namespace isochor
 

@@ -87,6 +87,12 @@ namespace isochor
     add_boundary_force(const StepContext<dim> &step,
                        const NodalField       &unknowns,
                        NodalField             &force) const override;
+    /** In dynamics: whether what acted at the last iterate does. */
+    bool
+    supports_body(const Tensor<1, dim> &gravity) const override
+    {
+      return acting * gravity < 0;
+    }
     bool
     has_symmetric_matrix() const override
     {
@@ -175,9 +181,11 @@ namespace isochor
     std::vector<std::unique_ptr<Interaction<dim>>> interactions;
     const BackgroundGrid<dim>                     *grid   = nullptr;
     const PointArrays<dim>                        *points = nullptr;
-    bool                       is_checked = false; ///< see check_surfaces()
-    BodySurface<dim>           surface;
-    std::vector<FaceElement>   faces;
+    bool                     is_checked = false; ///< see check_surfaces()
+    BodySurface<dim>         surface;
+    std::vector<FaceElement> faces;
+    /** The force on this rank's faces at the last iterate, in dynamics (N). */
+    Tensor<1, dim>             acting;
     mutable SlipMemory<dim>    slips;
     mutable SurfaceStress<dim> stress;
   };

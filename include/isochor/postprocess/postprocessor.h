@@ -37,6 +37,9 @@ namespace isochor
     /** What prescribed motions that jump have done in the moment in which the
      * step begins (J), this rank's part. */
     const double work_of_jump = 0;
+    /** The unknowns at the start of the step that its first forces were those
+     * of; null in statics and where forces are carried. */
+    const NodalField *start = nullptr;
   };
 
   /**

@@ -1,0 +1,90 @@
+# Isochor, SPDX-License-Identifier: LGPL-2.1-or-later
+"""Run the scenes of this directory, compare how far the bodies come with the
+formulas, and draw them:
+
+    /usr/bin/python3 draw.py --executable /where/isochor
+"""
+
+import argparse
+import subprocess
+import sys
+from math import cos, pi, sin
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "tools"))
+import isochor_output as output  # noqa: E402
+import matplotlib  # noqa: E402
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+
+G, ANGLE = 9.81, pi / 3
+
+
+def run(executable, scene, name, *settings):
+    command = [executable, str(HERE / f"{scene}.prm"), "--output-directory", name]
+    for setting in settings:
+        command += ["--set", setting]
+    subprocess.run(command, check=True, cwd=HERE, stdout=subprocess.DEVNULL)
+    return HERE / name
+
+
+def way(directory, start):
+    """How far the centre of mass has come along the slope, from x = start."""
+    data = output.read_points(directory)
+    mass = data["volume"] / data["J"]
+    return mass @ data["position"][:, 0] / mass.sum() - start
+
+
+def draw(ax, directory, times):
+    for time in times:
+        data = output.read_points_at(directory, time)
+        x, y = data["position"][:, 0], data["position"][:, 1]
+        # turned back: the slope goes down to the right
+        horizontal = x * cos(ANGLE) + y * sin(ANGLE)
+        height = y * cos(ANGLE) - x * sin(ANGLE)
+        velocity = np.hypot(data["velocity"][:, 0], data["velocity"][:, 1])
+        artist = ax.scatter(horizontal, height, c=velocity, s=3, vmin=0, vmax=9)
+    s = np.array([-0.7, 6])
+    ax.plot(s * cos(ANGLE), -s * sin(ANGLE), "k")
+    ax.set_aspect("equal")
+    return artist
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--executable", default="isochor")
+    arguments = parser.parse_args()
+    executable = str(Path(arguments.executable).resolve())
+    subprocess.run(
+        ["gmsh", "-2", "disc.geo", "-o", "disc.msh", "-v", "1"], check=True, cwd=HERE
+    )
+    friction = "Interaction: body - slope/Friction coefficient="
+    smooth = run(
+        executable,
+        "block",
+        "output/smooth",
+        "Interaction: body - slope/Law=unilateral",
+    )
+    block = run(executable, "block", "output/block", friction + "0.3")
+    disc = run(executable, "disc", "output/disc")
+    for name, directory, start, exact in [
+        ("block without friction", smooth, 0.5, G / 2 * sin(ANGLE)),
+        ("block", block, 0.5, G / 2 * (sin(ANGLE) - 0.3 * cos(ANGLE))),
+        ("disc", disc, 0, G / 3 * sin(ANGLE)),
+    ]:
+        found = way(directory, start)
+        print(f"{name}: {found:.4f} m, {exact:.4f} m ({100 * (found / exact - 1):+.2f} %)")
+    figure, axes = plt.subplots(1, 2, figsize=(8, 6), layout="constrained")
+    draw(axes[0], block, [0.25, 0.5, 0.75, 1])
+    artist = draw(axes[1], disc, [0.25, 0.5, 0.75, 1, 1.25])
+    axes[0].set_title("block, friction 0.3")
+    axes[1].set_title("disc")
+    figure.colorbar(artist, ax=axes, label="velocity (m/s)")
+    output.save(figure, HERE / "incline.png")
+
+
+if __name__ == "__main__":
+    main()
