@@ -204,6 +204,12 @@ namespace isochor
               std::minmax(copies[i].body, copies[element.others[0]].body));
         }
     knows_tied_pairs = true;
+    bool any_contact = false;
+    for (unsigned int a = 0; a < body_names.size(); ++a)
+      for (unsigned int b = a + 1; b < body_names.size(); ++b)
+        any_contact = any_contact || is_contact(a, b);
+    if (!any_contact) // what is tied stays where it is
+      reach = std::numeric_limits<double>::max();
     for (unsigned int f = 0; f < surface.faces().size(); ++f)
       for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
         {
