@@ -122,7 +122,7 @@ namespace isochor
   void
   InteractionTerm<dim>::prepare_contact(const StepContext<dim> &step)
   {
-    if (faces.empty()) // as in a run that is resumed on a kept grid
+    if (!is_checked) // a run that is resumed on a kept grid; on all ranks
       find_faces();
     NodalField rest;
     step.nodes.initialize(rest, step.n_components);
