@@ -137,11 +137,15 @@ namespace isochor
       std::istringstream lines(settings);
       for (std::string line; std::getline(lines, line);)
         {
-          const NamedSection section = {line.substr(0, line.find('/')), ""};
-          if (line.rfind("Interaction: ", 0) == 0)
-            sections.interactions.push_back(section);
-          if (line.rfind("Rigid body: ", 0) == 0)
-            sections.rigid_bodies.push_back(section);
+          const std::string name = line.substr(0, line.find('/'));
+          for (const auto &[kind, list] :
+               {std::make_pair("Interaction: ", &sections.interactions),
+                std::make_pair("Rigid body: ", &sections.rigid_bodies)})
+            if (line.rfind(kind, 0) == 0 &&
+                std::none_of(list->begin(), list->end(), [&](const auto &one) {
+                  return one.section == name;
+                }))
+              list->push_back({name, ""});
         }
       MaterialPointMethod<dim>::declare_parameters(prm, sections);
       set_parameters(prm,
