@@ -223,6 +223,8 @@ namespace
         std::ostringstream scene;
         scene << common(quadrature, formulation) << "Grid/Subdivisions = 8, 8\n"
               << "Material points/Body mesh = body.msh\n"
+              // the needle shares no node of the mesh with the rest
+              << "Material points/Bodies = one\n"
               << "Material points/Points per cell = 4\n"
               << "Material/Model = " << material.name << '\n'
               << material.parameters << "Material/Young modulus = 1e4\n"
