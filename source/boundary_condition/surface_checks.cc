@@ -28,7 +28,7 @@ namespace isochor
     for (unsigned int s = 0; s < covered_area.size(); ++s)
       {
         const SurfaceCondition<dim> &surface = conditions.surfaces[s];
-        const SurfaceRegion<dim>      &place   = surface.place;
+        const SurfaceRegion<dim>    &place   = surface.place;
         const double share = covered_area[s] / candidate_area[s];
         if (place.on_grid_boundary || share > 0.99)
           continue;
@@ -111,7 +111,7 @@ namespace isochor
       if (is_doubtful(surface))
         {
           const SurfaceRegion<dim> &place = surface.place;
-          std::vector<double>     values;
+          std::vector<double>       values;
           try
             {
               const Expression<dim> formula(place.condition, place.parameter);

@@ -24,7 +24,7 @@ namespace isochor
   template <int dim>
   struct SurfaceCondition
   {
-    SurfaceRegion<dim>             place;
+    SurfaceRegion<dim>           place;
     std::vector<Expression<dim>> traction; ///< dim or none
     std::vector<Expression<dim>> pressure; ///< one or none
     std::array<std::vector<Expression<dim>>, dim>

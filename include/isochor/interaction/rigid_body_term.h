@@ -118,7 +118,7 @@ namespace isochor
     static RigidScheme
     scheme(const StepContext<dim> &step);
 
-    const Bodies               bodies;
+    const Bodies bodies;
     /** Whether there is a trial step in which bodies move. */
     bool in_trial = false;
   };
