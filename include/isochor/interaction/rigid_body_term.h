@@ -76,6 +76,12 @@ namespace isochor
     void
     constrain(const StepContext<dim> &step,
               NodalConstraints       &constraints) const override;
+    /** Nothing: no node has a motion that could jump, what touches a rigid body
+     * follows it as far as steps resolve. */
+    void
+    append_motion(const StepContext<dim> & /*step*/,
+                  std::vector<double> & /*values*/) const override
+    {}
     void
     set_trial(const StepContext<dim> &step,
               const double            trial_size,
@@ -118,7 +124,7 @@ namespace isochor
     static RigidScheme
     scheme(const StepContext<dim> &step);
 
-    const Bodies               bodies;
+    const Bodies bodies;
     /** Whether there is a trial step in which bodies move. */
     bool in_trial = false;
   };
