@@ -293,6 +293,25 @@ namespace
     expect("no effect",
            warnings,
            {"<Boundary conditions: punch/Penalty of body displacement"});
+    const auto  lid = make(block + "subsection Rigid body: lid\n"
+                                   "set Shape = half plane\n"
+                                   "set Point = 0, 1.5\n"
+                                   "set Normal = 0, -1\n"
+                                   "set Radius = 2\nset Mass = 3\nend\n"
+                                   "subsection Interaction: body - lid\n"
+                                   "set Law = unilateral\n"
+                                   "set Friction coefficient = 0.3\n"
+                                   "set Displacement = x = 0\nend\n",
+                          "lid");
+    std::string of_lid;
+    for (const auto &warning : lid->all_warnings().all())
+      of_lid += one_line(warning.text) + "\n";
+    expect("no effect at a rigid body",
+           of_lid,
+           {"<Rigid body: lid/Mass = 3>",
+            "<Rigid body: lid/Radius = 2>",
+            "<Interaction: body - lid/Friction coefficient = 0.3>",
+            "<Interaction: body - lid/Displacement = x = 0>"});
   }
 } // namespace
 

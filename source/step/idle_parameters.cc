@@ -4,6 +4,8 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/parameter_list.h>
 #include <isochor/base/plugin_registry.h>
+#include <isochor/interaction/interaction_law.h>
+#include <isochor/interaction/rigid_body_term.h>
 #include <isochor/linear_solver/linear_solver_choice.h>
 #include <isochor/step/idle_parameters.h>
 
@@ -277,6 +279,52 @@ namespace isochor
 
 
 
+    /** The sections "Rigid body: NAME" and "Interaction: BODY - PARTNER". */
+    template <int dim>
+    void
+    inspect_partners(
+      const ParameterList                                       &list,
+      const std::vector<std::shared_ptr<RigidBodyInScene<dim>>> &rigid_bodies,
+      const Inspector                                           &inspect)
+    {
+      for (const auto &one : rigid_bodies)
+        {
+          const std::string section = "Rigid body: " + one->body.name();
+          const std::set<std::string> in_use = one->body.parameters_in_use();
+          for (const auto &entry : list.entries)
+            if (entry.first.size() == 2 && entry.first[0] == section &&
+                in_use.count(entry.first[1]) == 0)
+              inspect.idle(entry.first,
+                           "with <" + section + "/Shape = " +
+                             inspect.value({section, "Shape"}) + "> " +
+                             (one->body.has_free_components() ? "and" :
+                                                                "without") +
+                             " <Free>");
+        }
+      for (const Path &path : list.subsections)
+        if (path.size() == 1 && path[0].rfind("Interaction: ", 0) == 0)
+          {
+            using Laws                 = PluginRegistry<InteractionLaw<dim>>;
+            const std::string     law  = inspect.value({path[0], "Law"});
+            const auto            used = Laws::parameters(law);
+            std::set<std::string> of_laws;
+            for (const std::string &name :
+                 Utilities::split_string_list(Laws::names(), '|'))
+              of_laws.merge(Laws::parameters(name));
+            for (const std::string &name : of_laws)
+              if (used.count(name) == 0)
+                inspect.idle({path[0], name},
+                             "with <" + path[0] + "/Law = " + law + ">");
+            const std::string partner = path[0].substr(path[0].rfind(" - "));
+            if (partner != " - place")
+              inspect.idle({path[0], "Displacement"},
+                           "on an interaction with another partner than "
+                           "'place'");
+          }
+    }
+
+
+
     void
     inspect_linear_solver(const ParameterList &list, const Inspector &inspect)
     {
@@ -320,6 +368,7 @@ namespace isochor
     inspect_cut_cells(inspect, scene.ties_cut_cells());
     inspect_surfaces(list, inspect);
     inspect_materials(list, inspect);
+    inspect_partners<dim>(list, scene.rigid_bodies, inspect);
     inspect_linear_solver(list, inspect);
   }
 

@@ -338,7 +338,6 @@ namespace isochor
   void
   Scene<dim>::parse_interactions(ParameterHandler &prm)
   {
-    typename RigidBodyTerm<dim>::Bodies rigid_bodies;
     for (const auto &path : ParameterList(prm).subsections)
       if (path.size() == 1 && path.front().rfind("Rigid body: ", 0) == 0)
         {

@@ -25,6 +25,8 @@ namespace isochor
   class BodyPairTerm;
   template <int dim>
   class InteractionTerm;
+  template <int dim>
+  struct RigidBodyInScene;
 
   /** What decides which parameters a scene has. */
   struct SceneSections
@@ -150,6 +152,9 @@ namespace isochor
 
     std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
     std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;
+
+    /** Those of the sections "Rigid body: NAME". */
+    std::vector<std::shared_ptr<RigidBodyInScene<dim>>> rigid_bodies;
 
   private:
     void
