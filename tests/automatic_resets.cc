@@ -98,15 +98,6 @@ test_choice()
               is_put_back<2>(vibrates +
                              "Material points/Split at share of cell = 0.9\n"),
               "");
-  for (const std::string floor :
-       {"Displacement = bottom: y >= 0", "Walls = bottom: n >= 0"})
-    test::check("a floor that only pushes, " + floor.substr(0, 5) +
-                  ": put back",
-                is_put_back<2>(block + dynamics +
-                               "Boundary conditions/Gravity = 0, -1\n"
-                               "Boundary conditions/" +
-                               floor + '\n'),
-                "");
   test::check("a floor that also pulls: kept",
               !is_put_back<2>(block + dynamics +
                               "Boundary conditions/Gravity = 0, -1\n"
@@ -136,60 +127,6 @@ test_idle(const std::string &name,
               is_idle ? told.find("auto>, which is 1") != std::string::npos :
                         told.empty(),
               '"' + told + '"');
-}
-
-/** A block that is thrown onto the ground: from there on the grid is put back
- * in each step. */
-void
-test_boundary()
-{
-  const auto problem = test::run_scene<2>(
-    "Grid/Subdivisions = 8, 8\nMaterial points/Region = x < 0.5 && y > 0.5\n"
-    "Material/Young modulus = 1e5\nMaterial/Density = 1000\n"
-    "Dynamics/Initial velocity = 0, -5\n"
-    "Boundary conditions/Displacement = bottom: y = 0; left: x = 0\n"
-    "Time/Step size = 0.01\nTime/End time = 0.2\n" +
-    dynamics);
-  const auto row = test::work(*problem).row("searches for all points");
-  test::check("a block is thrown onto the ground: put back from there on",
-              row.skipped > 5 && row.skipped < 12,
-              std::to_string(row.skipped));
-  test::check("a block is thrown onto the ground: this is said",
-              test::all_warnings(*problem).summary().find(
-                "contact on a grid") != std::string::npos,
-              test::all_warnings(*problem).summary());
-}
-
-/** Two discs collide and part: then the grid is kept again, and they lose no
- * more energy. */
-void
-test_parting()
-{
-  std::vector<double>       energy;
-  unsigned long long        skipped = 0;
-  const std::vector<double> times   = {0.5, 0.8};
-  for (const double time : times)
-    {
-      const auto problem = test::run_scene<2>(
-        "Grid/Lower corner = -1, 0\nGrid/Upper corner = 2, 1\n"
-        "Grid/Subdivisions = 24, 8\nFormulation/Type = u\n"
-        "Dynamics/Initial velocity = 1 - 2*(x > 0.4), 0\n"
-        "Material/Young modulus = 100\nMaterial/Poisson ratio = 0.3\n"
-        "Material/Density = 1\nMaterial points/Points per cell = 4\n"
-        "Material points/Region = "
-        "(x+0.1)^2 + (y-0.5)^2 < 0.09 || (x-0.9)^2 + (y-0.5)^2 < 0.09\n"
-        "Time/Step size = 0.005\nTime/End time = " +
-        std::to_string(time) + '\n' + dynamics);
-      energy.push_back(test::get(*problem, "Kinetic energy (J)") +
-                       test::get(*problem, "Strain energy (J)"));
-      skipped = test::work(*problem).row("searches for all points").skipped;
-    }
-  test::check("discs that have parted: the grid is kept",
-              skipped > 80,
-              std::to_string(skipped));
-  test::check("discs that have parted: energy is kept",
-              std::abs(energy[1] / energy[0] - 1) < 0.01,
-              std::to_string(energy[1] / energy[0] - 1));
 }
 
 int
@@ -234,6 +171,4 @@ main(int argc, char **argv)
   test_idle("statics", "", true);
   test_idle("dynamics, CPDI", dynamics + "Quadrature/Type = CPDI\n", true);
   test_idle("dynamics", dynamics, false);
-  test_boundary();
-  test_parting();
 }

@@ -176,12 +176,6 @@ main(int argc, char **argv)
                 astray.warning.find("by 0.012 m") != std::string::npos &&
                 astray.warning.find("<Grid/Stretch>") != std::string::npos,
               astray.warning);
-  const Result in_part =
-    push<2>("Boundary conditions/Displacement = left: x = 0; bottom: y = 0; "
-            "top: y <= if(x < 0.3, -0.3*t, 1)\n");
-  test::check("a one-sided wall that is elsewhere far away",
-              in_part.warning.find("Until t = 0.1 ") == 0,
-              in_part.warning);
   const Result dynamic = push<2>(
     "Dynamics/Inertia = true\nMaterial/Density = 1\nTime/End time = 0.6\n"
     "Grid reset/Steps between resets = 1\n");
@@ -196,12 +190,6 @@ main(int argc, char **argv)
                 flat.warning.find("loses the body: forces") !=
                   std::string::npos,
               flat.warning);
-  const Result inside =
-    push<2>("Boundary conditions/Displacement = left: x = 0; bottom: y = 0; "
-            "top: y <= -0.03\n");
-  test::check("a one-sided wall that stands in the body",
-              inside.warning.find("by 0.03 m") != std::string::npos,
-              inside.warning);
   const Result apart = push<2>("Material points/Region = x < 1 && y < 0.5\n");
   test::check("a body that the boundary doesn't touch",
               apart.warning.empty(),

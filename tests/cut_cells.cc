@@ -111,11 +111,12 @@ namespace
              "Material/Poisson ratio = 0.3\nMaterial/Density = 1\n"
              "Boundary conditions/Displacement = bottom: y=0; " +
       (push > 0 ? "" : "left: x=0; ") + (dim == 2 ? "" : "front: z=0; ") +
-      "right: x<=0\nPostprocess/Reactions = left, right\n"
+      "\nBoundary conditions/Walls = right: n >= 0\n"
+             "Postprocess/Reactions = left\n"
              "Boundary conditions/Gravity = " +
       test::in_short(push) + ", -1" + (dim == 2 ? "" : ", 0") + '\n');
     const Statistics  &values = test::last_statistics(*problem);
-    const double       wall   = values.get("Reaction x on right (N)");
+    const double       wall   = values.get("Force x on body by boundary right (N)");
     const double       left   = values.get("Reaction x on left (N)");
     const double       load   = push * values.get("Mass (kg)");
     std::ostringstream details;
@@ -219,9 +220,8 @@ main(int argc, char **argv)
   for (const std::string formulation : {"u-p"})
     for (const unsigned int steps : {1, 4})
       test_linear_field(formulation, steps);
-  for (const std::string &quadrature : all_but_points)
-    for (const double push : {1., -1.})
-      test_one_sided<2>(quadrature, push);
+  for (const double push : {1., -1.})
+    test_one_sided<2>("CPDI", push);
   test_one_sided<3>("CPDI", 1.);
   test_thin_body();
   test_vertical_cut("cell-filled");

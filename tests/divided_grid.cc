@@ -88,8 +88,10 @@ sliding_block(const std::string &quadrature)
          "Material/Density = 1\nDynamics/Inertia = true\n"
          "Dynamics/Initial velocity = 2, 0\n"
          "Boundary conditions/Gravity = 0, -1\n"
-         "Boundary conditions/Displacement = bottom: y = 0; "
-         "right: x <= 0; left: x >= 0\n"
+         "Boundary conditions/Displacement = bottom: y = 0" +
+         (quadrature == "CPDI" ?
+            "\nBoundary conditions/Walls = right: n >= 0; left: n >= 0\n" :
+            "; right: x = 0\n") +
          "Time/End time = 1.8\nTime/Step size = 0.05\n";
 }
 

@@ -70,8 +70,8 @@ namespace
              "Material/J2/Yield stress = 2\nMaterial/J2/Hardening modulus = 20\n"
              "Boundary conditions/Displacement = left: x = 0.1*t*" +
       y +
-      (exchanged ? "; front: z >= 0; bottom: y = 0; top: y = 0\n" :
-                          "; bottom: y >= 0; front: z = 0; back: z = 0\n") +
+      (exchanged ? "; front: z = 0; bottom: y = 0; top: y = 0\n" :
+                          "; bottom: y = 0; front: z = 0; back: z = 0\n") +
       "Boundary conditions/Gravity = " +
       (exchanged ? "0, 0, -5*t" : "0, -5*t, 0") +
       "\nTime/Step size = 0.1\nPostprocess/Reactions = left\n"

@@ -118,8 +118,9 @@ namespace
                       "Material points/Points per cell = 8\n"
                       "Quadrature/Type = CPDI\n");
     compare<3>("smooth wall that lets go",
-               cube + "Boundary conditions/Displacement = bottom: x=0, y>=0, "
-                      "z=0; top: x=0, y=-0.04*t + 0.06*t*x*t, z=0\n");
+               cube + "Boundary conditions/Walls = bottom: n >= 0\n"
+                      "Boundary conditions/Displacement = "
+                      "top: x=0, y=-0.04*t + 0.06*t*x*t, z=0\n");
     compare<3>("dynamics",
                cube + "Material/Density = 1\nDynamics/Inertia = true\n"
                       "Boundary conditions/Gravity = 0, -100, 0\n"

@@ -159,27 +159,6 @@ namespace
            {});
   }
 
-  /** A bar that ends before the boundary that pulls it. */
-  void
-  test_pull_across_a_gap()
-  {
-    const auto told = [](const std::string &end) {
-      const auto problem = test::run_scene<2>(
-        "Grid/Subdivisions = 8, 4\nGrid/Upper corner = 1, 0.5\n"
-        "Material/Young modulus = 1e6\nMaterial points/Points per cell = 4\n"
-        "Boundary conditions/Displacement = left: x=0; bottom: y=0; right: "
-        "x=1e-3*t\nMaterial points/Region = y < 0.25 && x < " +
-        end + "\n");
-      return test::warning_of(*problem, "a boundary that pulls across a gap");
-    };
-    const std::string across_a_gap = told("0.9375");
-    test::check("a boundary that pulls across a gap",
-                across_a_gap.find("<right>") != std::string::npos &&
-                  across_a_gap.find("cells, away from it") != std::string::npos,
-                across_a_gap);
-    test::check("... without a gap", told("1").empty(), "");
-  }
-
   /** A surface whose condition holds on faces at the ends of the sides, too. */
   void
   test_surface_round_an_edge()
@@ -214,6 +193,5 @@ main(int argc, char **argv)
   test_shared_cells();
   test_layers_of_one_domain();
   test_rounded_zones();
-  test_pull_across_a_gap();
   test_surface_round_an_edge();
 }

@@ -146,30 +146,27 @@ namespace
 
   /** A half of a ring between its plane of symmetry and a wall. */
   void
-  test_ring(const std::string &quadrature, const std::string &told)
+  test_ring()
   {
     const auto problem = test::run_scene<2>(
       "Grid/Upper corner = 3.2, 2\nGrid/Subdivisions = 16, 10\n"
-      "Grid/Stretch = y: 0 -> 0, 2 -> -0.8*t\nQuadrature/Type = " +
-      quadrature +
-      "\nMaterial points/Body mesh = " SOURCE_DIR "/quarter_ring.msh\n"
+      "Grid/Stretch = y: 0 -> 0, 2 -> -0.8*t\nQuadrature/Type = CPDI\n"
+      "Material points/Body mesh = " SOURCE_DIR "/quarter_ring.msh\n"
       "Formulation/Type = u-p\nMaterial/Young modulus = 3e6\n"
       "Material/Poisson ratio = 0.5\n"
-      "Boundary conditions/Displacement = left: x=0; bottom: y=0; "
-      "top: y <= -0.8*t\nTime/Step size = 0.02\n"
+      "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
+      "Boundary conditions/Walls = top: n >= 0\nTime/Step size = 0.02\n"
       "Postprocess/Point probes = crown: 0, 1.999\n");
     const double gap =
       -0.8 - test::get(*problem, "Displacement y of crown (m)");
     // a sixth of a cell, which are 0.12 m high in the end
-    test::check_error("gap between a ring and a wall, " + quadrature,
+    test::check_error("gap between a ring and a wall",
                       std::abs(gap),
                       0.02);
     std::string warnings;
     for (const auto &warning : test::all_warnings(*problem).all())
       warnings += warning.subject + ". ";
-    test::check("what is told of the ring, " + quadrature,
-                warnings == told,
-                warnings);
+    test::check("nothing is told of the ring", warnings.empty(), warnings);
   }
 
   void
@@ -208,9 +205,6 @@ main(int argc, char **argv)
   test_vibration();
   test_tube();
   test_vibrating_tube();
-  test_ring("CPDI", "");
-  // of its plane of symmetry, which holds nodes in its bore in the first step
-  test_ring("cell-filled + boundary",
-            "a wall that acts before the body reaches it. ");
+  test_ring();
   test_sliding_cut();
 }

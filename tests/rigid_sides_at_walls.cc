@@ -403,40 +403,6 @@ test_work_of_walls()
 
 
 
-/** In dynamics walls that press start with the acceleration they have, also
- * where what they hold follows a rigid side: whether they are given along an
- * axis or along the normal. */
-void
-test_pressed_side()
-{
-  const auto run = [](const std::string &stops) {
-    const auto problem = test::run_scene<2>(
-      test::keep_grid +
-      "Quadrature/Type = CPDI\nMaterial points/Points per cell = 4\n"
-      "Grid/Subdivisions = 4, 4\nMaterial/Young modulus = 1e6\n"
-      "Material/Poisson ratio = 0.4\nMaterial/Density = 1000\n"
-      "Dynamics/Inertia = true\nTime/Step size = 0.02\nTime/End time = 0.2\n"
-      "Newton/Tolerance = 1e-11\nPostprocess/Write energies = always\n"
-      "Boundary conditions/Rigid sides = top: force x = -2e4*min(1, 5*t), "
-      "force y = -3e4*min(1, 5*t)\nBoundary conditions/" +
-      stops + "\n");
-    return std::array<double, 2>{
-      {get(*problem, "Translation x of rigid side top (m)"),
-       get(*problem, "Energy lost by the scheme (J)")}};
-  };
-  const auto along_axes    = run("Displacement = left: x >= 0; bottom: y >= 0"),
-             along_normals = run("Walls = left: n >= 0; bottom: n >= 0");
-  test::check("a side pressed to walls starts alike",
-              relative(along_axes[0], along_normals[0]) < 1e-8,
-              std::to_string(along_axes[0]) + " and " +
-                std::to_string(along_normals[0]));
-  test::check("its energy is kept",
-              std::abs(along_axes[1]) < 2.,
-              std::to_string(along_axes[1]) + " J");
-}
-
-
-
 int
 main(int argc, char **argv)
 {
@@ -456,5 +422,4 @@ main(int argc, char **argv)
   test_curved_walls_3d("u-p", up);
   test_sliding();
   test_work_of_walls();
-  test_pressed_side();
 }

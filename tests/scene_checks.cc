@@ -85,7 +85,8 @@ namespace
            {"WARNING", "up to a constant", "Poisson ratio"});
     expect("... but not if the roof may let go",
            messages<2>(enclosed + "Boundary conditions/Displacement = left: "
-                                  "x=0; right: x=0; bottom: y=0; top: y<=0\n"),
+                                  "x=0; right: x=0; bottom: y=0\n"
+                                  "Boundary conditions/Walls = top: n>=0\n"),
            {});
     expect("... but the compressible one is",
            messages<2>(enclosed + "Material/Poisson ratio = 0.4999\n"),
@@ -103,7 +104,7 @@ namespace
            messages<2>(held + "y = 0\n"),
            {"against: translation in x (the one"});
     expect("free to slide behind a one-sided wall",
-           messages<2>(held + "y >= 0\n"),
+           messages<2>(no_load + "Boundary conditions/Walls = bottom: n >= 0\n"),
            {"against: translation in x (the one"});
     expect("free to turn about a node",
            messages<2>("Grid/Subdivisions = 1, 1\n"
@@ -400,15 +401,20 @@ namespace
   void
   test_small_mistakes()
   {
-    expect("a wall that pushes outwards",
+    expect("a wall by its component",
            messages<2>("Grid/Subdivisions = 4, 4\n"
                        "Boundary conditions/Displacement = left: x = 0; "
-                       "bottom: y = 0; top: y >= 0.1*t\n"),
-           {"WARNING a wall that pushes outwards", "top: y >= ...", "'<='"});
+                       "bottom: y >= 0\n"),
+           {"ERROR", "<bottom: y >= 0>", "Walls = bottom: n >= formula"});
+    expect("a wall that only pushes, without subdomains",
+           messages<2>("Grid/Subdivisions = 4, 4\nQuadrature/Type = points\n"
+                       "Boundary conditions/Walls = bottom: n >= 0\n"),
+           {"ERROR", "<bottom: n >= ...>", "Quadrature/Type = CPDI"});
     expect("walls that push inwards",
            messages<2>("Grid/Subdivisions = 4, 4\n"
-                       "Boundary conditions/Displacement = left: x = 0; "
-                       "bottom: y >= 0; top: y <= -0.1*t\n"),
+                       "Boundary conditions/Displacement = left: x = 0\n"
+                       "Boundary conditions/Walls = bottom: n >= 0; top: n >= "
+                       "0.1*t\n"),
            {});
     expect("two probes of one name",
            messages<2>(good + "Postprocess/Point probes = P: 0.1, 0.1; "

@@ -128,7 +128,10 @@ test_changing_grids()
                     E       = "Material/Young modulus = 1e9\n";
   test_weight<2>("finer", plane + E + along_y + finer, y, 1e-3);
   test_weight<2>("finer, along x", plane + E + along_x + finer, x, 1e-3);
-  test_weight<2>("finer, on a wall", plane + E + on_wall + finer, y, 1e-3);
+  test_weight<2>("finer, on a wall",
+                 plane + E + on_wall + finer,
+                 "Force y on body by boundary bottom (N)",
+                 1e-3);
   test_weight<2>("finer, on a rigid side",
                  plane + E + on_side + finer,
                  y,

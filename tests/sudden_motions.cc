@@ -293,13 +293,8 @@ namespace
             "of body = end: x=",
             "Rigid sides = left: y=0, rotation=0, x="})
         check("Boundary conditions/" + condition + place, is_told);
-    check("Boundary conditions/Displacement = left: x>=0.01", true);
-    check("Boundary conditions/Displacement = left: x>=-0.01", false);
-    check("Boundary conditions/Displacement = left: x>=0; bottom: y=0", false);
     check("Boundary conditions/Walls = left: n=0", false);
     check("Boundary conditions/Walls = left: n=0.01", true);
-    check("Boundary conditions/Walls = left: n>=-0.01", false);
-    check("Boundary conditions/Walls = left: n>=0.01", true);
     check("Boundary conditions/Surfaces of body = end: left\n"
           "Boundary conditions/Displacement of body = end: x=0.01 - 2*t",
           true); // back at the end of the first step

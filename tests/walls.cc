@@ -4,12 +4,7 @@
  * --------------------------------------------------------------------- */
 
 // Prescribed displacements are positions, not rates, on the grid and on the
-// body; one-sided walls stand where their formulas say, and the set of nodes in
-// contact is right when a step is accepted.
-
-#include <isochor/base/mpi_sums.h>
-
-#include <set>
+// body; one-sided walls stand where their formulas say.
 
 #include "scene.h"
 
@@ -21,14 +16,6 @@ namespace
   /** By step: columns of the statistics that the tests want to see. */
   std::map<std::string, std::vector<double>> history;
 
-  /** Of a one-sided condition at 'bottom', y >= wall(x, t), in a run of one
-   * step: largest violations, over all ranks. */
-  struct Contact
-  {
-    std::unique_ptr<Expression<2>> wall;
-    double       pull = 0, penetration = 0, complementarity = 0, force = 0;
-    unsigned int n_held = 0, n_free = 0;
-  } contact;
 } // namespace
 
 namespace isochor
@@ -38,63 +25,12 @@ namespace isochor
   {
   public:
     void
-    evaluate_nodes(const StepResult<dim> &result, Statistics &) override
-    {
-      if constexpr (dim == 2)
-        if (contact.wall)
-          look_at_contact(result);
-    }
-
-    void
     evaluate_points(const StepResult<dim> &, Statistics &statistics) override
     {
       for (auto &column : history)
         column.second.push_back(statistics.get(column.first));
     }
 
-  private:
-    static void
-    look_at_contact(const StepResult<dim> &result)
-    {
-      const auto            &step   = result.step;
-      const auto            &bottom = step.grid.boundary_id("bottom", "");
-      std::set<unsigned int> vertices;
-      for (const BoundaryFace &face : step.grid.boundary_faces())
-        for (unsigned int v = 0; v <= dim && face.id == bottom; ++v)
-          if (v != face.opposite_vertex)
-            vertices.insert(step.grid.geometry().vertex_indices(face.cell)[v]);
-      std::array<double, 4> worst{};
-      std::array<double, 2> counts{};
-      for (const unsigned int v : vertices)
-        {
-          const unsigned int node = step.nodes.node(v);
-          if (node >= step.nodes.n_owned())
-            continue;
-          const unsigned int entry = node * step.n_components + 1;
-          const Point<dim>  &x     = step.grid.geometry().vertices()[v];
-          const bool         free =
-            result.system.equation(entry) != numbers::invalid_unsigned_int;
-          const double r =
-            free ? 0. : result.system.residual.local_element(entry);
-          const double gap = result.unknowns.local_element(entry) -
-                             (*contact.wall)(Point<2>(x[0], x[1]), step.time);
-          worst[0] = std::max(worst[0], -r);
-          worst[1] = std::max(worst[1], -gap);
-          worst[2] = std::max(worst[2], std::abs(r * gap));
-          worst[3] = std::max(worst[3], r);
-          counts[free] += 1;
-        }
-      sum_over_ranks(counts, step.grid.communicator());
-      const auto largest = [&](const double value) {
-        return Utilities::MPI::max(value, step.grid.communicator());
-      };
-      contact.pull            = largest(worst[0]);
-      contact.penetration     = largest(worst[1]);
-      contact.complementarity = largest(worst[2]);
-      contact.force           = largest(worst[3]);
-      contact.n_held          = counts[0];
-      contact.n_free          = counts[1];
-    }
   };
   ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Watch, "Z: after all others")
 } // namespace isochor
@@ -108,13 +44,19 @@ const std::string block =
   "Material/Young modulus = 1e4\nMaterial/Poisson ratio = 0\n"
   "Newton/Tolerance = 1e-10\nPostprocess/Reactions = bottom, top\n";
 
+/** By step, of one column of the statistics. */
+std::vector<double>
+values(const std::string &settings, const std::string &column)
+{
+  history = {{column, {}}};
+  test::run_scene<2>(block + settings);
+  return history[column];
+}
+
 std::vector<double>
 reactions(const std::string &settings, const std::string &boundary = "top")
 {
-  const std::string column = "Reaction y on " + boundary + " (N)";
-  history                  = {{column, {}}};
-  test::run_scene<2>(block + settings);
-  return history[column];
+  return values(settings, "Reaction y on " + boundary + " (N)");
 }
 
 void
@@ -170,16 +112,17 @@ test_positions()
 void
 test_walls()
 {
-  const double pushed =
+  const std::string of_wall = "Force y on body by boundary bottom (N)";
+  const double      pushed =
     reactions("Boundary conditions/Displacement = top: x=0, y=0; bottom: y = "
               "0.02\n",
               "bottom")
       .back();
   test::check_error(
     "a wall that stands in the body pushes it out",
-    relative(reactions("Boundary conditions/Displacement = top: x=0, y=0; "
-                       "bottom: y >= 0.02\n",
-                       "bottom")
+    relative(values("Boundary conditions/Displacement = top: x=0, y=0\n"
+                    "Boundary conditions/Walls = bottom: n >= 0.02\n",
+                    of_wall)
                .back(),
              pushed),
     1e-9);
@@ -188,73 +131,29 @@ test_walls()
   // third of four steps
   const std::string fall =
     "Boundary conditions/Displacement = top: x=0, y = -0.0196*t*(t<0.6) - "
-    "(0.01+0.0004*(t-0.5))*(t>0.6); bottom: y >= -0.01\nTime/Step size = "
-    "0.25\n";
-  const auto   kept = reactions(fall + never, "bottom");
+    "(0.01+0.0004*(t-0.5))*(t>0.6)\nBoundary conditions/Walls = bottom: n >= "
+    "-0.01\nTime/Step size = 0.25\n";
   const double expected =
     reactions("Boundary conditions/Displacement = top: x=0, y=-0.0002; "
               "bottom: y=0\n",
               "bottom")
       .back();
-  test::check("no force before the wall",
-              kept.size() == 4 && kept[0] == 0 && kept[1] == 0,
-              std::to_string(kept[1]));
-  test::check_error("the wall half way", relative(kept[2], expected / 2), 1e-3);
-  test::check_error("a wall at a distance", relative(kept[3], expected), 1e-8);
-  const auto reset = reactions(fall, "bottom");
-  test::check("no force before the wall, grid reset in each step",
-              reset.size() == 4 && reset[0] == 0 && reset[1] == 0,
-              std::to_string(reset[1]));
-  test::check_error("the wall half way, grid reset in each step",
-                    relative(reset[2], expected / 2),
-                    1e-3);
-  test::check_error("a wall at a distance, grid reset in each step",
-                    relative(reset[3], expected),
-                    1e-3);
+  for (const std::string &grid : {never, std::string()})
+    {
+      const auto        found = values(fall + grid, of_wall);
+      const std::string name =
+        grid.empty() ? ", grid reset in each step" : ", kept grid";
+      test::check("no force before the wall" + name,
+                  found.size() == 4 && found[0] == 0 && found[1] == 0,
+                  std::to_string(found[1]));
+      test::check_error("the wall half way" + name,
+                        relative(found[2], expected / 2),
+                        1e-3);
+      test::check_error("a wall at a distance" + name,
+                        relative(found[3], expected),
+                        1e-3);
+    }
   history.clear();
-}
-
-/** A soft block is pressed on walls of several shapes in one step: the nodes
- * that touch are not known beforehand. */
-void
-test_contact_set()
-{
-  const std::vector<std::pair<std::string, std::string>> walls = {
-    {"a hill", "-0.4*t*(x-0.5)^2"},
-    {"waves", "0.03*t*cos(12*pi*x)"},
-    {"a step", "-0.05*t*(x<0.4)"}};
-  for (const std::string form : {"u", "u-p"})
-    for (const auto &[name, wall] : walls)
-      {
-        contact      = {};
-        contact.wall = std::make_unique<Expression<2>>(wall, "test");
-        test::run_scene<2>(
-          "Grid/Subdivisions = 24, 12\nMaterial/Young modulus = 100\n"
-          "Material/Poisson ratio = 0.4\nNewton/Tolerance = 1e-10\n"
-          "Newton/Maximum iterations = 40\nFormulation/Type = " +
-          form +
-          "\nBoundary conditions/Displacement = top: x=0, y=-0.03*t; bottom: "
-          "y >= " +
-          wall + '\n');
-        const std::string what = name + ", " + form;
-        test::check("one step, " + what,
-                    test::recorded().times.size() == 1,
-                    std::to_string(test::recorded().times.size()));
-        test::check("some nodes touch, others don't, " + what,
-                    contact.n_held > 1 && contact.n_free > 1 &&
-                      contact.n_held + contact.n_free == 25,
-                    std::to_string(contact.n_held));
-        test::check_error("no node pulls, " + what,
-                          contact.pull / contact.force,
-                          1e-8);
-        test::check_error("no node penetrates, " + what,
-                          contact.penetration,
-                          1e-10);
-        test::check_error("forces only at the wall, " + what,
-                          contact.complementarity / contact.force,
-                          1e-12);
-      }
-  contact = {};
 }
 
 void
@@ -268,14 +167,6 @@ test_conflicts()
       ->last_statistics()
       .get("Reaction x on left (N)");
   };
-  // the later entry counts at common nodes, one-sided or not
-  test::check("a later wall overrides",
-              std::abs(side("everywhere: x=-0.01; left: x<=0; right: x=0")) <
-                1e-6,
-              "");
-  test::check_error("a later displacement overrides",
-                    relative(side("left: x<=0; everywhere: x=-0.01*x"), 100),
-                    0.05);
   std::string message;
   try
     {
@@ -298,6 +189,5 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_positions();
   test_walls();
-  test_contact_set();
   test_conflicts();
 }

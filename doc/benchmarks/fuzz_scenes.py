@@ -207,17 +207,21 @@ def supports(scene, random, pick, chance):
     sides = ""
     scene.held = "xy"
     if kind == "held":
-        sides = pick("", "", "; left: x=0", "; left: x>=0; right: x<=0", "; right: x=-0.1*t")
+        sides = pick("", "", "; left: x=0", "; right: x=-0.1*t")
         scene.held = "xy" if sides == "" else "y"
     elif kind == "walls":
         held = ""
         set_["Boundary conditions/Walls"] = "bottom: n = 0; left: n = 0" + pick(
-            "", "; right: n = 0.1*t", "; right: n >= 0.1*t", "; top: n >= -0.2"
+            "", "; right: n = 0.1*t"
         )
         scene.held = ""
     elif kind == "one-sided":
-        held = "left: x=0" + ("; back: z=0" if scene.dim == 3 else "") + "; bottom: y>=0"
-        scene.held = "y"
+        held = "left: x=0" + ("; back: z=0" if scene.dim == 3 else "")
+        set_["Boundary conditions/Walls"] = "bottom: n >= 0" + pick(
+            "", "; right: n >= 0.1*t", "; top: n >= -0.2"
+        )
+        set_["Quadrature/Type"] = "CPDI"
+        scene.held = ""
     elif kind == "rigid" and not axis:
         fixed = "rotation=0"
         if scene.dim == 3:

@@ -39,7 +39,7 @@ namespace isochor
                CellOccupancy<dim> &occupancy) const override
     {
       // where a wall only pushes, the domains say what is in its cells
-      occupancy.update(points, kernel, true, true);
+      occupancy.update(points, kernel, true);
       fill_interior_cells(points, occupancy);
       const auto bare = fill_boundary_cells(points, occupancy);
       occupancy.add_cells(bare);

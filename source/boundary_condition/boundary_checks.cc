@@ -172,8 +172,11 @@ namespace isochor
         "> has no effect at the start, as the material doesn't touch that "
         "boundary: the cells of the body lie in " +
         body.text() + ", the boundary in " + boundary.text() +
-        ". That is right for a wall which the body reaches later. Otherwise "
-        "check the name of the boundary, <Grid> and the place of the body in "
+        ". What holds nodes stops a body that comes to it up to a cell early "
+        "and doesn't let it go: if the body is to reach a wall later, write "
+        "<Boundary conditions/Walls = " +
+        name +
+        ": n >= 0>. Otherwise check the name of the boundary, <Grid> and the place of the body in "
         "<Material points>.");
   }
 
@@ -212,29 +215,6 @@ namespace isochor
         std::to_string(n_both) +
         " have some on both. Elsewhere the body ends at the side, with a free "
         "surface. What is periodic should meet both sides at the same places.");
-  }
-
-
-
-  template <int dim>
-  void
-  warn_of_wall_inside(const StepContext<dim> &step,
-                      const std::string      &parameter,
-                      const std::string      &boundary,
-                      const unsigned int      component,
-                      const int               side)
-  {
-    if (side * side_of(step.grid, boundary, parameter).inwards[component] >=
-        -0.5)
-      return;
-    step.warnings.add(
-      "a wall that pushes outwards",
-      "<" + parameter + " = " + boundary + ": " + "xyz"[component] + " " +
-        (side > 0 ? ">" : "<") +
-        "= ...> holds the body only as long as it is pulled away from the "
-        "boundary, as if a wall stood inside of it. A wall at this boundary "
-        "is '" +
-        (side > 0 ? "<" : ">") + "='.");
   }
 
 
@@ -333,18 +313,6 @@ namespace isochor
     const std::string &,
     const std::string &,
     const std::vector<std::pair<unsigned int, unsigned int>> &);
-  template void
-  warn_of_wall_inside(const StepContext<2> &,
-                      const std::string &,
-                      const std::string &,
-                      const unsigned int,
-                      const int);
-  template void
-  warn_of_wall_inside(const StepContext<3> &,
-                      const std::string &,
-                      const std::string &,
-                      const unsigned int,
-                      const int);
   template void
   warn_of_lost_body(const StepContext<2> &,
                     const std::string &,

@@ -17,7 +17,7 @@ namespace isochor
   {
     formulas.clear();
     for (const auto &condition : conditions)
-      if (condition.side == 0 && condition.depends_on_place)
+      if (condition.depends_on_place)
         for (const unsigned int v : condition.vertices)
           formulas[v];
     extent = 0;
@@ -25,8 +25,7 @@ namespace isochor
       extent = std::max(extent, x.distance(reference[0]));
     if (!formulas.empty())
       for (const auto &condition : conditions)
-        if (condition.side == 0)
-          for (const unsigned int v : condition.vertices)
+        for (const unsigned int v : condition.vertices)
             if (const auto found = formulas.find(v); found != formulas.end())
               found->second[condition.component] = condition.displacement;
   }

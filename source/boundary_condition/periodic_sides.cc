@@ -6,7 +6,6 @@
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/periodic_vertices.h>
-#include <isochor/boundary_condition/wall_passage.h>
 #include <isochor/equations/pressure_groups.h>
 #include <isochor/grid/prescribed_motion.h>
 
@@ -28,7 +27,7 @@ namespace isochor
    * several pairs follow the one that is left (PeriodicVertices).
    */
   template <int dim>
-  class PeriodicSides : public BoundaryCondition<dim>, public HasPeriods<dim>
+  class PeriodicSides : public BoundaryCondition<dim>, public HasPeriods
   {
   public:
     static void
@@ -96,20 +95,6 @@ namespace isochor
       for (const Pair &pair : pairs)
         names.emplace_back(pair.first, pair.second);
       vertices.initialize(grid, names, parameter());
-    }
-
-    void
-    append_periods(const BackgroundGrid<dim> &grid,
-                   std::vector<Period<dim>>  &periods) const override
-    {
-      const auto &x = grid.geometry().vertices();
-      for (unsigned int p = 0; p < pairs.size(); ++p)
-        if (const auto images = vertices.images_by(p); !images.empty())
-          {
-            const auto [root, vertex]  = images.front();
-            const Tensor<1, dim> shift = x[vertex] - x[root];
-            periods.push_back({shift, shift * Tensor<1, dim>(x[root])});
-          }
     }
 
     std::vector<unsigned int>

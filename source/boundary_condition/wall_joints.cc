@@ -45,8 +45,6 @@ namespace isochor
                                const unsigned int vertex) const
   {
     const SmoothWall<dim> &a = walls[first], &b = walls[second];
-    if (a.one_sided != b.one_sided)
-      return false;
     if (a.formula == b.formula)
       return true;
     const Point<dim> &x = reference[vertex];
@@ -82,14 +80,11 @@ namespace isochor
   void
   WallJoints<dim>::warn_of_seams(const StepContext<dim> &step) const
   {
-    // nodes of walls in one plane that are one-sided have room
-    constexpr double plane = 1e-6;
     for (unsigned int w = 0; w < walls.size(); ++w)
       for (const auto &seam : walls[w].surface.seams())
         {
           const SmoothWall<dim> &other = walls[seam.other];
-          const bool one_sided         = walls[w].one_sided || other.one_sided;
-          if (seam.other < w || (one_sided && seam.angle < plane))
+          if (seam.other < w)
             continue;
           const Point<dim> &x = step.grid.geometry().vertices()[seam.vertex];
           std::string       place = "(";
@@ -100,8 +95,8 @@ namespace isochor
             "The boundaries <" + walls[w].boundary + "> and <" +
               other.boundary + "> of <" + parameter + "> meet at an angle of " +
               rounded(seam.angle / numbers::PI * 180) + " degrees, as at " +
-              place + "), but '" + walls[w].condition() + "' and '" +
-              other.condition() +
+              place + "), but 'n = " + walls[w].formula + "' and 'n = " +
+              other.formula +
               "' are not the same there. Nodes between them are held by both, "
               "and can't slide from one to the other. If they are one surface, "
               "give both the same formula.");

@@ -96,6 +96,19 @@ namespace isochor
       return n / n.norm();
     }
 
+    /** The area vector of a face over dim, either way. */
+    Tensor<1, 2>
+    area_vector(const std::array<Point<2>, 2> &corner)
+    {
+      return cross_product_2d(corner[1] - corner[0]) / 2;
+    }
+
+    Tensor<1, 3>
+    area_vector(const std::array<Point<3>, 3> &corner)
+    {
+      return cross_product_3d(corner[1] - corner[0], corner[2] - corner[0]) / 6;
+    }
+
     /** Barycentric coordinates of the place on a face next to @p x, nearly so
      * where that is on its rim. */
     std::array<double, 2>
@@ -132,10 +145,10 @@ namespace isochor
   template <int dim>
   std::vector<typename WallSurface<dim>::NamedFace>
   WallSurface<dim>::faces_of(const BackgroundGrid<dim>             &grid,
+                             const std::vector<Point<dim>>         &vertices,
                              const std::vector<types::boundary_id> &ids)
   {
-    const SimplexGeometry<dim> &geometry = grid.geometry();
-    std::vector<NamedFace>      found;
+    std::vector<NamedFace> found;
     for (const BoundaryFace &face : grid.boundary_faces())
       {
         const auto id = std::find(ids.begin(), ids.end(), face.id);
@@ -143,13 +156,20 @@ namespace isochor
           continue;
         NamedFace named;
         named.boundary = id - ids.begin();
-        // |e| ∇N of the opposite vertex is the face's area over dim
-        named.area = geometry.measure(face.cell) *
-                     geometry.gradients(face.cell)[face.opposite_vertex];
+        named.cell     = face.cell;
         unsigned int n = 0;
+        const auto  &of_cell = grid.geometry().vertex_indices(face.cell);
         for (unsigned int v = 0; v <= dim; ++v)
           if (v != face.opposite_vertex)
-            named.vertices[n++] = geometry.vertex_indices(face.cell)[v];
+            named.vertices[n++] = of_cell[v];
+        std::array<Point<dim>, dim> corners;
+        for (unsigned int c = 0; c < dim; ++c)
+          corners[c] = vertices[named.vertices[c]];
+        named.area = area_vector(corners);
+        if (named.area * (vertices[of_cell[face.opposite_vertex]] -
+                          corners[0]) <
+            0)
+          named.area *= -1;
         found.push_back(named);
       }
     return found;
@@ -249,31 +269,76 @@ namespace isochor
 
   template <int dim>
   void
-  WallSurface<dim>::initialize(const BackgroundGrid<dim>             &grid,
-                               const std::vector<types::boundary_id> &ids,
-                               const unsigned int                     own,
-                               const GoesOn                          &goes_on)
+  WallSurface<dim>::set_normals(const std::vector<NamedFace> &named,
+                                std::vector<Piece>           &pieces)
   {
-    std::vector<NamedFace> named = faces_of(grid, ids);
-    find_seams(named, own, goes_on);
-    leave_out_others(named, ids.size(), own, goes_on);
-    std::vector<Piece> pieces = find_pieces(named, goes_on);
-
-    const auto &vertices = grid.geometry().vertices();
-    faces.assign(named.size(), Face());
-    for (unsigned int f = 0; f < faces.size(); ++f)
-      {
-        faces[f].normal = unit(named[f].area);
-        for (unsigned int c = 0; c < dim; ++c)
-          faces[f].corners[c] = vertices[named[f].vertices[c]];
-      }
+    for (unsigned int f = 0; f < all_faces.size(); ++f)
+      all_faces[f].normal = unit(named[f].area);
     for (const Piece &piece : pieces)
       for (const unsigned int f : piece.faces)
         for (unsigned int c = 0; c < dim; ++c)
           if (named[f].vertices[c] == piece.vertex)
-            faces[f].normals[c] = piece.normal;
+            all_faces[f].normals[c] = piece.normal;
     if (dim == 2)
       improve_ends(named, pieces);
+  }
+
+
+
+  template <int dim>
+  void
+  WallSurface<dim>::move_corners(const Shift            &shift,
+                                 std::vector<NamedFace> &named,
+                                 std::vector<Piece>     &pieces)
+  {
+    for (unsigned int f = 0; f < all_faces.size(); ++f)
+      {
+        Face &face = all_faces[f];
+        for (unsigned int c = 0; c < dim; ++c)
+          face.corners[c] += shift(face.vertices[c]) * face.normals[c];
+        named[f].area = area_vector(face.corners);
+        if (named[f].area * face.normal < 0)
+          named[f].area *= -1;
+      }
+    for (Piece &piece : pieces)
+      {
+        piece.normal = 0;
+        for (const unsigned int f : piece.faces)
+          piece.normal += named[f].area;
+        piece.normal = unit(piece.normal);
+      }
+    set_normals(named, pieces);
+  }
+
+
+
+  template <int dim>
+  void
+  WallSurface<dim>::initialize(const BackgroundGrid<dim>             &grid,
+                               const std::vector<Point<dim>>         &vertices,
+                               const std::vector<types::boundary_id> &ids,
+                               const unsigned int                     own,
+                               const GoesOn                          &goes_on,
+                               const Shift                           &shift)
+  {
+    std::vector<NamedFace> named = faces_of(grid, vertices, ids);
+    find_seams(named, own, goes_on);
+    leave_out_others(named, ids.size(), own, goes_on);
+    std::vector<Piece> pieces = find_pieces(named, goes_on);
+
+    all_faces.assign(named.size(), Face());
+    for (unsigned int f = 0; f < named.size(); ++f)
+      {
+        Face &face    = all_faces[f];
+        face.boundary = named[f].boundary;
+        face.cell     = named[f].cell;
+        face.vertices = named[f].vertices;
+        for (unsigned int c = 0; c < dim; ++c)
+          face.corners[c] = vertices[face.vertices[c]];
+      }
+    set_normals(named, pieces);
+    if (shift)
+      move_corners(shift, named, pieces);
 
     const auto same_as_first = [&](const Piece &piece) {
       return (piece.normal - pieces.front().normal).norm() < 1e-10;
@@ -299,7 +364,7 @@ namespace isochor
         ++n_faces[v];
     for (const Piece &piece : pieces)
       ++n_pieces[piece.vertex];
-    for (unsigned int f = 0; f < faces.size(); ++f)
+    for (unsigned int f = 0; f < all_faces.size(); ++f)
       for (unsigned int c = 0; c < 2; ++c)
         {
           const unsigned int end  = named[f].vertices[c],
@@ -307,15 +372,15 @@ namespace isochor
           if (n_faces[end] != 1 || n_faces[next] != 2 || n_pieces[next] != 1)
             continue;
           Tensor<1, dim>       n_face;
-          const Tensor<1, dim> edge = faces[f].corners[1] - faces[f].corners[0];
+          const Tensor<1, dim> edge = all_faces[f].corners[1] - all_faces[f].corners[0];
           n_face[0]                 = -edge[1];
           n_face[1]                 = edge[0];
           n_face /= n_face.norm();
-          const Tensor<1, dim> n = faces[f].normals[1 - c];
-          faces[f].normals[c]    = unit(2 * (n_face * n) * n_face - n);
+          const Tensor<1, dim> n = all_faces[f].normals[1 - c];
+          all_faces[f].normals[c]    = unit(2 * (n_face * n) * n_face - n);
           for (Piece &piece : pieces)
             if (piece.vertex == end)
-              piece.normal = faces[f].normals[c];
+              piece.normal = all_faces[f].normals[c];
         }
   }
 
@@ -330,7 +395,7 @@ namespace isochor
     const bool       has_direction  = direction.norm_square() > 0;
     Place            place{Tensor<1, dim>(), 0};
     double           nearest = std::numeric_limits<double>::max();
-    for (const Face &face : faces)
+    for (const Face &face : all_faces)
       {
         if (has_direction && face.normal * direction < near_direction)
           continue;

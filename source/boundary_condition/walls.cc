@@ -4,11 +4,11 @@
  * --------------------------------------------------------------------- */
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
-#include <isochor/boundary_condition/contact_search.h>
+#include <isochor/boundary_condition/one_sided_wall.h>
 #include <isochor/boundary_condition/wall_joints.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace isochor
@@ -16,9 +16,9 @@ namespace isochor
   /**
    * Smooth walls on named boundaries of the grid, of any direction and shape:
    * the displacement of a node along the normal n into the grid is prescribed,
-   * n·Δu = g, or may not be less; tangential to the wall it is free. Where the
-   * boundary has a corner, and where two walls meet, there are several normals
-   * at a node (see WallSurface), and all of the conditions hold.
+   * n·Δu = g; tangential to the wall it is free. Where the boundary has a
+   * corner, and where two walls meet, there are several normals at a node (see
+   * WallSurface), and all of the conditions hold.
    *
    * A step is linear: the wall is the tangential plane at the place of the node
    * where the step starts. On a grid that is put back that is a vertex of the
@@ -27,16 +27,14 @@ namespace isochor
    * reached, on the smooth surface through the vertices. What a step errs the
    * next one corrects (grids that are put back: see SmoothWall::takes_back()).
    *
-   * One-sided walls find their set of nodes by ContactSearch. Nodes begin a
-   * step with the gap of the body (BodyAtWalls); where it isn't known, those
-   * that have not touched the wall yet remember their distance from it, others
-   * begin at the wall, on a kept grid where the last step left them.
+   * Walls that the body may leave (n >= formula) are no conditions on nodes:
+   * see InteractionTerm, GridBoundaryPartner.
    *
    * What is one surface may have several names (see WallJoints): its nodes
    * belong to the wall named first.
    */
   template <int dim>
-  class Walls : public BoundaryCondition<dim>, public HasOneSidedWalls<dim>
+  class Walls : public BoundaryCondition<dim>, public HasOneSidedWalls
   {
   public:
     static void
@@ -50,14 +48,18 @@ namespace isochor
         "'boundary: n = formula; boundary: n >= formula'. n is the displacement "
         "(m) since t = 0 along the boundary's normal into the grid, a formula in "
         "x, y(, z), t; along the boundary the body slides. With 'n = 0' it "
-        "stays at the wall, with 'n = 0.1*t' the wall pushes it. With 'n >= "
-        "formula' the wall only pushes: nodes that would have to be pulled "
-        "leave it. At vertices normals are the mean of the faces that meet at "
-        "less than 40 degrees, also of several boundaries with the same "
-        "formula; at a sharper corner those of both sides count. "
-        "<Boundary conditions/Displacement> overrides walls. A wall that pushes "
-        "the body by more than a hundredth of its length needs a grid that is "
-        "kept (<Grid reset/Steps between resets>).");
+        "stays at the wall, with 'n = 0.1*t' the wall pushes it. At vertices "
+        "normals are the mean of the faces that meet at less than 40 degrees, "
+        "also of several boundaries with the same formula; at a sharper corner "
+        "those of both sides count. <Boundary conditions/Displacement> "
+        "overrides such a wall, and if it pushes the body by more than a "
+        "hundredth of its length it needs a grid that is kept (<Grid reset/"
+        "Steps between resets>). With 'n >= formula' the wall only pushes: "
+        "bodies may come to it and leave it. It is the boundary of the grid "
+        "(if <Grid/Stretch> moves it, where it is then), shifted by the "
+        "formula, and acts on the surface of bodies: contact without friction, "
+        "or what a section <Interaction: BODY - boundary NAME> says. That "
+        "needs <Quadrature/Type = CPDI>.");
     }
 
     void
@@ -82,9 +84,10 @@ namespace isochor
           const Expression<dim> displacement(formula, parameter());
           formula.erase(std::remove(formula.begin(), formula.end(), ' '),
                         formula.end());
-          this->pushes_only |= one_sided;
-          walls.push_back(
-            {entry.first, one_sided, formula, displacement, {}, {}});
+          if (one_sided)
+            one_sided_ones.push_back({parameter(), entry.first, formula});
+          else
+            walls.push_back({entry.first, formula, displacement, {}, {}});
         }
     }
 
@@ -96,21 +99,14 @@ namespace isochor
         {
           Wall &wall   = walls[w];
           wall.surface = joints().surface(grid, w);
-          wall.nodes.clear();
-          for (const auto &at : wall.surface.nodes())
-            {
-              Node node = Wall::node_at(at.vertex, at.normal, grid);
-              if (wall.one_sided)
-                {
-                  // a node in the wall is pushed out by the first step
-                  WallNode &contact = node.contact;
-                  contact.gap = -wall.displacement(reference[at.vertex], 0.);
-                  contact.touched  = (contact.gap == 0);
-                  contact.released = contact.was_released = (contact.gap > 0);
-                }
-              wall.nodes.push_back(node);
-            }
+          wall.make_nodes(grid);
         }
+    }
+
+    const std::vector<OneSidedWall> &
+    one_sided_walls() const override
+    {
+      return one_sided_ones;
     }
 
     void
@@ -140,7 +136,8 @@ namespace isochor
     {
       std::vector<unsigned int> held;
       for (const Wall &wall : walls)
-        wall.add_vertices(held);
+        for (const Node &node : wall.nodes)
+          held.push_back(node.vertex);
       return held;
     }
 
@@ -149,16 +146,14 @@ namespace isochor
               NodalConstraints       &constraints) const override
     {
       std::vector<std::pair<unsigned int, double>> terms;
-      unsigned int                                 label = 0;
       for (const Wall &wall : walls)
         {
           constraints.source = this->name + " = " + wall.boundary;
           const std::vector<Tensor<1, dim>> normals = normals_of(wall, step);
-          for (unsigned int i = 0; i < wall.nodes.size(); ++i, ++label)
+          for (unsigned int i = 0; i < wall.nodes.size(); ++i)
             {
               const unsigned int node = step.nodes.node(wall.nodes[i].vertex);
-              if (node == numbers::invalid_unsigned_int ||
-                  wall.nodes[i].contact.released)
+              if (node == numbers::invalid_unsigned_int)
                 continue;
               terms.clear();
               for (unsigned int a = 0; a < dim; ++a)
@@ -169,95 +164,9 @@ namespace isochor
                                                terms,
                                                increment(wall, i, step));
               equation.n_pivots = terms.size();
-              equation.how   = wall.one_sided ? NodalConstraints::in_contact :
-                                                NodalConstraints::prescribed;
-              equation.owner = this;
-              equation.label = label;
+              equation.how      = NodalConstraints::prescribed;
             }
         }
-    }
-
-    void
-    prepare_contact(const StepContext<dim> &step) override
-    {
-      BodyAtWalls<dim> body;
-      for (Wall &wall : walls)
-        wall.add_to(body, reference, step);
-      body.find(step);
-    }
-
-    void
-    start_contact() override
-    {
-      for (Wall &wall : walls)
-        for (Node &node : wall.nodes)
-          node.contact.start();
-      search.start();
-    }
-
-    ContactChange
-    check_contact(const StepContext<dim> &step,
-                  const NodalField       &unknowns,
-                  const MixedSystem<dim> &system,
-                  const NodalConstraints &constraints,
-                  const typename BoundaryCondition<dim>::ContactTolerance
-                    &tolerance) override
-    {
-      if (std::none_of(walls.begin(), walls.end(), [](const Wall &wall) {
-            return wall.one_sided;
-          }))
-        return {};
-      const auto objections =
-        find_objections(step, unknowns, system, constraints, tolerance);
-      std::vector<WallNode *> nodes;
-      std::string             names;
-      for (Wall &wall : walls)
-        {
-          bool objects = false;
-          for (Node &node : wall.nodes)
-            {
-              objects = objects || objections[nodes.size()] != Objection::none;
-              nodes.push_back(&node.contact);
-            }
-          if (objects)
-            names += (names.empty() ? "" : ", ") + wall.boundary;
-        }
-      return search.change(
-        objections, tolerance.converged, nodes, parameter(), names);
-    }
-
-    void
-    append_contacts(const StepContext<dim>         &step,
-                    const MixedSystem<dim>         &system,
-                    const NodalConstraints         &constraints,
-                    std::vector<WallContacts<dim>> &contacts) const override
-    {
-      const std::vector<double> force =
-        forces_at_nodes(step, system, constraints);
-      unsigned int k = 0;
-      for (const Wall &wall : walls)
-        {
-          const std::vector<Tensor<1, dim>> normals = normals_of(wall, step);
-          if (wall.is_judged())
-            contacts.push_back(
-              {parameter(), wall.boundary, {}, !wall.one_sided});
-          for (unsigned int i = 0; i < wall.nodes.size(); ++i, ++k)
-            if (wall.is_judged() && !wall.nodes[i].contact.released)
-              contacts.back().nodes.push_back(
-                {wall.nodes[i].vertex,
-                 normals[i],
-                 force[k],
-                 wall.distance_of_held(i, reference, step)});
-        }
-    }
-
-    void
-    append_one_sided_walls(
-      const StepContext<dim>         &step,
-      std::vector<OneSidedWall<dim>> &result) const override
-    {
-      for (const Wall &wall : walls)
-        wall.append_wall(parameter(), reference, step, result);
     }
 
     void
@@ -267,9 +176,8 @@ namespace isochor
         {
           if (step.old_time > 0 && !step.grid_is_kept && !step.grid.is_moving())
             wall.warn_if_body_is_lost(parameter(), reference, step);
-          follow_nodes(wall, step, unknowns);
-          for (Node &node : wall.nodes)
-            node.contact.accept();
+          if (!wall.surface.is_flat())
+            follow_nodes(wall, step, unknowns);
         }
     }
 
@@ -280,11 +188,8 @@ namespace isochor
       state.precision(std::numeric_limits<double>::max_digits10);
       for (const Wall &wall : walls)
         for (const Node &node : wall.nodes)
-          {
-            node.contact.save(state);
-            state << node.moved << ' ' << node.normal_now << ' ' << node.offset
-                  << ' ';
-          }
+          state << node.moved << ' ' << node.normal_now << ' ' << node.offset
+                << ' ';
       return state.str();
     }
 
@@ -296,7 +201,6 @@ namespace isochor
         {
           for (Node &node : wall.nodes)
             {
-              node.contact.load(state);
               for (unsigned int a = 0; a < 2 * dim; ++a)
                 state >> (a < dim ? node.moved : node.normal_now)[a % dim];
               state >> node.offset;
@@ -356,10 +260,9 @@ namespace isochor
         const unsigned int      i,
         const StepContext<dim> &step) const
     {
-      const Node &node = wall.nodes[i];
-      if (follows_curve(wall, step) || wall.takes_back(step))
-        return node.gap_now;
-      return node.contact.gap_at_start(step.grid_is_kept);
+      return follows_curve(wall, step) || wall.takes_back(step) ?
+               wall.nodes[i].gap_now :
+               0.;
     }
 
     double
@@ -371,127 +274,52 @@ namespace isochor
              gap(wall, i, step);
     }
 
-    /** By walls and nodes one after the other: the force of the wall (N) on
-     * nodes that this rank owns, else 0. */
-    std::vector<double>
-    forces_at_nodes(const StepContext<dim> &step,
-                    const MixedSystem<dim> &system,
-                    const NodalConstraints &constraints) const
-    {
-      std::vector<double> force;
-      for (const Wall &wall : walls)
-        force.resize(force.size() + wall.nodes.size());
-      for (unsigned int k = 0; k < constraints.equations.size(); ++k)
-        if (constraints.equations[k].owner == this)
-          force[constraints.equations[k].label] = system.multiplier(k);
-      auto f = force.begin();
-      for (const Wall &wall : walls)
-        for (const Node &node : wall.nodes)
-          *f++ *= step.nodes.node(node.vertex) < step.nodes.n_owned();
-      return force;
-    }
-
-    /** By walls and nodes one after the other. Collective. */
-    std::vector<unsigned int>
-    find_objections(
-      const StepContext<dim>                                  &step,
-      const NodalField                                        &unknowns,
-      const MixedSystem<dim>                                  &system,
-      const NodalConstraints                                  &constraints,
-      const typename BoundaryCondition<dim>::ContactTolerance &tolerance) const
-    {
-      const double penetration =
-        tolerance.relative * largest_increment(step, unknowns);
-      const std::vector<unsigned char> is_tied =
-        tied_nodes(constraints.ties, step.nodes.n_local());
-      const std::vector<double> force =
-        forces_at_nodes(step, system, constraints);
-      std::vector<unsigned int> objections;
-      for (const Wall &wall : walls)
-        {
-          const std::vector<Tensor<1, dim>> normals = normals_of(wall, step);
-          for (unsigned int i = 0; i < wall.nodes.size(); ++i)
-            {
-              const unsigned int k = objections.size();
-              objections.push_back(Objection::none);
-              const unsigned int node = step.nodes.node(wall.nodes[i].vertex);
-              if (!wall.one_sided || node >= step.nodes.n_owned())
-                continue;
-              const bool released = wall.nodes[i].contact.released;
-              if (!released && force[k] < -tolerance.force)
-                objections.back() = Objection::pulls;
-              if (released && !is_tied[node] &&
-                  Wall::along(normals[i], node, step, unknowns) -
-                      increment(wall, i, step) <
-                    -penetration)
-                objections.back() = Objection::penetrates;
-            }
-        }
-      Utilities::MPI::max(objections, step.grid.communicator(), objections);
-      return objections;
-    }
-
-    /** The step has converged: where the nodes and the wall are now. */
+    /** The step has converged: where the nodes of a curved wall are now. */
     void
     follow_nodes(Wall                   &wall,
                  const StepContext<dim> &step,
                  const NodalField       &unknowns) const
     {
-      const MPI_Comm                    comm    = step.grid.communicator();
-      const std::vector<Tensor<1, dim>> normals = normals_of(wall, step);
-      const unsigned int                n       = wall.nodes.size();
       // by node: where it has moved, and on how many ranks it is active
       constexpr unsigned int stride = dim + 1;
-      std::vector<double>    gaps(n, gap_unknown), moved(n * stride, 0.);
+      const unsigned int     n      = wall.nodes.size();
+      std::vector<double>    moved(n * stride, 0.);
       for (unsigned int i = 0; i < n; ++i)
         {
           const unsigned int node = step.nodes.node(wall.nodes[i].vertex);
           if (node >= step.nodes.n_owned())
             continue;
-          gaps[i] = gap_after(Wall::along(normals[i], node, step, unknowns),
-                              increment(wall, i, step));
           for (unsigned int a = 0; a < dim; ++a)
             moved[i * stride + a] =
               unknowns.local_element(node * step.n_components + a);
           moved[i * stride + dim] = 1;
         }
-      if (!wall.surface.is_flat())
+      Utilities::MPI::sum(moved, step.grid.communicator(), moved);
+      for (unsigned int i = 0; i < n; ++i)
         {
-          Utilities::MPI::sum(moved, comm, moved);
-          for (unsigned int i = 0; i < n; ++i)
+          Node &node = wall.nodes[i];
+          if (!step.grid_is_kept)
             {
-              Node &node = wall.nodes[i];
-              if (!step.grid_is_kept)
+              const double before = gap(wall, i, step);
+              node.moved          = 0.;
+              node.offset         = -before;
+              // of the body nothing is known where there is none
+              if (wall.takes_back(step) && moved[i * stride + dim] == 0)
                 {
-                  const double before = gap(wall, i, step);
-                  node.moved          = 0.;
-                  node.offset         = -before;
-                  // of the body nothing is known where there is none
-                  if (wall.takes_back(step) && moved[i * stride + dim] == 0)
-                    {
-                      node.offset = 0.;
-                      continue;
-                    }
+                  node.offset = 0.;
+                  continue;
                 }
-              node.offset += wall.motion(reference[node.vertex], step);
-              for (unsigned int a = 0; a < dim; ++a)
-                node.moved[a] += moved[i * stride + a];
             }
-          wall.locate_nodes(reference);
+          node.offset += wall.motion(reference[node.vertex], step);
+          for (unsigned int a = 0; a < dim; ++a)
+            node.moved[a] += moved[i * stride + a];
         }
-      if (!wall.one_sided)
-        return;
-      std::vector<WallNode> contact(n);
-      for (unsigned int i = 0; i < n; ++i)
-        contact[i] = wall.nodes[i].contact;
-      update_gaps(gaps, comm, contact);
-      for (unsigned int i = 0; i < n; ++i)
-        wall.nodes[i].contact = contact[i];
+      wall.locate_nodes(reference);
     }
 
+    std::vector<OneSidedWall> one_sided_ones;
     std::vector<Wall>       walls;
     std::vector<Point<dim>> reference;
-    ContactSearch           search;
   };
 
   ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition, Walls, "Walls")

@@ -160,22 +160,6 @@ namespace isochor
 
   template <int dim>
   void
-  CellOccupancy<dim>::mark(const BoundaryFace &face,
-                           const unsigned char boundary)
-  {
-    for (unsigned int v = 0; v <= dim; ++v)
-      if (v != face.opposite_vertex)
-        {
-          unsigned char &at =
-            boundary_at[grid.geometry().vertex_indices(face.cell)[v]];
-          at = std::max(at, boundary);
-        }
-  }
-
-
-
-  template <int dim>
-  void
   CellOccupancy<dim>::clear()
   {
     for (const Content &content : contents)
@@ -225,10 +209,8 @@ namespace isochor
   void
   CellOccupancy<dim>::update(const PointArrays<dim> &points,
                              const MixedKernel<dim> &kernel,
-                             const bool              find_holes,
-                             const bool              ends_at_one_sided_walls)
+                             const bool              find_holes)
   {
-    ends_at_walls = ends_at_one_sided_walls;
     clear();
     add_own(points, kernel);
     exchange();
@@ -409,7 +391,7 @@ namespace isochor
   CellOccupancy<dim>::is_interior(const unsigned int cell) const
   {
     for (const unsigned int v : grid.geometry().vertex_indices(cell))
-      if (is_at_empty_cell(v) || ends_at_boundary(v))
+      if (is_at_empty_cell(v) || is_at_open_boundary(v))
         return false;
     return true;
   }

@@ -93,7 +93,7 @@ namespace isochor
             {
               for (unsigned int v = 0; v <= dim; ++v)
                 if (v != i &&
-                    ends_at_boundary(geometry.vertex_indices(cell)[v]))
+                    is_at_open_boundary(geometry.vertex_indices(cell)[v]))
                   return hole;
               continue;
             }

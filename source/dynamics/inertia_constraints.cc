@@ -52,17 +52,15 @@ namespace isochor
     const double       dt = step.step_size();
     // differences only: a jump of the prescribed place at the start of the step
     // is in all of them
-    Places contact, at;
+    Places at;
     for (unsigned int k = 0; k < n_motion_places; ++k)
       at[k] = constraints_at(step,
                              conditions,
                              constraints.ties,
-                             k / (n_motion_places - 1.),
-                             contact[k]);
+                             k / (n_motion_places - 1.));
     const NodalConstraints &start  = at[0];
     const SmoothStart       smooth = smooth_start(dt);
     held.assign(step.nodes.n_local() * dim, 0);
-    stopped.clear();
     if (kept_part > 0)
       {
         NodalConstraints ties_only;
@@ -78,12 +76,10 @@ namespace isochor
     for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const unsigned int  entry = node * nc + d, i = node * dim + d;
-          const unsigned char how     = constraints.constrained[entry];
-          const bool          at_wall = (how == NodalConstraints::in_contact);
-          held[i]                     = (how == NodalConstraints::prescribed) ||
-                    (at_wall && trial.walls_lead);
-          if (!held[i] && !at_wall)
+          const unsigned int entry = node * nc + d, i = node * dim + d;
+          held[i] =
+            constraints.constrained[entry] == NodalConstraints::prescribed;
+          if (!held[i] || node >= step.nodes.n_owned())
             continue;
           const MotionAtStart motion =
             motion_of_step({{at[0].increment[entry],
@@ -91,13 +87,9 @@ namespace isochor
                              at[2].increment[entry],
                              at[3].increment[entry]}},
                            dt);
-          if (!held[i])
-            stopped.push_back({i, wall_motion(motion, dt)});
-          else if (node < step.nodes.n_owned())
-            std::tie(velocity.local_element(i), acceleration.local_element(i)) =
-              smooth.of(motion);
+          std::tie(velocity.local_element(i), acceleration.local_element(i)) =
+            smooth.of(motion);
         }
-    note_stopping_walls(contact, nc, dt);
 
     followers = displacement_followers(start, nc);
     given_velocity.clear();
@@ -111,8 +103,6 @@ namespace isochor
             given_acceleration.push_back(a);
           }
       }
-    if (!prescribed)
-      note_pressed(step, constraints, contact, at);
     project_velocity(step);
     project_acceleration(step, conditions, start);
     prescribed = true;
@@ -124,19 +114,7 @@ namespace isochor
   void
   InertiaTerm<dim>::project_velocity(const StepContext<dim> &step)
   {
-    const std::vector<unsigned char> held_now = held;
-    // with what points in cells that are hardly filled bring, nodes would hit
-    // the wall in each step anew
-    const bool goes_on = !in_trial() && step.old_time > 0;
-    if (goes_on)
-      hold_pressed(step, &WallMotion::velocity_at_start, velocity);
-    const bool from_walls = goes_on && !pressed.followers.entry.empty();
-    project(step,
-            momentum,
-            from_walls ? pressed.followers : followers,
-            from_walls ? pressed.velocity : given_velocity,
-            velocity);
-    held = held_now;
+    project(step, momentum, followers, given_velocity, velocity);
   }
 
 
@@ -153,21 +131,9 @@ namespace isochor
       leave_out_unfelt_pressure(step, start);
     if (by_stresses && !prescribed)
       collect_boundary_forces(step, conditions);
-    const bool from_walls = by_stresses && !pressed.followers.entry.empty();
-    if (from_walls)
-      {
-        followers          = pressed.followers;
-        given_acceleration = pressed.acceleration;
-      }
-    add_convective_acceleration(step,
-                                conditions,
-                                from_walls ? pressed.constraints : start);
-    const std::vector<unsigned char> held_now = held;
-    if (by_stresses)
-      hold_pressed(step, &WallMotion::acceleration_at_start, acceleration);
+    add_convective_acceleration(step, conditions, start);
     project(
       step, force, followers, given_acceleration, acceleration, by_stresses);
-    held = held_now;
   }
 
 
@@ -200,8 +166,7 @@ namespace isochor
     const StepContext<dim>                                     &step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
     const NodalTies                                            &ties,
-    const double                                                part,
-    NodalConstraints                                           &contact) const
+    const double                                                part) const
   {
     StepContext<dim> until = step;
     until.time             = step.old_time + part * step.step_size();
@@ -215,9 +180,6 @@ namespace isochor
       }
     if (part > 0 && constraints.equations.empty())
       return constraints; // nothing but prescribed unknowns
-    contact = constraints;
-    if (!trial.walls_lead)
-      constraints.drop_contact();
     constraints.ties = ties;
     constraints.resolve(step.n_components);
     return constraints;
@@ -303,22 +265,8 @@ namespace isochor
       for (unsigned int d = 0; d < dim; ++d)
         if (constraints.constrained[node * nc + d])
           constraints.increment[node * nc + d] = increment(node * dim + d);
-    // what tells whether a wall pushes
-    const bool judges =
-      !trial.walls_lead && trial.walls_judge && walls_start_smoothly(step);
-    const auto by_wall = [&](const WallMotion &wall) {
-      return trial.size * trial.size / 2 *
-             wall.motion.after(step.step_size()).acceleration;
-    };
-    for (unsigned int i = 0; judges && i < stopped.size(); ++i)
-      {
-        const unsigned int entry = stopped[i].entry;
-        constraints.increment[entry / dim * nc + entry % dim] =
-          by_wall(stopped[i].wall);
-      }
     if (constraints.equations.empty())
       return;
-    unsigned int n_walls = 0;
     for (auto &equation : constraints.equations)
       {
         // an equation has displacements or pressures, not both
@@ -329,9 +277,6 @@ namespace isochor
           equation.value += constraints.coefficient[i] *
                             increment(constraints.entry[i] / nc * dim +
                                       constraints.entry[i] % nc);
-        if (judges && equation.how == NodalConstraints::in_contact &&
-            n_walls < stopped_along.size())
-          equation.value = by_wall(stopped_along[n_walls++].wall);
       }
     constraints.resolve(nc);
   }

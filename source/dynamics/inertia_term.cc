@@ -362,15 +362,6 @@ namespace isochor
           at_end.excess.local_element(i) =
             a - scheme().inertial_acceleration(a_n, a);
         }
-    for (const StoppedAtWall &node : stopped)
-      {
-        at_end.velocity.local_element(node.entry) = node.wall.velocity_at_end;
-        at_end.acceleration.local_element(node.entry) =
-          node.wall.acceleration_at_end;
-        at_end.excess.local_element(node.entry) =
-          excess_acceleration(node.wall);
-      }
-    stop_at_walls();
   }
 
 

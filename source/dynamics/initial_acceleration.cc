@@ -24,9 +24,8 @@ namespace isochor
   {
     if (trial_step.size > 0) // the first of two
       {
-        trial             = Trial();
-        trial.walls_judge = !trial_step.is_past;
-        prescribed        = false;
+        trial      = Trial();
+        prescribed = false;
       }
     trial.size              = trial_step.size;
     trial.is_past           = trial_step.is_past;
@@ -74,12 +73,6 @@ namespace isochor
     starts_with_impulse = impulse;
     const double sign   = trial.is_past ? -1 : 1;
     finish_step(step, unknowns);
-    // the body is at rest, but its nodes have started with the walls: this is
-    // to reach the points, too, as the first step starts with what they bring
-    if (trial.walls_lead)
-      for (unsigned int i = 0; i < step.nodes.n_local() * dim; ++i)
-        at_end.acceleration.local_element(i) +=
-          2 / trial.size * velocity.local_element(i);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
@@ -170,7 +163,6 @@ namespace isochor
     trial.size        = std::sqrt(trial_integrator.stiffness(1.) /
                            integrator->stiffness(step.step_size()));
     trial.step_size   = step.step_size();
-    trial.walls_judge = false;
     trial.settles     = true;
     prescribed        = false;
     // without what the scheme adds to the acceleration of the forces
@@ -208,29 +200,6 @@ namespace isochor
            ++q)
         points.acceleration[q] +=
           interpolate(step, points.stencil(step.grid.geometry(), k, q), change);
-  }
-
-
-
-  template <int dim>
-  bool
-  InertiaTerm<dim>::walls_start_smoothly(const StepContext<dim> &step) const
-  {
-    constexpr double small  = 0.01; // what four places leave of none
-    double           sudden = 0, change = 0;
-    const auto       look = [&](const WallMotion &wall) {
-      const MotionAtStart end = wall.motion.after(step.step_size());
-      sudden = std::max(sudden, std::abs(wall.motion.velocity));
-      change = std::max(change, std::abs(end.velocity - wall.motion.velocity));
-    };
-    for (const StoppedAtWall &node : stopped)
-      look(node.wall);
-    for (const StoppedAlongWall &wall : stopped_along)
-      look(wall.wall);
-    const MPI_Comm comm = step.grid.communicator();
-    change              = Utilities::MPI::max(change, comm);
-    return change > 0 && momentum.linfty_norm() == 0. &&
-           Utilities::MPI::max(sudden, comm) <= small * change;
   }
 
 
@@ -301,8 +270,6 @@ namespace isochor
                                   const NodalField &,
                                   PointArrays<2> &);
   template bool
-  InertiaTerm<2>::walls_start_smoothly(const StepContext<2> &) const;
-  template bool
   InertiaTerm<2>::starts_suddenly(const StepContext<2> &) const;
   template void
   InertiaTerm<3>::start_trial(
@@ -331,8 +298,6 @@ namespace isochor
   InertiaTerm<3>::finish_settling(const StepContext<3> &,
                                   const NodalField &,
                                   PointArrays<3> &);
-  template bool
-  InertiaTerm<3>::walls_start_smoothly(const StepContext<3> &) const;
   template bool
   InertiaTerm<3>::starts_suddenly(const StepContext<3> &) const;
 } // namespace isochor

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/patterns.h>
 
+#include <isochor/interaction/grid_boundary_partner.h>
 #include <isochor/interaction/interaction.h>
 #include <isochor/interaction/prescribed_place.h>
 
@@ -67,6 +68,40 @@ namespace isochor
 
 
   template <int dim>
+  Interaction<dim>::Interaction(const std::string              &body,
+                                const std::vector<OneSidedWall> &walls,
+                                const unsigned int               which)
+    : section(walls[which].parameter)
+    , body(body)
+    , partner_name(of_boundary(walls[which].boundary))
+    , partner(std::make_unique<GridBoundaryPartner<dim>>(walls, which))
+  {
+    ParameterHandler prm;
+    InteractionLaw<dim>::declare_laws(prm);
+    law = InteractionLaw<dim>::create(prm);
+  }
+
+
+
+  template <int dim>
+  void
+  Interaction<dim>::find_wall(std::vector<OneSidedWall> walls)
+  {
+    const std::string kind = of_boundary("");
+    if (partner || partner_name.rfind(kind, 0) != 0)
+      return;
+    auto wall = std::find_if(walls.begin(), walls.end(), [&](const auto &one) {
+      return is_with_boundary(one.boundary);
+    });
+    if (wall == walls.end())
+      wall = walls.insert(wall, {section, partner_name.substr(kind.size())});
+    partner =
+      std::make_unique<GridBoundaryPartner<dim>>(walls, wall - walls.begin());
+  }
+
+
+
+  template <int dim>
   void
   Interaction<dim>::find_bodies(const std::vector<std::string> &names)
   {
@@ -85,7 +120,8 @@ namespace isochor
     bodies = find(body, "");
     if (!partner)
       partners = find(partner_name,
-                      "; as a partner also 'place' and what a section <Rigid "
+                      "; as a partner also 'place', 'boundary NAME' and what a "
+                  "section <Rigid "
                       "body: ...> describes");
   }
 

@@ -11,12 +11,60 @@
 
 namespace isochor
 {
+  namespace
+  {
+    template <int dim>
+    std::string
+    force_column_of(const Interaction<dim> &interaction,
+                    const unsigned int      component)
+    {
+      return std::string("Force ") + "xyz"[component] + " on " +
+             interaction.body + " by " + interaction.partner_name + " (N)";
+    }
+  } // namespace
+
+
+
   template <int dim>
   InteractionTerm<dim>::InteractionTerm(
-    std::vector<std::unique_ptr<Interaction<dim>>> &&interactions)
+    std::vector<std::unique_ptr<Interaction<dim>>> &&interactions,
+    const std::vector<OneSidedWall>                 &walls)
     : interactions(std::move(interactions))
+    , walls(walls)
   {
     this->name = "Interactions";
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::set_bodies(const std::vector<std::string> &names)
+  {
+    for (unsigned int w = 0; w < walls.size(); ++w)
+      for (const std::string &body : names)
+        if (std::none_of(interactions.begin(),
+                         interactions.end(),
+                         [&](const auto &one) {
+                           return one->body == body &&
+                                  one->is_with_boundary(walls[w].boundary);
+                         }))
+          interactions.push_back(
+            std::make_unique<Interaction<dim>>(body, walls, w));
+    for (const auto &interaction : interactions)
+      interaction->find_bodies(names);
+  }
+
+
+
+  template <int dim>
+  std::string
+  InteractionTerm<dim>::force_column(const std::string &boundary) const
+  {
+    for (const auto &interaction : interactions)
+      if (interaction->is_with_boundary(boundary))
+        return force_column_of(*interaction, 0);
+    return {};
   }
 
 
@@ -147,6 +195,7 @@ namespace isochor
           2 *
           surface_stiffness(step, stress, *of.material, face.area_per_volume);
         element.area_ratio = stress.area.norm();
+        element.normal     = stress.area / element.area_ratio;
         for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
           {
             const auto start = BodySurface<dim>::place(step, face, g);
@@ -154,9 +203,10 @@ namespace isochor
             for (const unsigned int i : element.partners)
               element.facing[g].push_back(
                 interactions[i]->law->is_unilateral() ?
-                  facing<dim>(stress.area / stress.area.norm(),
+                  facing<dim>(element.normal,
                               interactions[i]
-                                ->partner->nearest({&start, {}, {}})
+                                ->partner
+                                ->nearest({&start, {}, {}, element.normal})
                                 .normal) :
                   1.);
           }
@@ -267,7 +317,10 @@ namespace isochor
     for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
       {
         const auto start = BodySurface<dim>::place(step, face, g);
-        typename Partner<dim>::SurfacePlace place{&start, {}, {}};
+        typename Partner<dim>::SurfacePlace place{&start,
+                                                         {},
+                                                         {},
+                                                         element.normal};
         double                              p = 0;
         for (unsigned int I = 0; I < N_p.n_nodes; ++I)
           {
@@ -452,9 +505,7 @@ namespace isochor
     Utilities::MPI::sum(forces, step.grid.communicator(), forces);
     for (unsigned int i = 0; i < interactions.size(); ++i)
       for (unsigned int a = 0; a < dim; ++a)
-        statistics.set(std::string("Force ") + "xyz"[a] + " on " +
-                         interactions[i]->body + " by " +
-                         interactions[i]->partner_name + " (N)",
+        statistics.set(force_column_of(*interactions[i], a),
                        forces[i * dim + a]);
   }
 

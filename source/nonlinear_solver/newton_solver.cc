@@ -427,16 +427,6 @@ namespace isochor
               "three corrections in a row had to be shortened and changed little";
             return report;
           }
-        // with the wrong conditions it may not converge at all
-        if (problem.change_conditions && gauge.is_far(norms, tolerance) &&
-            problem.change_conditions(gauge.force_scale()))
-          {
-            norms             = problem.assemble(true);
-            matrix_is_current = expect_need = true;
-            last_ratio = reduction = 1.;
-            if (log != nullptr)
-              *log << "    other conditions hold\n";
-          }
       }
     return report;
   }

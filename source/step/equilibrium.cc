@@ -82,7 +82,7 @@ namespace isochor
                              scene.time.step == 0);
     setup.collect_elements(terms);
     set_external_force();
-    start_contact(setup.nodes_have_changed());
+    start_conditions(setup.nodes_have_changed());
     set_weight();
     compute_residual_floor();
   }
@@ -141,14 +141,14 @@ namespace isochor
     unknowns.zero_out_ghost_values();
     unknowns = 0.;
     set_initial_pressure();
-    start_contact(false);
+    start_conditions(false);
   }
 
 
 
   template <int dim>
   void
-  Equilibrium<dim>::start_again(const bool with_contact)
+  Equilibrium<dim>::start_again()
   {
     for (unsigned int i = 0;
          i < setup.active_nodes().n_local() * scene.n_components;
@@ -156,13 +156,7 @@ namespace isochor
       if (i % scene.n_components < dim)
         unknowns.local_element(i) = 0.;
     set_external_force();
-    if (!with_contact)
-      {
-        start_contact(false);
-        return;
-      }
-    constrain_nodes();
-    lay_out_system(false);
+    start_conditions(false);
   }
 
 
@@ -219,13 +213,13 @@ namespace isochor
   Equilibrium<dim>::solve()
   {
     const bool   predicted = predict();
-    NewtonReport report    = solve_with_contact(predicted);
+    NewtonReport report    = solve_and_correct(predicted);
     if (!report.converged && predicted)
       {
         if (terminal.log())
           terminal.out() << "    from rest: " << report.failure << std::endl;
         start_from_rest();
-        report = solve_with_contact(false);
+        report = solve_and_correct(false);
       }
     return report;
   }
@@ -234,7 +228,7 @@ namespace isochor
 
   template <int dim>
   NewtonReport
-  Equilibrium<dim>::solve_with_contact(const bool has_other_start)
+  Equilibrium<dim>::solve_and_correct(const bool has_other_start)
   {
     const LoadStepping &time = scene.time;
     if (terminal.log())
@@ -243,25 +237,13 @@ namespace isochor
                      << " (dt = " << time.next_time() - time.time << ")"
                      << std::endl;
     at_start            = true;
-    NewtonReport report = find_root(true, has_other_start);
-    while (report.converged)
+    NewtonReport report = find_root(has_other_start);
+    while (report.converged && correct_conditions())
       {
-        const bool changed = change_contact(report);
-        if (changed)
-          lay_out_system(false);
-        else if (!report.converged || !correct_conditions())
-          break;
         if (terminal.log())
-          terminal.out() << (changed ? "    other conditions hold" :
-                                       "    conditions corrected")
-                         << std::endl;
-        report.continue_with(find_root(true, has_other_start), !changed);
+          terminal.out() << "    conditions corrected" << std::endl;
+        report.continue_with(find_root(has_other_start), true);
       }
-    // of nodes in contact only the last set counts
-    if (report.converged &&
-        Utilities::MPI::max(static_cast<int>(!constraints.conflicts.empty()),
-                            scene.grid.communicator()) != 0)
-      tell_conflicts(setup.context(), constraints, true);
     return report;
   }
 
@@ -269,7 +251,7 @@ namespace isochor
 
   template <int dim>
   void
-  Equilibrium<dim>::start_contact(const bool with_other_nodes)
+  Equilibrium<dim>::start_conditions(const bool with_other_nodes)
   {
     for (const auto &condition : scene.boundary_conditions)
       condition->start_contact();
@@ -295,44 +277,6 @@ namespace isochor
 
 
   template <int dim>
-  ContactChange
-  Equilibrium<dim>::check_contact(const double force_scale,
-                                  const bool   converged)
-  {
-    // In a trial at t = 0 a body that flies has no forces yet but rounding.
-    const bool nothing_acts =
-      scene.inertia.in_trial() && force_scale < force_floor;
-    const typename BoundaryCondition<dim>::ContactTolerance tolerance{
-      nothing_acts ? force_floor : newton_solver.tolerance * force_scale,
-      newton_solver.tolerance,
-      converged};
-    ContactChange change;
-    for (const auto &condition : scene.boundary_conditions)
-      {
-        const ContactChange here = condition->check_contact(
-          setup.context(), unknowns, system, constraints, tolerance);
-        if (!here.failure.empty())
-          return here;
-        change.any = change.any || here.any;
-      }
-    return change;
-  }
-
-
-
-  template <int dim>
-  bool
-  Equilibrium<dim>::change_contact(NewtonReport &report)
-  {
-    const ContactChange change = check_contact(report.force_scale, true);
-    report.failure             = change.failure;
-    report.converged           = change.failure.empty();
-    return report.converged && change.any && constrain_nodes();
-  }
-
-
-
-  template <int dim>
   bool
   Equilibrium<dim>::correct_conditions()
   {
@@ -340,21 +284,6 @@ namespace isochor
     for (const auto &condition : scene.boundary_conditions)
       any = condition->correct(setup.context(), unknowns) || any;
     return any;
-  }
-
-
-
-  template <int dim>
-  bool
-  Equilibrium<dim>::change_contact_on_the_way(const double force_scale)
-  {
-    const ContactChange change = check_contact(force_scale, false);
-    if (!change.any || !constrain_nodes())
-      return false;
-    lay_out_system(false);
-    relinearise();
-    system.interpolate_followers(unknowns);
-    return true;
   }
 
 
@@ -422,8 +351,7 @@ namespace isochor
 
   template <int dim>
   NewtonReport
-  Equilibrium<dim>::find_root(const bool with_contact,
-                              const bool has_other_start)
+  Equilibrium<dim>::find_root(const bool has_other_start)
   {
     NewtonSolver::Problem problem;
     problem.has_other_start = has_other_start;
@@ -454,14 +382,6 @@ namespace isochor
       relinearise();
       system.project_changing(unknowns);
     };
-    // a few times: the set that holds at the end is found by the outer search
-    constexpr unsigned int most_looks = 8;
-    unsigned int           n_looks    = 0;
-    if (with_contact)
-      problem.change_conditions = [this, &n_looks](const double force_scale) {
-        return ++n_looks <= most_looks &&
-               change_contact_on_the_way(force_scale);
-      };
     relinearise();
     system.interpolate_followers(unknowns); // wherever it starts from
     const NewtonReport report = newton_solver.solve(problem, terminal.log());

@@ -31,7 +31,7 @@ namespace isochor
         scene_checked = true;
         // what loads add for curved constraints would hide free rotations
         if (scene.time.step == 0) // resumed: said when it started
-          check_first_step(scene, step, system.matrix(), may_let_go());
+          check_first_step(scene, step, system.matrix());
       }
     if (with_matrix && !scene.inertia.in_trial())
       for (unsigned int t = 0; t < terms.size(); ++t)
@@ -41,26 +41,6 @@ namespace isochor
           condition->add_constraint_stiffness(
             step, unknowns, constraints, setup.first_of_term()[t], system);
     return norms;
-  }
-
-
-
-  template <int dim>
-  bool
-  Equilibrium<dim>::may_let_go() const
-  {
-    const auto is_contact = [](const unsigned char how) {
-      return how == NodalConstraints::in_contact;
-    };
-    const bool here = std::any_of(constraints.constrained.begin(),
-                                  constraints.constrained.end(),
-                                  is_contact) ||
-                      std::any_of(constraints.equations.begin(),
-                                  constraints.equations.end(),
-                                  [&](const auto &equation) {
-                                    return is_contact(equation.how);
-                                  });
-    return Utilities::MPI::max(here ? 1 : 0, scene.grid.communicator()) != 0;
   }
 
 
@@ -227,11 +207,10 @@ namespace isochor
           external_force.local_element(i) + boundary_force.local_element(i);
         const bool pressure = (i % n_components == dim);
         squares[constraints.constrained[i] ? 2 : (pressure ? 1 : 0)] += r * r;
-        // what walls and rigid sides do, apart from prescribed unknowns
+        // what rigid sides do, apart from prescribed unknowns
         const unsigned char how = constraints.constrained[i];
         if (system.has_equations() && system.is_held(i) &&
-            how != NodalConstraints::prescribed &&
-            how != NodalConstraints::in_contact)
+            how != NodalConstraints::prescribed)
           squares[2] += std::pow(system.reaction().local_element(i), 2);
         if (!pressure)
           squares[3] += f * f;

@@ -29,8 +29,7 @@ namespace isochor
     for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
       supported =
         supported ||
-        ((constraints.constrained[i] == NodalConstraints::prescribed ||
-          constraints.constrained[i] == NodalConstraints::in_contact) &&
+        (constraints.constrained[i] == NodalConstraints::prescribed &&
          along(i, 1.) != 0.);
     // a relation between nodes adds up to nothing, a wall doesn't
     for (const NodalConstraints::Equation &equation : constraints.equations)
@@ -89,11 +88,9 @@ namespace isochor
     const StepContext<dim> step       = setup.context();
     const auto            &conditions = scene.boundary_conditions;
     inertia.start_trial(step, trial, conditions);
-    start_again(inertia.do_walls_lead());
+    start_again();
     at_start            = true;
-    NewtonReport report = trial.size < 0 ? find_root(false) :
-                          trial.is_past  ? solve_with_contact() :
-                                           solve_first_trial(step);
+    NewtonReport report = trial.size < 0 ? find_root() : solve_and_correct();
     if (report.converged && trial.size > 0 && !trial.is_past)
       settle_weight(report);
     if (report.converged)
@@ -134,12 +131,11 @@ namespace isochor
     for (const TrialStep &trial : trials)
       if (report.converged)
         report = try_step(trial);
-    inertia.let_walls_lead(false);
     if (!report.converged && scene.time.step == 0)
       return report;
     if (!report.converged)
       {
-        // as one-sided walls may have it: the body goes on as it came
+        // the body goes on as it came
         scene.points.update(setup.point_arrays());
         scene.warnings.add(
           "a sudden start that fails",
@@ -182,7 +178,7 @@ namespace isochor
     inertia.start_settling(step, conditions, scene.points);
     start_again();
     at_start                  = true;
-    const NewtonReport report = find_root(false);
+    const NewtonReport report = find_root();
     if (report.converged)
       inertia.finish_settling(step, unknowns, setup.point_arrays());
     inertia.end_trial(step, conditions);
@@ -190,31 +186,6 @@ namespace isochor
     inertia.start_step(step, conditions, scene.points, true);
     start_again();
     set_weight();
-  }
-
-
-
-  template <int dim>
-  NewtonReport
-  Equilibrium<dim>::solve_first_trial(const StepContext<dim> &step)
-  {
-    InertiaTerm<dim> &inertia    = scene.inertia;
-    const bool        was_pushed = inertia.walls_start_smoothly(step);
-    NewtonReport      report     = solve_with_contact();
-    const bool        is_pushed  = inertia.walls_start_smoothly(step);
-    if (report.converged && is_pushed)
-      {
-        inertia.let_walls_lead(true);
-        start_again(true);
-        report.continue_with(find_root(false));
-      }
-    if (report.converged || !(was_pushed || is_pushed))
-      return report;
-    // A wall that recedes and one that pushes may have nodes for which neither
-    // is right: then all start with what the points bring.
-    inertia.let_walls_follow();
-    start_again();
-    return solve_with_contact();
   }
 
 
@@ -230,7 +201,7 @@ namespace isochor
         set_weight();
         if (scene.kernel.hydrostatic_acceleration == before)
           return;
-        report.continue_with(find_root(false));
+        report.continue_with(find_root());
       }
   }
 

@@ -5,8 +5,6 @@
 // The algorithm. What surrounds it, parameters, files and what is written to
 // the terminal, is in material_point_method_interface.cc.
 #include <isochor/base/plain_message.h>
-#include <isochor/boundary_condition/contact_checks.h>
-#include <isochor/boundary_condition/wall_passage.h>
 #include <isochor/equations/cells_crossed.h>
 #include <isochor/step/material_point_method.h>
 #include <isochor/step/scene_checks.h>
@@ -211,19 +209,6 @@ namespace isochor
     NewtonReport report = equilibrium.solve();
     if (report.converged && scene.time.follows_error())
       check_error(report);
-    if (report.converged)
-      {
-        const StepContext<dim> step = setup.context();
-        report.failure =
-          passage_through_walls(step,
-                                equilibrium.nodal_unknowns(),
-                                find_one_sided_walls(step,
-                                                     scene.boundary_conditions),
-                                scene.time.can_be_cut());
-        report.converged = report.failure.empty();
-        if (!report.converged && scene.has_inertia())
-          scene.time.hold_size();
-      }
     if (report.converged && !scene.has_inertia() && !is_unstable)
       check_stability(report);
     return report;
@@ -328,13 +313,6 @@ namespace isochor
                               statistics);
         }
       statistics.set_owner("");
-      std::vector<WallContacts<dim>> walls;
-      for (const auto &condition : scene.boundary_conditions)
-        condition->append_contacts(step,
-                                   equilibrium.mixed_system(),
-                                   equilibrium.nodal_constraints(),
-                                   walls);
-      check_contacts(step, unknowns, walls, statistics);
       if (scene.adaptation.needs_sizes())
         scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
       coarse_grid_watch.look(step,

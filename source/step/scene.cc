@@ -350,7 +350,8 @@ namespace isochor
             rigid_bodies.back()->body.check_inertia();
         }
     std::vector<std::unique_ptr<Interaction<dim>>> of_bodies, of_others;
-    std::string                                    asked_by;
+    const auto  walls = find_one_sided_walls(boundary_conditions);
+    std::string asked_by;
     if (points.bodies().are_named())
       asked_by = "parameter <Material points/Bodies>";
     for (const auto &path : ParameterList(prm).subsections)
@@ -368,10 +369,14 @@ namespace isochor
                          });
           if (rigid != rigid_bodies.end())
             interaction->partner = std::make_unique<RigidPartner<dim>>(*rigid);
+          interaction->find_wall(walls);
           (interaction->partner ? of_others : of_bodies)
             .push_back(std::move(interaction));
           asked_by = "section <" + path.front() + ">";
         }
+    if (!walls.empty())
+      asked_by = "one-sided wall <" + walls[0].boundary + ": n >= ...> of <" +
+                 walls[0].parameter + '>';
     const bool can_interact = quadrature->is_linear_on_domains();
     if (asked_by.empty() && !can_interact)
       {
@@ -386,11 +391,11 @@ namespace isochor
     if (!rigid_bodies.empty())
       boundary_conditions.push_back(
         std::make_unique<RigidBodyTerm<dim>>(rigid_bodies));
-    if (!of_others.empty())
+    if (!of_others.empty() || !walls.empty())
       {
         points.keep_surface();
         auto term =
-          std::make_unique<InteractionTerm<dim>>(std::move(of_others));
+          std::make_unique<InteractionTerm<dim>>(std::move(of_others), walls);
         surface_interactions = term.get();
         boundary_conditions.push_back(std::move(term));
       }

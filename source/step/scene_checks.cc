@@ -6,7 +6,6 @@
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
-#include <isochor/boundary_condition/wall_passage.h>
 #include <isochor/equations/pressure_groups.h>
 #include <isochor/step/free_motions.h>
 #include <isochor/step/scene.h>
@@ -190,32 +189,17 @@ namespace isochor
   void
   check_first_step(const Scene<dim>       &scene,
                    const StepContext<dim> &step,
-                   const SparseSystem     &matrix,
-                   const bool              may_let_go)
+                   const SparseSystem     &matrix)
   {
     step.grid.check_motion(step.warnings);
     check_body(step);
     check_interfaces(step);
     check_materials(scene, step.warnings);
     scene.shape.check_mesh(step.warnings);
-    const bool has_steps =
-      scene.points.check_seeding(scene.quadrature->needs_domains(),
-                                 step.warnings);
+    scene.points.check_seeding(scene.quadrature->needs_domains(),
+                               step.warnings);
     for (const auto &condition : scene.boundary_conditions)
       condition->check_scene(step);
-    const auto walls = find_one_sided_walls(step, scene.boundary_conditions);
-    warn_of_walls_inside(step, walls);
-    if (has_steps && !walls.empty())
-      step.warnings.add(
-        "a wall at a surface with steps",
-        "The surface of the body goes through cells, so that it has the steps "
-        "of the points that <Material points/Region> holds, and a one-sided "
-        "wall touches them first: as long as it has pressed the body by few of "
-        "them only, it does so where the body isn't, and the force is too "
-        "large (a disc of 24 cells over its radius that is flattened by 1.2 "
-        "and 6 %: by 53 and 23 %). Nothing is wrong where the steps are "
-        "elsewhere. With <Material points/Body mesh>, a mesh of the body "
-        "itself, the surface is smooth (0.2 and 2 %).");
     for (const auto &postprocessor : scene.postprocessors)
       postprocessor->check_scene(step);
     if (!scene.has_inertia())
@@ -243,7 +227,7 @@ namespace isochor
           "is then too soft (a beam with 4 cells over its height bends too "
           "much by 20 % with 8 and by 48 % with 20), and finer grids cure it "
           "slowly. Take 1, unless this is what you want to see.");
-    if (scene.mixed() && !may_let_go && has_free_pressure(matrix))
+    if (scene.mixed() && has_free_pressure(matrix))
       step.warnings.add(
         "a pressure that nothing determines",
         "The material is incompressible (<Material/Poisson ratio> = 0.5) and "
@@ -349,13 +333,11 @@ namespace isochor
   template void
   check_first_step<2>(const Scene<2> &,
                       const StepContext<2> &,
-                      const SparseSystem &,
-                      const bool);
+                      const SparseSystem &);
   template void
   check_first_step<3>(const Scene<3> &,
                       const StepContext<3> &,
-                      const SparseSystem &,
-                      const bool);
+                      const SparseSystem &);
   template void
   warn_of_rounding<2>(Scene<2> &, const NewtonReport &, const double);
   template void

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/keep_each_once.h>
-#include <isochor/boundary_condition/wall_passage.h>
+#include <isochor/boundary_condition/periodic_vertices.h>
 #include <isochor/equations/held_directions.h>
 #include <isochor/step/step_setup.h>
 #include <isochor/step/why_to_reset.h>
@@ -75,7 +75,7 @@ namespace isochor
         n_control_nodes += condition->control_nodes().size();
       }
     share_held_vertices();
-    if (needs_occupancy || !grid_reset.always())
+    if (needs_occupancy)
       find_walls();
   }
 
@@ -160,18 +160,13 @@ namespace isochor
       }
     held.resolve(n_components);
     const HeldDirections<dim> directions(held, n_components);
-    std::vector<unsigned int> walls;
-    for (unsigned int v = 0; v < scene.grid.geometry().vertices().size(); ++v)
-      if (directions.is_held(all_nodes.node(v)))
-        walls.push_back(v);
-    grid_reset.set_walls(walls);
     occupancy.initialize(
-      [&](const unsigned int v, const Tensor<1, dim> &n, const bool contact) {
-        return directions.free_part(all_nodes.node(v), n, contact);
+      [&](const unsigned int v, const Tensor<1, dim> &n) {
+        return directions.free_part(all_nodes.node(v), n);
       },
       scene.grid.is_adaptive() || scene.grid.is_moving() ||
         refinement.splits_points(),
-      find_periodic_vertices<dim>(scene.boundary_conditions));
+      find_periodic_vertices(scene.boundary_conditions));
   }
 
 
@@ -331,7 +326,7 @@ namespace isochor
     for (const auto &postprocessor : scene.postprocessors)
       postprocessor->grid_changed(scene.grid);
     share_held_vertices();
-    if (needs_occupancy || !grid_reset.always())
+    if (needs_occupancy)
       find_walls();
   }
 
@@ -425,8 +420,6 @@ namespace isochor
       is_asked_for |= condition->needs_reset();
     grid_reset.advance(step, unknowns, is_asked_for, arrays);
     is_current = false;
-    grid_reset.look_for_contact(
-      step, elements, *locator, unknowns, scene.points);
   }
 
 

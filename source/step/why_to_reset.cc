@@ -21,10 +21,6 @@ namespace isochor
       return "with <Grid/Stretch>";
     if (splits_points)
       return "with <Material points/Split at share of cell>";
-    for (const auto &condition : scene.boundary_conditions)
-      if (condition->only_pushes())
-        return "with boundaries that only push, <" + condition->section + '/' +
-               condition->name.substr(0, condition->name.find(':')) + '>';
     return {};
   }
 

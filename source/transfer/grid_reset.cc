@@ -5,13 +5,11 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/plain_message.h>
-#include <isochor/equations/connected_parts.h>
 #include <isochor/equations/final_state.h>
 #include <isochor/transfer/grid_reset.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace isochor
 {
@@ -28,16 +26,16 @@ namespace isochor
                       "Material Point Method as it is. Between resets the grid "
                       "moves with the body, as in updated Lagrangian finite "
                       "elements. 0: only by 'Smallest element quality'. "
-                      "In any case it is put back where the body comes near "
-                      "to a boundary that it did not touch, and in each step "
-                      "once bodies, or parts of one, come together. auto: 0 in "
+                      "Then bodies that share a field, as with another "
+                      "<Quadrature/Type> than CPDI, don't feel each other, nor "
+                      "a held boundary that they did not touch at the last "
+                      "reset. auto: 0 in "
                       "dynamics with another <Quadrature/Type> than CPDI, "
-                      "where points that change cells lose energy, and in each "
-                      "step once bodies come together or to a boundary; but 1 "
-                      "on an adaptive grid that changes, with <Grid/Stretch>, "
-                      "<Material points/Split at share of cell> or boundaries "
-                      "that only push; and 1 in statics and with CPDI. In "
-                      "dynamics with another quadrature the run says which.");
+                      "where points that change cells lose energy; but 1 "
+                      "on an adaptive grid that changes, with <Grid/Stretch> "
+                      "or <Material points/Split at share of cell>; and 1 in "
+                      "statics and with CPDI. In dynamics with another "
+                      "quadrature the run says which.");
     prm.declare_entry("Smallest element quality",
                       "0.3",
                       Patterns::Double(0, 1),
@@ -87,9 +85,8 @@ namespace isochor
     const std::string value = "<Grid reset/Steps between resets = auto>: ";
     return always() ?
              value + "the grid is put back in each step, " + reason :
-             value + "the grid is kept, and put back where cells are distorted "
-                     "and, once bodies come together or to a boundary, in each "
-                     "step";
+             value + "the grid is kept, and put back where cells are "
+                     "distorted";
   }
 
 
@@ -112,7 +109,6 @@ namespace isochor
   {
     reset_time    = time;
     n_steps_since = 0;
-    approach_watch.start();
   }
 
 
@@ -126,7 +122,7 @@ namespace isochor
   {
     ++n_steps_since;
     bad_quality = 1;
-    is_due      = is_asked_for || in_contact || n_steps_since == interval;
+    is_due      = is_asked_for || n_steps_since == interval;
     if (is_due)
       return;
     advance_massless_points(step, unknowns, points);
@@ -142,52 +138,6 @@ namespace isochor
 
 
   template <int dim>
-  void
-  GridReset<dim>::look_for_contact(const StepContext<dim>  &step,
-                                   const ElementNodes      &elements,
-                                   const PointLocator<dim> &locator,
-                                   const NodalField        &unknowns,
-                                   MaterialPoints<dim>     &points)
-  {
-    using Approach = typename ApproachWatch<dim>::Approach;
-    // bodies without a node in common have parted: the next step is the first
-    // one on a grid that is kept
-    if (in_contact && n_apart > 0 && number_of_parts(step, elements) >= n_apart)
-      in_contact = false;
-    if (is_due)
-      return;
-    const Approach approach =
-      approach_watch.look(step, elements, locator, unknowns, points);
-    is_due = (approach != Approach::none);
-    if (approach == Approach::none ||
-        (approach == Approach::to_boundary && !is_automatic))
-      return;
-    in_contact = true;
-    n_apart    = approach_watch.n_bodies_apart();
-    std::ostringstream text;
-    text << "At t = " << step.time;
-    if (approach == Approach::to_boundary)
-      text << " the body has come to a boundary that it did not touch. It "
-              "feels that by nodes of the boundary only";
-    else
-      text << " bodies, or parts of one, have come together"
-           << approach_watch.place_of_contact()
-           << ". They feel each other by nodes in common only";
-    text << ", and the grid moved with the body until now, "
-         << (is_automatic ? "<Grid reset/Steps between resets = auto>. " :
-                            "as <Grid reset/Steps between resets> asks for. ")
-         << "From now on it is put back in each step"
-         << (n_apart > 0 ? ", until they part. " : ". ")
-         << (is_automatic ?
-               "With this <Quadrature/Type> motions lose or gain energy by "
-               "that; choose CPDI if contact is what the scene is about." :
-               "Set 1 there if contact is what the scene is about.");
-    step.warnings.add("contact on a grid that is kept", text.str());
-  }
-
-
-
-  template <int dim>
   std::string
   GridReset<dim>::why() const
   {
@@ -196,18 +146,6 @@ namespace isochor
     std::string cause =
       "<Grid reset/Steps between resets> = " + std::to_string(interval);
     std::string remedy = "Set it to 0 if no points have to change cells.";
-    if (interval == 0 && in_contact)
-      {
-        cause = "bodies, or parts of one, have come together";
-        if (is_automatic)
-          cause += ", or to a boundary";
-        remedy = "Contact needs that.";
-      }
-    else if (interval == 0)
-      {
-        cause  = "the body came near to a boundary";
-        remedy = "Contact needs that.";
-      }
     if (!(bad_quality > 0))
       {
         cause  = "a cell was turned inside out";

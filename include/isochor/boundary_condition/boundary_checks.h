@@ -59,18 +59,6 @@ namespace isochor
     const std::string                                        &second,
     const std::vector<std::pair<unsigned int, unsigned int>> &same_places);
 
-  /** A wall stands outside of the grid and pushes inwards: warn of a one-sided
-   * condition u >= ... (@p side 1) or u <= ... (-1) of @p parameter on
-   * @p component of @p boundary that could only push outwards. All ranks alike.
-   */
-  template <int dim>
-  void
-  warn_of_wall_inside(const StepContext<dim> &step,
-                      const std::string      &parameter,
-                      const std::string      &boundary,
-                      const unsigned int      component,
-                      const int               side);
-
   /** On a grid that is put back, a @p boundary that by @p parameter has pushed
    * the body out of the row of cells there hands hardly anything on to it: warn
    * from half a cell on. In statics its forces are too small before: the row of

@@ -5,15 +5,30 @@
 #ifndef isochor_material_at_nodes_h
 #define isochor_material_at_nodes_h
 
-#include <isochor/boundary_condition/prescribed_component.h>
+#include <isochor/base/expression.h>
+#include <isochor/equations/equation_term.h>
 
 #include <array>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
 namespace isochor
 {
+  /** One component of the displacement that is prescribed on a boundary of the
+   * grid; the same on all ranks. */
+  template <int dim>
+  struct PrescribedComponent
+  {
+    std::string               boundary;
+    unsigned int              component;
+    Expression<dim>           displacement;
+    std::vector<unsigned int> vertices;
+    /** Whether the displacement depends on x, y or z. */
+    bool depends_on_place = false;
+  };
+
   /**
    * Which material is at the nodes of a boundary whose prescribed displacement
    * depends on the place. A formula u(X, t) means material that was at X at t =
@@ -26,7 +41,7 @@ namespace isochor
   class MaterialAtNodes
   {
   public:
-    /** Look at the held components of @p conditions, with the grid's vertices
+    /** Look at @p conditions, with the grid's vertices
      * at t = 0 at @p reference. */
     void
     set(const std::vector<PrescribedComponent<dim>> &conditions,

@@ -14,6 +14,31 @@
 
 namespace isochor
 {
+  /** A boundary condition that may make sides of the grid the same place. */
+  class HasPeriods
+  {
+  public:
+    virtual ~HasPeriods() = default;
+
+    /** All that are the same place as others. */
+    virtual std::vector<unsigned int>
+    periodic_vertices() const = 0;
+  };
+
+  /** Those of all @p conditions, a list of pointers to them. */
+  template <typename Conditions>
+  std::vector<unsigned int>
+  find_periodic_vertices(const Conditions &conditions)
+  {
+    std::vector<unsigned int> vertices;
+    for (const auto &condition : conditions)
+      if (const auto *const has_periods =
+            dynamic_cast<const HasPeriods *>(condition.get()))
+        for (const unsigned int v : has_periods->periodic_vertices())
+          vertices.push_back(v);
+    return vertices;
+  }
+
   /**
    * The vertices on pairs of sides that are the same place of a periodic body.
    * Each vertex of a second side is the image of one of the first; where pairs

@@ -41,8 +41,8 @@ namespace isochor
     warn_of_seams(const StepContext<dim> &step) const;
 
   private:
-    /** Whether two walls are both one-sided or both not, and move alike at
-     * @p vertex, as far as values of their formulas at many times tell. */
+    /** Whether two walls move alike at @p vertex, as far as values of their
+     * formulas at many times tell. */
     bool
     do_the_same(const unsigned int first,
                 const unsigned int second,

@@ -56,6 +56,20 @@ namespace isochor
       double       angle; ///< between the faces (rad)
     };
 
+    /** How far a vertex is moved along its normal (m), by its number. */
+    using Shift = std::function<double(const unsigned int vertex)>;
+
+    /** A face of the surface. */
+    struct Face
+    {
+      unsigned int                    boundary; ///< its number in the ids
+      unsigned int                    cell;
+      std::array<unsigned int, dim>   vertices;
+      std::array<Point<dim>, dim>     corners;
+      std::array<Tensor<1, dim>, dim> normals; ///< at the corners
+      Tensor<1, dim>                  normal;  ///< of the plane face
+    };
+
     /** The faces of @p id, with the vertices where they are on @p grid now. */
     void
     initialize(const BackgroundGrid<dim> &grid, const types::boundary_id id)
@@ -71,7 +85,27 @@ namespace isochor
     initialize(const BackgroundGrid<dim>             &grid,
                const std::vector<types::boundary_id> &ids,
                const unsigned int                     own,
-               const GoesOn                          &goes_on);
+               const GoesOn                          &goes_on)
+    {
+      initialize(grid, grid.geometry().vertices(), ids, own, goes_on, {});
+    }
+
+    /** The same with the @p vertices of the grid given; with a @p shift, those
+     * of the surface are then moved along their normals. */
+    void
+    initialize(const BackgroundGrid<dim>             &grid,
+               const std::vector<Point<dim>>         &vertices,
+               const std::vector<types::boundary_id> &ids,
+               const unsigned int                     own,
+               const GoesOn                          &goes_on,
+               const Shift                           &shift);
+
+    /** Of what it goes on in, too. */
+    const std::vector<Face> &
+    faces() const
+    {
+      return all_faces;
+    }
 
     /** One for each other boundary, the sharpest. */
     const std::vector<Seam> &
@@ -114,7 +148,7 @@ namespace isochor
     {
       std::array<unsigned int, dim> vertices;
       Tensor<1, dim>                area; ///< over dim, into the grid
-      unsigned int                  boundary;
+      unsigned int                  boundary, cell;
     };
 
     /** A smooth piece at a vertex. */
@@ -126,12 +160,17 @@ namespace isochor
       std::vector<unsigned int> faces;
     };
 
-    struct Face
-    {
-      std::array<Point<dim>, dim>     corners;
-      std::array<Tensor<1, dim>, dim> normals; ///< at the corners
-      Tensor<1, dim>                  normal;  ///< of the plane face
-    };
+    /** Give the faces the normals of their pieces. */
+    void
+    set_normals(const std::vector<NamedFace> &named,
+                std::vector<Piece>           &pieces);
+
+    /** Move the corners of the faces along the normals of the pieces, which
+     * then are those of the surface there. */
+    void
+    move_corners(const Shift            &shift,
+                 std::vector<NamedFace> &named,
+                 std::vector<Piece>     &pieces);
 
     /** In 2D: at an end of a curve the mean is that of one face only. What the
      * normal of the next vertex becomes if it is reflected at that of the face
@@ -142,6 +181,7 @@ namespace isochor
 
     static std::vector<NamedFace>
     faces_of(const BackgroundGrid<dim>             &grid,
+             const std::vector<Point<dim>>         &vertices,
              const std::vector<types::boundary_id> &ids);
 
     static std::vector<Piece>
@@ -160,7 +200,7 @@ namespace isochor
                const GoesOn                 &goes_on);
 
     std::vector<Node> all_nodes;
-    std::vector<Face> faces;
+    std::vector<Face> all_faces;
     std::vector<Seam> all_seams;
     bool              flat = true;
   };

@@ -23,8 +23,7 @@ namespace isochor
    * The body ends at vertices with an empty cell around them, and at *open*
    * boundary faces of the grid, those that no condition holds in their normal
    * direction. A held boundary is a wall that the body touches, or a symmetry
-   * plane. A wall that only pushes (*one-sided*) may be apart from the body:
-   * whoever knows what cells there hold of the body can have it end there.
+   * plane.
    */
   template <int dim>
   class CellOccupancy
@@ -32,9 +31,8 @@ namespace isochor
   public:
     CellOccupancy(const BackgroundGrid<dim> &grid);
 
-    /** With a new grid. @p free_part(vertex, n, walls_hold) is the square of
-     * the part of the unit vector n that displacements are free along at the
-     * vertex, where one-sided walls hold or don't.
+    /** With a new grid. @p free_part(vertex, n) is the square of the part of
+     * the unit vector n that displacements are free along at the vertex.
      * @p compares_with_seeding: points may come into cells that are smaller
      * than those that they were seeded in. @p periodic_vertices are all of
      * those on periodic sides. */
@@ -50,14 +48,12 @@ namespace isochor
      * as occupied. Where cells are smaller than those that the points were
      * seeded in, a gap between few of them is many cells: if that may be, it
      * also is a hole if it isn't larger than a few points as they were seeded.
-     * If @p ends_at_walls, the body ends at one-sided walls, too: cells there
-     * are neither interior nor holes. Collective.
+     * Collective.
      */
     void
     update(const PointArrays<dim> &points,
            const MixedKernel<dim> &kernel,
-           const bool              find_holes,
-           const bool              ends_at_walls = false);
+           const bool              find_holes);
 
     /** The content of an occupied cell, over all ranks. */
     struct Content
@@ -136,15 +132,7 @@ namespace isochor
     bool
     is_at_open_boundary(const unsigned int vertex) const
     {
-      return boundary_at[vertex] == open;
-    }
-
-    /** Whether the body ends at a face of the grid's boundary that meets
-     * @p vertex. */
-    bool
-    ends_at_boundary(const unsigned int vertex) const
-    {
-      return boundary_at[vertex] >= (ends_at_walls ? one_sided : open);
+      return is_open[vertex] != 0;
     }
 
     /** Whether a cell at @p vertex has another one on a periodic side. */
@@ -220,8 +208,6 @@ namespace isochor
     void
     find_near_ranks();
     void
-    mark(const BoundaryFace &face, const unsigned char boundary);
-    void
     clear();
     void
     activate(const unsigned int vertex);
@@ -274,18 +260,11 @@ namespace isochor
     static constexpr unsigned int most_points    = (dim == 2 ? 8 : 16);
     static constexpr unsigned int most_cells     = 128;
     static constexpr unsigned int largest_extent = (dim == 2 ? 12 : 6);
-    /** Faces that meet a vertex; of several the larger one counts. */
-    enum : unsigned char
-    {
-      one_sided = 1, ///< held by walls that only push
-      open      = 2
-    };
-    bool compares_with_seeding = false, large_holes_are_allowed = false,
-         ends_at_walls = false;
+    bool compares_with_seeding = false, large_holes_are_allowed = false;
 
     std::vector<unsigned int>  cells_at_start, cells_at_vertices;
     std::vector<unsigned int>  n_cells_at;
-    std::vector<unsigned char> boundary_at, near_periodic;
+    std::vector<unsigned char> is_open, near_periodic; ///< by vertex
     /** Lists of other ranks: first those of one rank only, in order. */
     std::vector<std::vector<unsigned int>> near_ranks;
     /** By vertex, the number from 1 of the list that has the other ranks with
@@ -320,7 +299,7 @@ namespace isochor
                          numbers::invalid_unsigned_int);
     vertex_active.assign(n_vertices, 0);
     n_occupied_at.assign(n_vertices, 0);
-    boundary_at.assign(n_vertices, 0);
+    is_open.assign(n_vertices, 0);
     find_cells_at_vertices();
     find_near_ranks();
 
@@ -335,19 +314,15 @@ namespace isochor
         const SimplexGeometry<dim> &geometry = grid.geometry();
         Tensor<1, dim> n = geometry.gradients(face.cell)[face.opposite_vertex];
         n /= n.norm();
-        for (const bool walls_hold : {true, false})
-          {
-            double largest = 0;
-            for (unsigned int v = 0; v <= dim; ++v)
-              if (v != face.opposite_vertex)
-                largest =
-                  std::max(largest,
-                           free_part(geometry.vertex_indices(face.cell)[v],
-                                     n,
-                                     walls_hold));
-            if (largest > 0.5)
-              mark(face, walls_hold ? open : one_sided);
-          }
+        double largest = 0;
+        for (unsigned int v = 0; v <= dim; ++v)
+          if (v != face.opposite_vertex)
+            largest =
+              std::max(largest,
+                       free_part(geometry.vertex_indices(face.cell)[v], n));
+        for (unsigned int v = 0; v <= dim && largest > 0.5; ++v)
+          if (v != face.opposite_vertex)
+            is_open[geometry.vertex_indices(face.cell)[v]] = 1;
       }
   }
 } // namespace isochor

@@ -6,7 +6,6 @@
 #define isochor_inertia_term_h
 
 #include <isochor/boundary_condition/boundary_condition.h>
-#include <isochor/dynamics/held_by_walls.h>
 #include <isochor/dynamics/mass_matrix.h>
 #include <isochor/dynamics/time_integrator.h>
 #include <isochor/equations/equation_term.h>
@@ -138,35 +137,6 @@ namespace isochor
       const NodalField                                           &unknowns,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       PointArrays<dim>                                           &points);
-    /**
-     * In a trial: whether one-sided walls start smoothly to push a body at
-     * rest. What they hold then has to start as they do, as what is prescribed:
-     * let_walls_lead(). Which nodes that are is for a trial before to find out,
-     * in which nodes at such walls are held with the acceleration that the wall
-     * has at the end of the first step. Collective.
-     */
-    bool
-    walls_start_smoothly(const StepContext<dim> &step) const;
-    /** In trials: from now on what one-sided walls hold starts with them, or
-     * no longer. Nodes have to be constrained anew. */
-    void
-    let_walls_lead(const bool lead)
-    {
-      trial.walls_lead = lead;
-      prescribed       = false;
-    }
-    bool
-    do_walls_lead() const
-    {
-      return trial.walls_lead;
-    }
-    /** The same: and no longer look for the nodes that walls push. */
-    void
-    let_walls_follow()
-    {
-      let_walls_lead(false);
-      trial.walls_judge = false;
-    }
     bool
     in_trial() const
     {
@@ -276,12 +246,6 @@ namespace isochor
      * that a smooth start with their motion_of_step() needs, and project to the
      * others. Has to be called whenever other unknowns are held than before.
      * Collective.
-     *
-     * What a one-sided wall has held at the end of the last step starts with
-     * the motion of the wall, whether it is held in this one or not, and what
-     * it begins to hold in this step with what the points bring: the search
-     * for the nodes in contact must not change what it starts from. It ends
-     * with the motion of the wall: the impact is over within the step.
      */
     void
     prescribe(
@@ -318,12 +282,6 @@ namespace isochor
       const StepContext<dim>                                     &step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       const NodalConstraints                                     &start);
-    /** Hold what one-sided walls pressed at the end of the last step, too, with
-     * what they @p start with in a @p field. */
-    void
-    hold_pressed(const StepContext<dim> &step,
-                 double WallMotion::*const start,
-                 NodalField               &field);
     /** What a motion over a time @p dt (s) is to start with. */
     SmoothStart
     smooth_start(const double dt) const
@@ -400,15 +358,13 @@ namespace isochor
                 const NodalField                         &field);
 
     /** What the @p conditions and @p ties demand of the unknowns a @p part of
-     * the step after its start, without what holds in contact only; that is in
-     * @p contact. */
+     * the step after its start. */
     NodalConstraints
     constraints_at(
       const StepContext<dim>                                     &step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       const NodalTies                                            &ties,
-      const double                                                part,
-      NodalConstraints &contact) const;
+      const double                                                part) const;
     /** Add to given_acceleration what comes from the velocities of equations
      * that change, see BoundaryCondition::convective_acceleration(). */
     void
@@ -416,37 +372,17 @@ namespace isochor
       const StepContext<dim>                                     &step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       const NodalConstraints                                     &constraints);
-    /** Note the walls that equations of @p constraints stand for, at the places
-     * of the step's motion. */
-    void
-    note_stopping_walls(const Places      &constraints,
-                        const unsigned int n_components,
-                        const double       dt);
     /** Velocities and accelerations that the followers of displacements start
      * with, by what they follow @p at the places of the step's motion. */
     std::vector<std::pair<double, double>>
     starts_of_followers(const Places      &at,
                         const unsigned int n_components,
                         const double       dt) const;
-    /** The search for contact begins: keep in pressed what it begins with, of
-     * the constraints @p at the places of the step's motion and, with one-sided
-     * walls, @p contact. */
-    void
-    note_pressed(const StepContext<dim> &step,
-                 const NodalConstraints &constraints,
-                 const Places           &contact,
-                 const Places           &at);
-    /** Let what is at_end have the motion of these walls. */
-    void
-    stop_at_walls();
-
     struct Trial
     {
       double size        = 0;     ///< 0: there is none
       bool   is_past     = false; ///< see TrialStep
       double step_size   = 0;     ///< see TrialStep
-      bool   walls_lead  = false; ///< see let_walls_lead()
-      bool   walls_judge = true;  ///< see let_walls_follow()
       bool   settles     = false; ///< see start_settling()
     };
 
@@ -473,14 +409,6 @@ namespace isochor
     } at_end;
     /** Prescribed entries, of local nodes. */
     std::vector<unsigned char> held;
-    WallMotion
-    wall_motion(const MotionAtStart &motion, const double dt) const;
-    /** The excess acceleration of points at the wall at the end of the step. */
-    double
-    excess_acceleration(const WallMotion &wall) const;
-    std::vector<StoppedAtWall>    stopped;
-    PressedByWalls                pressed;
-    std::vector<StoppedAlongWall> stopped_along;
     /** Of velocities and accelerations. */
     Followers followers;
     /** What is given to them by prescribed motions, see MassMatrix::solve(). */

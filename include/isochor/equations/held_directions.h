@@ -30,7 +30,6 @@ namespace isochor
     {
       for (const auto &equation : constraints.equations)
         {
-          const bool contact = equation.how == NodalConstraints::in_contact;
           std::map<unsigned int, Tensor<1, dim>> by_node;
           for (std::size_t i = equation.first; i < equation.last; ++i)
             if (constraints.entry[i] % n_components < dim)
@@ -38,36 +37,27 @@ namespace isochor
                      [constraints.entry[i] % n_components] +=
                 constraints.coefficient[i];
           for (const auto &node : by_node)
-            directions[node.first].push_back({node.second, contact});
+            directions[node.first].push_back(node.second);
         }
     }
 
-    /** |n|² of what is left of @p n without the directions held at @p node, by
-     * one-sided walls, too, if @p walls_hold. */
+    /** |n|² of what is left of @p n without the directions held at @p node. */
     double
-    free_part(const unsigned int node,
-              Tensor<1, dim>     n,
-              const bool         walls_hold) const
+    free_part(const unsigned int node, Tensor<1, dim> n) const
     {
       const auto leave_free = [&](Tensor<1, dim> &v) {
         for (unsigned int a = 0; a < dim; ++a)
-          {
-            const unsigned char how =
-              constraints.constrained[node * n_components + a];
-            if (how == NodalConstraints::prescribed ||
-                (walls_hold && how == NodalConstraints::in_contact))
-              v[a] = 0;
-          }
+          if (constraints.constrained[node * n_components + a] ==
+              NodalConstraints::prescribed)
+            v[a] = 0;
       };
       leave_free(n);
       const auto here = directions.find(node);
       if (here == directions.end())
         return n.norm_square();
       std::vector<Tensor<1, dim>> basis;
-      for (auto [v, contact] : here->second)
+      for (Tensor<1, dim> v : here->second)
         {
-          if (contact && !walls_hold)
-            continue;
           const double size = v.norm();
           leave_free(v);
           for (const Tensor<1, dim> &b : basis)
@@ -80,27 +70,10 @@ namespace isochor
       return n.norm_square();
     }
 
-    /** Whether any direction is held at @p node. */
-    bool
-    is_held(const unsigned int node) const
-    {
-      bool held = directions.count(node) > 0;
-      for (unsigned int a = 0; a < dim; ++a)
-        {
-          const unsigned char how =
-            constraints.constrained[node * n_components + a];
-          held = held || how == NodalConstraints::prescribed ||
-                 how == NodalConstraints::in_contact;
-        }
-      return held;
-    }
-
   private:
     const NodalConstraints &constraints;
     const unsigned int      n_components;
-    /** By node; and whether it is a one-sided wall that holds. */
-    std::map<unsigned int, std::vector<std::pair<Tensor<1, dim>, bool>>>
-      directions;
+    std::map<unsigned int, std::vector<Tensor<1, dim>>> directions; ///< by node
   };
 } // namespace isochor
 

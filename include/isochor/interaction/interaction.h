@@ -8,6 +8,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <isochor/base/expression.h>
+#include <isochor/boundary_condition/one_sided_wall.h>
 #include <isochor/interaction/interaction_law.h>
 #include <isochor/interaction/partner.h>
 
@@ -28,6 +29,29 @@ namespace isochor
 
     /** @param section "Interaction: BODY - PARTNER", which @p prm is in. */
     Interaction(ParameterHandler &prm, const std::string &section);
+
+    /** What a wall without a section of its own stands for: frictionless
+     * contact of a body with it. */
+    Interaction(const std::string              &body,
+                const std::vector<OneSidedWall> &walls,
+                const unsigned int               which);
+
+    /** If the section names a boundary of the grid, this is the partner: as
+     * the @p walls have it, else where the grid's boundary is. */
+    void
+    find_wall(std::vector<OneSidedWall> walls);
+
+    /** Whether the partner is the boundary of this name. */
+    bool
+    is_with_boundary(const std::string &boundary) const
+    {
+      return partner_name == of_boundary(boundary);
+    }
+    static std::string
+    of_boundary(const std::string &boundary)
+    {
+      return "boundary " + boundary;
+    }
 
     /** Whether it is about a face of body number @p of_body with its centre at
      * @p X at t = 0. */

@@ -27,22 +27,25 @@ namespace isochor
   class InteractionTerm : public BoundaryCondition<dim>
   {
   public:
-    explicit InteractionTerm(
-      std::vector<std::unique_ptr<Interaction<dim>>> &&interactions);
+    /** @param walls Boundaries that each body has frictionless contact with,
+     * unless there is an interaction between the two. */
+    InteractionTerm(
+      std::vector<std::unique_ptr<Interaction<dim>>> &&interactions,
+      const std::vector<OneSidedWall>                 &walls);
 
     /** The names of the bodies, by layer of the grid, once they are known. */
     void
-    set_bodies(const std::vector<std::string> &names)
-    {
-      for (const auto &interaction : interactions)
-        interaction->find_bodies(names);
-    }
+    set_bodies(const std::vector<std::string> &names);
 
     void
     initialize(const BackgroundGrid<dim> &grid) override
     {
       this->grid = &grid;
+      for (const auto &interaction : interactions)
+        interaction->partner->initialize(grid);
     }
+    std::string
+    force_column(const std::string &boundary) const override;
     void
     set_body(const BodyShape<dim> & /*shape*/,
              const PointArrays<dim> &points) override
@@ -130,7 +133,8 @@ namespace isochor
       std::vector<unsigned int> partners; ///< numbers of its interactions
       /** By Gauss point and partner: facing(), at the start of the step. */
       std::array<std::vector<double>, BodySurface<dim>::n_gauss> facing;
-      double                                                     gamma      = 0;
+      Tensor<1, dim> normal;    ///< outward, at the start of the step
+      double         gamma = 0;
       double                                                     area_ratio = 1;
       std::vector<Tensor<1, dim>> adjoint; ///< B, if θ is not 0
       /** By Gauss point, if it is known. */
@@ -179,6 +183,7 @@ namespace isochor
               const FaceElement         &element,
               std::vector<unsigned int> &nodes) const;
     std::vector<std::unique_ptr<Interaction<dim>>> interactions;
+    const std::vector<OneSidedWall>                walls;
     const BackgroundGrid<dim>                     *grid   = nullptr;
     const PointArrays<dim>                        *points = nullptr;
     bool                     is_checked = false; ///< see check_surfaces()

@@ -29,7 +29,13 @@ namespace isochor
       Tensor<1, dim> increment; ///< Δu (m)
       /** The tangential gap of the last step (m), for laws with friction. */
       Tensor<1, dim> slip;
+      Tensor<1, dim> normal; ///< outward, at the start of the step
     };
+
+    /** The grid is made, or has been replaced. Collective. */
+    virtual void
+    initialize(const BackgroundGrid<dim> & /*grid*/)
+    {}
 
     /** The @p step goes to its end with the nodal @p unknowns: find the pose.
      */

@@ -65,10 +65,6 @@ namespace isochor
       std::function<bool()> has_factorisation;
       /** Set the iterate to (the one at the last solve) + s (correction). */
       std::function<void(const double s)> advance;
-      /** Whether the present iterate, which has not converged, changes which
-       * conditions hold, as one-sided ones do; they then hold. @p force_scale:
-       * what forces are measured against (N). May be empty. */
-      std::function<bool(const double force_scale)> change_conditions;
       /** Whether there is another start should this one fail. Then one that
        * leads nowhere is given up at the third correction in a row that has to
        * be shortened and leaves most of the residual: the strip footing on an

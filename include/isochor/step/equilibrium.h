@@ -20,8 +20,8 @@ namespace isochor
   /**
    * The equations of a step and their solution: the terms of the equations,
    * what the boundary conditions prescribe, the nodal unknowns (displacement
-   * increments of the step and pressures), Newton's method, and around it the
-   * search for the nodes in contact. Changes nothing of the points.
+   * increments of the step and pressures) and Newton's method. Changes nothing
+   * of the points.
    */
   template <int dim>
   class Equilibrium
@@ -146,10 +146,9 @@ namespace isochor
     predict();
     void
     start_from_rest();
-    /** The first step from its start, with other equations; @p with_contact:
-     * with the nodes in contact that were found. */
+    /** The first step from its start, with other equations. */
     void
-    start_again(const bool with_contact = false);
+    start_again();
     void
     compute_residual_floor();
     void
@@ -170,35 +169,18 @@ namespace isochor
     /** One trial step of find_initial_acceleration(). */
     NewtonReport
     try_step(const typename InertiaTerm<dim>::TrialStep &trial);
-    /** Solve the equations of the first trial of @p step, and again if
-     * one-sided walls start to push a body at rest, see
-     * InertiaTerm::walls_start_smoothly(). */
-    NewtonReport
-    solve_first_trial(const StepContext<dim> &step);
     /** The trial has converged: repeat it if it has found that the body is
      * supported, or isn't, until that is what it was made with. */
     void
     settle_weight(NewtonReport &report);
 
-    /** Begin the search for the nodes in contact, with those of the last step,
-     * and lay out the system for it. */
+    /** Constrain the nodes for the step, and lay out the system for it. */
     void
-    start_contact(const bool with_other_nodes);
-    /** @p has_other_start: see NewtonSolver::Problem. */
+    start_conditions(const bool with_other_nodes);
+    /** Newton's method, again if conditions correct what they prescribe.
+     * @p has_other_start: see NewtonSolver::Problem. */
     NewtonReport
-    solve_with_contact(const bool has_other_start = false);
-    /** One-sided boundaries: hold and release nodes where Newton's result,
-     * that of @p report, violates a condition. Whether there is something to
-     * solve again; a search that does not settle makes the report a failure. */
-    bool
-    change_contact(NewtonReport &report);
-    /** The same with an iterate of Newton's method: if that makes a difference,
-     * the system is laid out for it. */
-    bool
-    change_contact_on_the_way(const double force_scale);
-    /** Let the boundary conditions change which nodes are held. */
-    ContactChange
-    check_contact(const double force_scale, const bool converged);
+    solve_and_correct(const bool has_other_start = false);
     /** Let boundary conditions correct what they prescribe; whether they did.
      */
     bool
@@ -209,14 +191,10 @@ namespace isochor
     void
     lay_out_system(const bool with_other_nodes);
 
-    /** Newton's method; @p with_contact: which nodes are held may change. */
     NewtonReport
-    find_root(const bool with_contact, const bool has_other_start = false);
+    find_root(const bool has_other_start = false);
     ResidualNorms
     assemble(const bool with_matrix);
-    /** Whether one-sided walls hold nodes, on any rank. */
-    bool
-    may_let_go() const;
     /** Equations between unknowns whose coefficients change with these. */
     void
     relinearise();

@@ -28,15 +28,13 @@ namespace isochor
   void
   check_supports(const SparseSystem &matrix, Warnings &warnings);
 
-  /** The first step of @p scene is set up, with its @p matrix, in which
-   * one-sided walls hold nodes that they @p may_let_go: warn of what can't be
-   * meant. Collective. */
+  /** The first step of @p scene is set up, with its @p matrix: warn of what
+   * can't be meant. Collective. */
   template <int dim>
   void
   check_first_step(const Scene<dim>       &scene,
                    const StepContext<dim> &step,
-                   const SparseSystem     &matrix,
-                   const bool              may_let_go);
+                   const SparseSystem     &matrix);
 
   /** Warn if @p newton has taken for zero what is more than one per cent of
    * the forces, though strains have larger ones than @p zero_force (N), that

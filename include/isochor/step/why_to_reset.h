@@ -20,13 +20,10 @@ namespace isochor
    * Only dynamics gains by a grid that is kept, with quadratures whose forces
    * jump when points change cells. In statics, and with CPDI, resets have no
    * such price. What needs them all the same is what happens at a reset only:
-   * an adaptive grid changes, `Grid/Stretch` moves the grid, points are split;
-   * and what is made for them: boundaries that only push, which the body may
-   * leave and come to again elsewhere. Contact of bodies, and boundaries that
-   * the body comes to later, are not in the list, since ApproachWatch finds
-   * them. Rigid and periodic sides are not, since they take the body along,
-   * which a grid that is put back can't follow. `Project volume change` is not,
-   * since no volumes drift on a grid that is kept.
+   * an adaptive grid changes, `Grid/Stretch` moves the grid, points are split.
+   * Rigid and periodic sides are not in the list, since they take the body
+   * along, which a grid that is put back can't follow. `Project volume change`
+   * is not, since no volumes drift on a grid that is kept.
    *
    * After the parameters of the scene were read. From them alone, so that a run
    * that continues decides alike.

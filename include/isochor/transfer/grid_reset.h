@@ -6,7 +6,8 @@
 #define isochor_grid_reset_h
 
 #include <isochor/equations/equation_term.h>
-#include <isochor/transfer/approach_watch.h>
+
+#include <string>
 
 namespace isochor
 {
@@ -104,31 +105,11 @@ namespace isochor
             const bool              is_asked_for,
             PointArrays<dim>       &points);
 
-    /** The vertices that boundary conditions hold in any direction, ascending.
-     */
-    void
-    set_walls(const std::vector<unsigned int> &vertices)
-    {
-      approach_watch.set_walls(vertices);
-    }
-
-    /** After advance(), if no reset is due: demand one where contact needs it,
-     * and, where bodies come together, one in each step from now on until they
-     * are as many as before again, with a warning. The @p points are where the
-     * step has ended, the @p elements those of all equations. Collective. */
-    void
-    look_for_contact(const StepContext<dim>  &step,
-                     const ElementNodes      &elements,
-                     const PointLocator<dim> &locator,
-                     const NodalField        &unknowns,
-                     MaterialPoints<dim>     &points);
-
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &is_due &n_steps_since &reset_time &in_contact &n_apart
-        &approach_watch;
+      archive &is_due &n_steps_since &reset_time;
     }
 
   private:
@@ -162,14 +143,9 @@ namespace isochor
     bool        is_automatic = false;
     std::string reason;
 
-    bool is_due = true;
-    /** Bodies have come together: each step starts with a reset. */
-    bool in_contact = false;
-    /** How many bodies they have to be for that to end; 0: it doesn't. */
-    unsigned int       n_apart = 0;
-    ApproachWatch<dim> approach_watch;
-    unsigned int       n_steps_since = 0;
-    double             reset_time    = 0;
+    bool         is_due        = true;
+    unsigned int n_steps_since = 0;
+    double       reset_time    = 0;
     /** The quality for which the grid was put back last; one: not for it. */
     double bad_quality = 1;
   };
