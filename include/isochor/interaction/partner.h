@@ -9,6 +9,7 @@
 #include <isochor/interaction/body_surface.h>
 #include <isochor/interaction/interaction_kernel.h>
 
+#include <optional>
 #include <vector>
 
 namespace isochor
@@ -50,6 +51,14 @@ namespace isochor
     /** Where it is from the place of the partner that it was at, at t = 0. */
     virtual PartnerPlace<dim>
     original(const SurfacePlace &place) const = 0;
+
+    /** What moments are about at the pose that update() has found, if it is
+     * anything. */
+    virtual std::optional<Point<dim>>
+    moment_point() const
+    {
+      return {};
+    }
 
     /** The vertices of control nodes whose unknowns move the partner. */
     virtual std::vector<unsigned int>

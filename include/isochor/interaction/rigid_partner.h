@@ -27,6 +27,11 @@ namespace isochor
     nearest(const typename Partner<dim>::SurfacePlace &place) const override;
     PartnerPlace<dim>
     original(const typename Partner<dim>::SurfacePlace &place) const override;
+    std::optional<Point<dim>>
+    moment_point() const override
+    {
+      return move->pose().reference + move->pose().displacement;
+    }
     std::vector<unsigned int>
     control_vertices(const ActiveNodes<dim> &nodes) const override;
     void
@@ -37,6 +42,9 @@ namespace isochor
         &motions) const override;
 
   private:
+    /** 1 - R_n Rᵀ, of the rotations at the start and the end of the step. */
+    Tensor<2, dim>
+    turned() const;
     /** How the slip changes with x, see nearest_place(). */
     Tensor<2, dim>
     slip_by_x(const ClosestPoint<dim> &closest) const;
