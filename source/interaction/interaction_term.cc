@@ -439,13 +439,14 @@ namespace isochor
             auto &sum = sums[action.interaction];
             for (unsigned int a = 0; a < dim; ++a)
               sum[a] += action.force[a];
-            if (const auto centre =
-                  interactions[action.interaction]->partner->moment_point())
+            const auto lever = interactions[action.interaction]->partner->lever(
+              action.y, step.has_inertia);
+            if (lever)
               {
                 Tensor<1, 3> arm, force;
                 for (unsigned int a = 0; a < dim; ++a)
                   {
-                    arm[a]   = action.y[a] - (*centre)[a];
+                    arm[a]   = (*lever)[a];
                     force[a] = action.force[a];
                   }
                 const Tensor<1, 3> moment = cross_product_3d(arm, force);
@@ -486,7 +487,7 @@ namespace isochor
         for (unsigned int a = 0; a < dim; ++a)
           statistics.set(std::string("Force ") + "xyz"[a] + of + " (N)",
                          sums[i][a]);
-        if (!interactions[i]->partner->moment_point() ||
+        if (!interactions[i]->partner->lever({}, false) ||
             step.kernel.axisymmetric)
           continue;
         for (unsigned int a = (dim == 2 ? 2 : 0); a < 3; ++a)

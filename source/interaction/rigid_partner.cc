@@ -83,6 +83,17 @@ namespace isochor
 
 
   template <int dim>
+  std::optional<Tensor<1, dim>>
+  RigidPartner<dim>::lever(const Point<dim> &y, const bool mean) const
+  {
+    const Tensor<1, dim> arm =
+      y - move->pose().reference - move->pose().displacement;
+    return mean ? arm - turned() * arm / 2 : arm;
+  }
+
+
+
+  template <int dim>
   std::vector<unsigned int>
   RigidPartner<dim>::control_vertices(const ActiveNodes<dim> &nodes) const
   {

@@ -52,10 +52,11 @@ namespace isochor
     virtual PartnerPlace<dim>
     original(const SurfacePlace &place) const = 0;
 
-    /** What moments are about at the pose that update() has found, if it is
-     * anything. */
-    virtual std::optional<Point<dim>>
-    moment_point() const
+    /** The lever of a force at the place @p y, from what moments are about to
+     * it (m), at the pose that update() has found or as the mean over the step;
+     * nothing if there are no moments. */
+    virtual std::optional<Tensor<1, dim>>
+    lever(const Point<dim> & /*y*/, const bool /*mean*/) const
     {
       return {};
     }

@@ -27,11 +27,9 @@ namespace isochor
     nearest(const typename Partner<dim>::SurfacePlace &place) const override;
     PartnerPlace<dim>
     original(const typename Partner<dim>::SurfacePlace &place) const override;
-    std::optional<Point<dim>>
-    moment_point() const override
-    {
-      return move->pose().reference + move->pose().displacement;
-    }
+    /** From the reference point. */
+    std::optional<Tensor<1, dim>>
+    lever(const Point<dim> &y, const bool mean) const override;
     std::vector<unsigned int>
     control_vertices(const ActiveNodes<dim> &nodes) const override;
     void
