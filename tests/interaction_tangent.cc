@@ -208,4 +208,44 @@ main(int argc, char **argv)
                {"sphere", circle + "Centre = 0.4, 1.48, 0.3\n" + turning},
                laws);
     }
+  // rotations that are unknowns, in statics beside prescribed ones
+  const std::string turns = shape + "Motion = x=0.2*t, y=-0.3*t\n" + shape +
+                            "Free = rotation\n" + shape +
+                            "Moment = rotation=0.002*t\n" + shape +
+                            "Reference point = 0.5, 1\n",
+                    turns_in_space = shape + "Motion = y=-0.3*t, ry=0.5*t\n" +
+                                     shape + "Free = rx, rz\n" + shape +
+                                     "Moment = rx=2e-3*t, rz=1e-3*t\n" + shape +
+                                     "Reference point = 0.5, 1, 0.5\n",
+                    moves =
+                      shape + "Motion = y=-0.3*t\n" + shape + "Free = x, ",
+                    inertia = shape + "Mass = 1\n" + shape +
+                              "Moment of inertia = 0.3\n",
+                    solid_plane = plane + "Point = 0, 1, 0\n" + shape +
+                                  "Normal = 0.01, -1, 0.02\n" + upper,
+                    sphere = circle + "Centre = 0.4, 1.48, 0.3\n" + upper;
+  const std::string free   = " that turns freely";
+  for (const unsigned int i : {0, 2})
+    {
+      check<2>(forms[i],
+               {tools[0].first + free, tools[0].second + upper + turns},
+               laws);
+      for (const unsigned int tool : {1, 2})
+        check<2>(forms[i],
+                 {tools[tool].first + free, tools[tool].second + upper + turns},
+                 {laws[0]});
+      check<3>(forms[i],
+               {"half plane" + free, solid_plane + turns_in_space},
+               laws);
+      check<3>(forms[i], {"sphere" + free, sphere + turns_in_space}, {laws[0]});
+    }
+  for (const auto &[name, tool] : tools)
+    check<2>(forms[3],
+             {name + free, tool + upper + moves + "rotation\n" + inertia},
+             laws);
+  for (const auto &[name, tool] :
+       Variants{{"half plane", solid_plane}, {"sphere", sphere}})
+    check<3>(forms[3],
+             {name + free, tool + moves + "rx, ry, rz\n" + inertia},
+             laws);
 }

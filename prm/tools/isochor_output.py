@@ -107,7 +107,13 @@ def run(executable, prm, overrides, outdir, processes=1):
         command += ["--set", f"{name}={value}"]
     outdir = Path(outdir)
     outdir.mkdir(parents=True, exist_ok=True)
-    for pattern in ("statistics.txt", "points*.*vtu", "grid*.*vtu", "*.pvd"):
+    for pattern in (
+        "statistics.txt",
+        "points*.*vtu",
+        "grid*.*vtu",
+        "rigid_bodies*.*vtu",
+        "*.pvd",
+    ):
         for old in outdir.glob(pattern):
             old.unlink()
     command += ["--output-directory", str(outdir)]

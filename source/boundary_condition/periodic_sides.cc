@@ -44,8 +44,8 @@ namespace isochor
         "formula in t; what is not named is 0. With 'force x = formula' (N, on "
         "second, the opposite on first) the jump is free and has this force. "
         "Pressures are periodic, too. Force and jump go into the statistics; "
-        "the force is without what nodes carry that <Displacement>, <Walls> or "
-        "<Rigid sides> hold, which override at common nodes: add the reaction "
+        "the force is without what nodes carry that <Displacement> or <Walls> "
+        "hold, which override at common nodes: add the reaction "
         "there. "
         "Points do not change sides: keep the grid (<Grid reset/Steps between "
         "resets>) if they would leave it.");

@@ -224,7 +224,7 @@ namespace isochor
       }
     for (unsigned int k = 0; k < given_velocity.size(); ++k)
       {
-        // also by what it follows, as the nodes of a rigid side do
+        // also by what it follows
         const double prescribed_velocity =
           given_velocity[k] + followers.sum(k, [&](const unsigned int entry) {
             return held[entry] ? velocity.local_element(entry) : 0.;

@@ -32,6 +32,7 @@ namespace isochor
       field->assign(n_dofs, Tensor<1, dim>());
     t = Tensor<1, dim>();
     sides.clear();
+    turns.clear();
     xi_by.clear();
   }
 
@@ -145,6 +146,7 @@ namespace isochor
     if (with_matrix)
       {
         add_to_matrix(law, place, acting, at_end, measure, mismatch_at_end);
+        add_turns_to_matrix(law, place, acting, measure);
         if (!xi_by.empty())
           add_sliding_to_matrix(acting, measure, mismatch_at_end);
       }
@@ -222,6 +224,32 @@ namespace isochor
               matrix[(side.node[I] * n_components + dim) * n_dofs +
                      side.node[J] * n_components + b] += side.shape[I] * change;
           }
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionKernel<dim>::add_turns_to_matrix(const InteractionLaw<dim> &law,
+                                              const PartnerPlace<dim>   &place,
+                                              const Projection &projection,
+                                              const Measure    &measure)
+  {
+    const Tensor<1, dim>  f = measure.weight * projection.f;
+    const Tensor<1, dim> &n = place.normal;
+    for (const Turn &turn : turns)
+      {
+        double *const row = matrix.data() + turn.unknown * n_dofs;
+        for (unsigned int a = 0; a < dim; ++a)
+          row[turn.first + a] += f * turn.motion.place_by_component[a];
+        if (!law.is_unilateral()) // its place is always the same
+          continue;
+        const Tensor<1, dim> by_y = f * turn.motion.place_by_y;
+        for (unsigned int j = 0; j < n_dofs; ++j)
+          row[j] += by_y * (trace[j] - (n * trace[j]) * n -
+                            place.normal_gap * (place.normal_by_x * trace[j] +
+                                                turn_of_normal[j]));
+      }
   }
 
 

@@ -376,7 +376,10 @@ namespace isochor
           }
         actions->push_back({element.partners[chosen],
                             g,
-                            start.x + place.increment,
+                            start.x + place.increment -
+                              (interaction.law->is_unilateral() ?
+                                 found.normal_gap * found.normal :
+                                 found.gap),
                             measure.weight * kernel.mean_traction(),
                             slip,
                             projection.state,
@@ -472,6 +475,52 @@ namespace isochor
 
 
   template <int dim>
+  std::vector<std::array<double, dim + 3>>
+  InteractionTerm<dim>::resultants(const StepContext<dim> &step,
+                                   const NodalField       &unknowns) const
+  {
+    std::vector<std::array<double, dim + 3>> sums(interactions.size());
+    InteractionKernel<dim>                   kernel;
+    std::vector<Action>                      actions;
+    slips.start_noting();
+    for (const FaceElement &element : faces)
+      {
+        actions.clear();
+        evaluate_face(step, unknowns, element, false, kernel, &actions);
+        for (const Action &action : actions)
+          {
+            auto &sum = sums[action.interaction];
+            for (unsigned int a = 0; a < dim; ++a)
+              sum[a] += action.force[a];
+            const auto lever = interactions[action.interaction]->partner->lever(
+              action.y, step.has_inertia);
+            if (lever)
+              {
+                Tensor<1, 3> arm, force;
+                for (unsigned int a = 0; a < dim; ++a)
+                  {
+                    arm[a]   = (*lever)[a];
+                    force[a] = action.force[a];
+                  }
+                const Tensor<1, 3> moment = cross_product_3d(arm, force);
+                for (unsigned int a = 0; a < 3; ++a)
+                  sum[dim + a] += moment[a];
+              }
+            if (action.slip.norm_square() > 0)
+              slips.set_next(BodySurface<dim>::key(
+                               surface.faces()[element.face]),
+                             action.gauss_point,
+                             action.slip);
+          }
+      }
+    for (auto &sum : sums)
+      sum_over_ranks(sum, step.grid.communicator());
+    return sums;
+  }
+
+
+
+  template <int dim>
   void
   InteractionTerm<dim>::evaluate(const StepContext<dim> &step,
                                  const NodalField       &unknowns,
@@ -483,30 +532,22 @@ namespace isochor
       return;
     for (const auto &interaction : interactions)
       interaction->partner->update(step, unknowns);
-    std::vector<double>    forces(interactions.size() * dim);
-    InteractionKernel<dim> kernel;
-    std::vector<Action>    actions;
-    slips.start_noting();
-    for (const FaceElement &element : faces)
-      {
-        actions.clear();
-        evaluate_face(step, unknowns, element, false, kernel, &actions);
-        for (const Action &action : actions)
-          {
-            for (unsigned int a = 0; a < dim; ++a)
-              forces[action.interaction * dim + a] += action.force[a];
-            if (action.slip.norm_square() > 0)
-              slips.set_next(BodySurface<dim>::key(
-                               surface.faces()[element.face]),
-                             action.gauss_point,
-                             action.slip);
-          }
-      }
-    Utilities::MPI::sum(forces, step.grid.communicator(), forces);
+    const auto sums = resultants(step, unknowns);
     for (unsigned int i = 0; i < interactions.size(); ++i)
-      for (unsigned int a = 0; a < dim; ++a)
-        statistics.set(force_column_of(*interactions[i], a),
-                       forces[i * dim + a]);
+      {
+        const std::string of = " on " + interactions[i]->body + " by " +
+                               interactions[i]->partner_name;
+        for (unsigned int a = 0; a < dim; ++a)
+          statistics.set(force_column_of(*interactions[i], a), sums[i][a]);
+        if (!interactions[i]->partner->lever({}, false) ||
+            step.kernel.axisymmetric)
+          continue;
+        for (unsigned int a = (dim == 2 ? 2 : 0); a < 3; ++a)
+          statistics.set("Moment" +
+                           (dim == 2 ? "" : std::string(" ") + "xyz"[a]) + of +
+                           " (N m)",
+                         sums[i][dim + a]);
+      }
   }
 
 

@@ -31,14 +31,22 @@ namespace isochor
 
   template <int dim>
   Tensor<2, dim>
+  RigidPartner<dim>::turned() const
+  {
+    return Tensor<2, dim>(unit_symmetric_tensor<dim>()) -
+           move->old_pose().rotation * transpose(move->pose().rotation);
+  }
+
+
+
+  template <int dim>
+  Tensor<2, dim>
   RigidPartner<dim>::slip_by_x(const ClosestPoint<dim> &closest) const
   {
     const Tensor<2, dim> one = unit_symmetric_tensor<dim>();
-    const Tensor<2, dim> turned =
-      one - move->old_pose().rotation * transpose(move->pose().rotation);
     return one -
-           turned * (one - outer_product(closest.normal, closest.normal) -
-                     closest.distance * Tensor<2, dim>(closest.curvature));
+           turned() * (one - outer_product(closest.normal, closest.normal) -
+                       closest.distance * Tensor<2, dim>(closest.curvature));
   }
 
 
@@ -75,6 +83,17 @@ namespace isochor
 
 
   template <int dim>
+  std::optional<Tensor<1, dim>>
+  RigidPartner<dim>::lever(const Point<dim> &y, const bool mean) const
+  {
+    const Tensor<1, dim> arm =
+      y - move->pose().reference - move->pose().displacement;
+    return mean ? arm - turned() * arm / 2 : arm;
+  }
+
+
+
+  template <int dim>
   std::vector<unsigned int>
   RigidPartner<dim>::control_vertices(const ActiveNodes<dim> &nodes) const
   {
@@ -105,18 +124,31 @@ namespace isochor
     const auto            turns = move->normal_change(x, closest);
     const Tensor<1, dim> &n     = closest.normal;
     const Tensor<1, dim>  s     = slip(place, closest.point);
-    const Tensor<2, dim>  s_x   = slip_by_x(closest);
     motions.resize(2);
     for (unsigned int i = 0; i < RigidBody<dim>::n_components; ++i)
       {
         typename InteractionKernel<dim>::PartnerMotion motion;
-        motion.place = moves[i] / rigid->scale(i);
+        if (!rigid->body.is_free(i))
+          {
+            motions[i < dim ? 0 : 1].push_back(motion); // is no unknown
+            continue;
+          }
+        motion.place      = moves[i] / rigid->scale(i);
+        motion.place_by_y = move->motion_by_x(i) / rigid->scale(i);
+        for (unsigned int j = dim; i >= dim && j < RigidBody<dim>::n_components;
+             ++j)
+          if (rigid->body.is_free(j))
+            motion.place_by_component[j - dim] =
+              move->second_motion(y, i, j) /
+              (rigid->scale(i) * rigid->scale(j));
         if (is_unilateral)
           {
             // the spin of n, apart from its change with the place
             motion.normal = turns[i] / rigid->scale(i) +
                             Tensor<2, dim>(closest.curvature) * motion.place;
-            Tensor<1, dim> with_slip = s_x * motion.place - motion.place;
+            // what slip_by_x() leaves of the slip's change at a fixed x
+            Tensor<1, dim> with_slip =
+              closest.distance * (turned() * motion.normal);
             with_slip -= (with_slip * n) * n;
             motion.gap = (closest.distance - s * n) * motion.normal -
                          (s * motion.normal) * n + with_slip;

@@ -241,7 +241,9 @@ namespace isochor
 
   template class FieldPatches<0, 2>;
   template class FieldPatches<0, 3>;
+  template class FieldPatches<1, 2>;
   template class FieldPatches<2, 2>;
+  template class FieldPatches<2, 3>;
   template class FieldPatches<3, 3>;
   template void
   OutputSeries::write<0, 2>(FieldPatches<0, 2> &,
@@ -250,6 +252,16 @@ namespace isochor
                             const MPI_Comm);
   template void
   OutputSeries::write<0, 3>(FieldPatches<0, 3> &,
+                            const double,
+                            const std::string &,
+                            const MPI_Comm);
+  template void
+  OutputSeries::write<1, 2>(FieldPatches<1, 2> &,
+                            const double,
+                            const std::string &,
+                            const MPI_Comm);
+  template void
+  OutputSeries::write<2, 3>(FieldPatches<2, 3> &,
                             const double,
                             const std::string &,
                             const MPI_Comm);

@@ -33,7 +33,7 @@ namespace isochor
                         "whichever of them holds the node: the sum over "
                         "boundaries that meet is not the whole force, and a "
                         "smooth wall shows what the wall next to it carries "
-                        "at the corner. <Displacement of body>, <Rigid sides> "
+                        "at the corner. <Displacement of body> "
                         "and <Periodic sides> have columns of their own.");
     }
 

@@ -103,6 +103,24 @@ namespace isochor
 
 
   template <int dim>
+  Tensor<2, dim>
+  RigidMove<dim>::motion_by_x(const unsigned int component) const
+  {
+    Tensor<2, dim> result;
+    for (unsigned int b = 0; b < dim && component >= dim; ++b)
+      {
+        Vector3 e;
+        e[b]                 = 1;
+        const Vector3 column = cross_product_3d(spins[component - dim], e);
+        for (unsigned int a = 0; a < dim; ++a)
+          result[a][b] = column[a];
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
   Tensor<1, dim>
   RigidMove<dim>::second_motion(const Point<dim>  &x,
                                 const unsigned int i,

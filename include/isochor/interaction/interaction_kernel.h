@@ -141,6 +141,10 @@ namespace isochor
     struct PartnerMotion
     {
       Tensor<1, dim> place, normal, gap;
+      /** How `place` changes: from place to place of the partner, and with
+       * each component of the same node at one place. Zero if it doesn't. */
+      Tensor<2, dim>                  place_by_y{};
+      std::array<Tensor<1, dim>, dim> place_by_component{};
     };
     /** The unknown @p component of node @p node moves the partner. */
     void
@@ -152,6 +156,8 @@ namespace isochor
       trace[i] -= motion.place;
       turn_of_normal[i] += motion.normal;
       turn_of_gap[i] += motion.gap;
+      if (with_matrix && motion.place_by_y.norm_square() > 0)
+        turns.push_back({i, node * n_components, motion});
     }
 
     using FaceCoordinates = Tensor<1, dim - 1>;
@@ -236,6 +242,21 @@ namespace isochor
                   const Measure             &measure,
                   const Tensor<1, dim>      &mismatch_at_end);
 
+    /** What comes from partners that turn: the lever of f is another one, at
+     * the place nearest to the body's, or as the partner's place moves on. */
+    void
+    add_turns_to_matrix(const InteractionLaw<dim> &law,
+                        const PartnerPlace<dim>   &place,
+                        const Projection          &projection,
+                        const Measure             &measure);
+
+    /** An unknown that turns the partner, and the first one of its node. */
+    struct Turn
+    {
+      unsigned int  unknown, first;
+      PartnerMotion motion;
+    };
+
     unsigned int n_components = 0, n_dofs = 0;
     bool         with_matrix = false;
     /** By unknown of the element: the trace of its function, relative to the
@@ -245,6 +266,7 @@ namespace isochor
     Tensor<1, dim>               t, mean;
     StartOfStep<dim>             end;
     std::vector<Side>            sides;
+    std::vector<Turn>            turns;
     std::vector<FaceCoordinates> xi_by, shape_by_xi; ///< empty: no sliding
   };
 } // namespace isochor

@@ -11,6 +11,7 @@
 #include <isochor/interaction/interaction_kernel.h>
 #include <isochor/interaction/slip_memory.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -144,8 +145,9 @@ namespace isochor
     /** What acts at a Gauss point of a face by one of its interactions. */
     struct Action
     {
-      unsigned int     interaction, gauss_point;
-      Point<dim>       x;     ///< at the iterate
+      unsigned int interaction, gauss_point;
+      /** Where it acts on the partner, at the iterate. */
+      Point<dim>       y;
       Tensor<1, dim>   force; ///< on the body (N), the mean over the step
       Tensor<1, dim>   slip;  ///< to be remembered (m)
       SurfaceState     state;
@@ -178,6 +180,10 @@ namespace isochor
            const unsigned int                         g,
            const typename Partner<dim>::SurfacePlace &place,
            PartnerPlace<dim>                         &found) const;
+    /** The force (N) and the moment (N m; in 2D the third component) on the
+     * body by each interaction, of all ranks. Notes the slips, too. */
+    std::vector<std::array<double, dim + 3>>
+    resultants(const StepContext<dim> &step, const NodalField &unknowns) const;
     void
     set_nodes(const StepContext<dim>    &step,
               const FaceElement         &element,

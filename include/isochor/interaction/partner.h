@@ -9,6 +9,7 @@
 #include <isochor/interaction/body_surface.h>
 #include <isochor/interaction/interaction_kernel.h>
 
+#include <optional>
 #include <vector>
 
 namespace isochor
@@ -56,6 +57,15 @@ namespace isochor
     /** Where it is from the place of the partner that it was at, at t = 0. */
     virtual PartnerPlace<dim>
     original(const SurfacePlace &place) const = 0;
+
+    /** The lever of a force at the place @p y, from what moments are about to
+     * it (m), at the pose that update() has found or as the mean over the step;
+     * nothing if there are no moments. */
+    virtual std::optional<Tensor<1, dim>>
+    lever(const Point<dim> & /*y*/, const bool /*mean*/) const
+    {
+      return {};
+    }
 
     /** The vertices of control nodes whose unknowns move the partner. */
     virtual std::vector<unsigned int>

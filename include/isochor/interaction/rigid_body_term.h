@@ -63,6 +63,12 @@ namespace isochor
       this->name = "Rigid bodies";
     }
 
+    const Bodies &
+    all_bodies() const
+    {
+      return bodies;
+    }
+
     std::vector<ControlNode<dim>>
     control_nodes() const override;
     void

@@ -27,6 +27,9 @@ namespace isochor
     nearest(const typename Partner<dim>::SurfacePlace &place) const override;
     PartnerPlace<dim>
     original(const typename Partner<dim>::SurfacePlace &place) const override;
+    /** From the reference point. */
+    std::optional<Tensor<1, dim>>
+    lever(const Point<dim> &y, const bool mean) const override;
     std::vector<unsigned int>
     control_vertices(const ActiveNodes<dim> &nodes) const override;
     void
@@ -37,6 +40,9 @@ namespace isochor
         &motions) const override;
 
   private:
+    /** 1 - R_n Rᵀ, of the rotations at the start and the end of the step. */
+    Tensor<2, dim>
+    turned() const;
     /** How the slip changes with x, see nearest_place(). */
     Tensor<2, dim>
     slip_by_x(const ClosestPoint<dim> &closest) const;

@@ -18,9 +18,9 @@ namespace isochor
   using namespace dealii;
 
   /**
-   * Named fields on points (@p patch_dim = 0) or simplices (@p patch_dim =
-   * @p dim): what is needed to let deal.II write them. Declare the fields
-   * first, then add the patches.
+   * Named fields on points (@p patch_dim = 0) or simplices (cells, or of one
+   * dimension less facets of a surface): what is needed to let deal.II write
+   * them. Declare the fields first, then add the patches.
    */
   template <int patch_dim, int dim>
   class FieldPatches : public DataOutInterface<patch_dim, dim>
@@ -41,7 +41,7 @@ namespace isochor
     void
     reserve(const unsigned int n_patches);
 
-    /** Append a patch with these vertices (1 or dim + 1). Set
+    /** Append a patch with these vertices (patch_dim + 1). Set
      * data(row, vertex) of what is returned; the reference is valid until the
      * next call. */
     Patch &

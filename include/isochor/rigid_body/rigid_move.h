@@ -92,6 +92,9 @@ namespace isochor
      * increment, ∂x/∂Δ. A force f on it does the work f·∂x/∂Δ. */
     Vectors
     motion(const Point<dim> &x) const;
+    /** How motion() of an increment changes with @p x. */
+    Tensor<2, dim>
+    motion_by_x(const unsigned int component) const;
     /** ∂²x/∂Δ_i∂Δ_j of the same place; zero but for rotations. */
     Tensor<1, dim>
     second_motion(const Point<dim>  &x,
