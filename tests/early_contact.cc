@@ -210,8 +210,8 @@ test_kept_grid()
                  test::keep_grid +
                    "Quadrature/Type = CPDI\n"
                    "Boundary conditions/Surfaces of body = up: y > 1.999\n"
-                   "Boundary conditions/Displacement of body = up: x=0, "
-                   "y=-0.04*t\nBoundary conditions/" +
+                   "Interaction: up - place/Displacement = x=0, y=-0.04*t\n"
+                   "Boundary conditions/" +
                    walls),
         text);
       test::check("kept grid, " + walls.substr(0, walls.find(' ')) +

@@ -264,7 +264,7 @@ test_no_contact()
         "Boundary conditions/Displacement = bottom: y=0; left: x=0\n"
         "Boundary conditions/Surfaces of body = top: y > " +
         (region == "y < 1" ? "0.999" : "0.499") +
-        "\nBoundary conditions/Displacement of body = top: y=-0.4*t" +
+        "\nQuadrature/Type = CPDI\nInteraction: top - place/Displacement = y=-0.4*t" +
         (region == "y < 1" ? "" : "/2") + "\nTime/Step size = 0.1\n" + kept);
       const auto row = test::work(*problem).row("searches for all points");
       test::check(region + " pressed: the grid stays",

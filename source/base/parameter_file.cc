@@ -6,6 +6,7 @@
 #include <isochor/base/edit_distance.h>
 #include <isochor/base/parameter_file.h>
 #include <isochor/base/parameter_list.h>
+#include <isochor/base/replaced_parameters.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -281,24 +282,6 @@ namespace isochor
       return known.empty() ?
                "" :
                " There are in <" + path.front() + ">:" + known + ".";
-    }
-
-
-
-    /** Say what took the place of a subsection of earlier versions. */
-    void
-    check_replaced(const ParameterStatement &statement)
-    {
-      static const std::map<std::string, std::string> replacements = {
-        {"Ghost penalty",
-         "nodes of cut cells are tied to well filled cells instead, see "
-         "<Cut cells/Extension> (auto, always or never, as <Ghost penalty/Use> "
-         "was); there are no coefficients any more"}};
-      const auto replacement = replacements.find(statement.path.front());
-      if (replacement != replacements.end())
-        throw ParameterError(statement.origin + ": the subsection <" +
-                             replacement->first +
-                             "> is gone: " + replacement->second);
     }
 
 

@@ -91,7 +91,7 @@ namespace isochor
               "cell around them holds material, and so the body is glued to "
               "the boundary across the empty part of the cells. If it is "
               "fastened there let it end on the boundary, or hold its own "
-              "surface by <Displacement of body>; if it isn't, write <= or >= "
+              "surface (<Interaction: name - place>); if it isn't, write <= or >= "
               "in place of =, or leave the condition out.");
     }
 

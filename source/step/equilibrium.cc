@@ -244,18 +244,12 @@ namespace isochor
                      << std::endl;
     at_start            = true;
     NewtonReport report = find_root(true, has_other_start);
-    while (report.converged)
+    while (report.converged && change_contact(report))
       {
-        const bool changed = change_contact(report);
-        if (changed)
-          lay_out_system(false);
-        else if (!report.converged || !correct_conditions())
-          break;
+        lay_out_system(false);
         if (terminal.log())
-          terminal.out() << (changed ? "    other conditions hold" :
-                                       "    conditions corrected")
-                         << std::endl;
-        report.continue_with(find_root(true, has_other_start), !changed);
+          terminal.out() << "    other conditions hold" << std::endl;
+        report.continue_with(find_root(true, has_other_start));
       }
     // of nodes in contact only the last set counts
     if (report.converged &&
@@ -328,18 +322,6 @@ namespace isochor
     report.failure             = change.failure;
     report.converged           = change.failure.empty();
     return report.converged && change.any && constrain_nodes();
-  }
-
-
-
-  template <int dim>
-  bool
-  Equilibrium<dim>::correct_conditions()
-  {
-    bool any = false;
-    for (const auto &condition : scene.boundary_conditions)
-      any = condition->correct(setup.context(), unknowns) || any;
-    return any;
   }
 
 

@@ -199,10 +199,6 @@ namespace isochor
     /** Let the boundary conditions change which nodes are held. */
     ContactChange
     check_contact(const double force_scale, const bool converged);
-    /** Let boundary conditions correct what they prescribe; whether they did.
-     */
-    bool
-    correct_conditions();
     /** Constrain the nodes anew; whether that made a difference on any rank. */
     bool
     constrain_nodes();
