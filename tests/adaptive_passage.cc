@@ -232,8 +232,8 @@ test_balance()
     "Material/Density = 2\nMaterial/Poisson ratio = 0.3\n"
     "Material points/Points per cell = 4\n"
     "Material points/Region = (x < 0.5) * (y < 0.5)\n"
-    "Boundary conditions/Surfaces of body = body: 1\n"
-    "Boundary conditions/Displacement of body = body: x=0.5*t, y=0.5*t\n"
+    "Quadrature/Type = CPDI\n"
+    "Interaction: body - place/Displacement = x=0.5*t, y=0.5*t\n"
     "Time/Step size = 0.1\n");
   test::check_error("balance of points", largest_imbalance, 0.05);
   test::check("the same grid",

@@ -161,6 +161,23 @@ main(int argc, char **argv)
              "Ghost penalty",
              "Use = never",
              {"Ghost penalty", "Cut cells/Extension"});
+  test_entry("displacements of the body",
+             "Boundary conditions",
+             "Displacement of body = top: x=0, y=t; bottom: y=0",
+             {"<Boundary conditions/Displacement of body> is gone",
+              "subsection Interaction: top - place",
+              "set Displacement = x=0, y=t",
+              "subsection Interaction: bottom - place",
+              "set Displacement = y=0"});
+  test_entry("their penalty",
+             "Boundary conditions",
+             "Penalty of body displacement = 10",
+             {"is gone: leave it out"});
+  test_entry("the surface of an interaction",
+             "Interaction: body - place",
+             "Surface = y > 0.9",
+             {"set Surfaces of body = NAME: y > 0.9",
+              "<Interaction: NAME - place>"});
   test_entry("not a number", "Material", "Young modulus = soft", {"soft"});
   test_entry("too large Poisson ratio",
              "Material",

@@ -28,8 +28,7 @@ namespace isochor
     evaluate_points(const StepResult<dim> &, Statistics &statistics) override
     {
       if (recording)
-        reactions.push_back(
-          statistics.get("Reaction x on tip by boundary points (N)"));
+        reactions.push_back(statistics.get("Force x on tip by place (N)"));
     }
   };
   ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Watch, "Z: after all others")
@@ -262,8 +261,7 @@ test_squeezed()
     "Material/Young modulus = 3\nMaterial/Poisson ratio = 0.5\n"
     "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
     "Boundary conditions/Surfaces of body = plate: y > 0.999\n"
-    "Boundary conditions/Displacement of body = plate: y = -0.4*t\n"
-    "Boundary conditions/Penalty of body displacement = 1e3\n"
+    "Interaction: plate - place/Displacement = y = -0.4*t\n"
     "Time/Step size = 0.02\nPostprocess/Reactions = bottom\n");
   const PointLayout &layout = problem->material_points().layout();
   double             worst = 0, lambda = 0;
@@ -303,7 +301,7 @@ test_pushed()
     "Material/Poisson ratio = 0\nMaterial/Density = 1\n"
     "Boundary conditions/Displacement = bottom: y=0; top: y=0\n"
     "Boundary conditions/Surfaces of body = tip: x > 0.999\n"
-    "Boundary conditions/Displacement of body = tip: x=0.05*(1-cos(pi*t))\n"
+    "Interaction: tip - place/Displacement = x=0.05*(1-cos(pi*t))\n"
     "Dynamics/Inertia = true\nTime/End time = 0.08\n"
     "Time/Step size = 0.005\n");
   recording      = false;

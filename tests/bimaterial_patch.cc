@@ -108,7 +108,7 @@ namespace
           << "\nBoundary conditions/Surfaces of body = B: " << b.str()
           << " < -0.499; T: " << b.str() << " > 0.499; L: " << a.str()
           << " < -0.499; R: " << a.str()
-          << " > 0.499\nBoundary conditions/Displacement of body = B: x=0, y=0"
+          << " > 0.499\nInteraction: B - place/Displacement = x=0, y=0"
              "\nBoundary conditions/Traction on body = T: "
           << shear * c - across * s << "*t, " << shear * s + across * c
           << "*t; R: " << along * c - shear * s << "*t, "

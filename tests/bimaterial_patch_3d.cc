@@ -158,7 +158,7 @@ namespace
       scene << axes[d] << "0: " << axes[d] << " < " << centre[d] - 0.4999
             << "; " << axes[d] << "1: " << axes[d] << " > "
             << centre[d] + 0.4999 << (d < 2 ? "; " : "\n");
-    scene << "Boundary conditions/Displacement of body = z0: ";
+    scene << "Interaction: z0 - place/Displacement = ";
     for (unsigned int d = 0; d < 3; ++d)
       scene << (d ? ", " : "") << axes[d] << '=' << rate[d] << '*'
             << distance.str() << "*t";

@@ -114,10 +114,9 @@ namespace
           << "\nMaterial 2/Poisson ratio = " << nu
           << "\nBoundary conditions/Displacement = left: x=0; right: x=0; "
              "bottom: y=0\n"
-             "Interaction: body 2 - place/Law = tie\n"
-             "Interaction: body 2 - place/Surface = y > "
+             "Boundary conditions/Surfaces of body = top: y > "
           << 1.75 + gap - 0.01
-          << "\nInteraction: body 2 - place/Displacement = x=0, y=-"
+          << "\nInteraction: top - place/Displacement = x=0, y=-"
           << 2 * (gap + 0.1)
           << "*if(t<0.5, t, if(t<1, 1-t, t-1))\n"
              "Time/Step size = 0.05\nTime/End time = 1.5\n"

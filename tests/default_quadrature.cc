@@ -83,8 +83,7 @@ test_tip()
           "Grid/Subdivisions = 8, 6\nMaterial points/Body mesh = diamond.msh\n"
           "Material points/Points per cell = 4\n"
           "Boundary conditions/Surfaces of body = foot: y < 0\n"
-          "Boundary conditions/Mesh of body surfaces = diamond.msh\n"
-          "Boundary conditions/Displacement of body = foot: x = 0, y = 0\n"
+          "Interaction: foot - place/Displacement = x = 0, y = 0\n"
           "Boundary conditions/Gravity = 0, -10\n"
           "Postprocess/Point probes = P: 0, 0.5\n");
         const double n = columns()["Tied nodes"].back();
@@ -133,9 +132,8 @@ test_rigid_motion()
            "Grid/Upper corner = 1.5, 1.5\nGrid/Subdivisions = 8, 8\n"
            "Material points/Points per cell = 4\n"
            "Material points/Region = x>0 && x<1&& y<0.5 && y>0\n"
-           "Boundary conditions/Surfaces of body = all: 1\n"
-           "Boundary conditions/Displacement of body = all: x=0.001*t, "
-           "y=0.001*t\nTime/Step size = 0.5\n");
+           "Interaction: body - place/Displacement = x=0.001*t, y=0.001*t\n"
+           "Time/Step size = 0.5\n");
   double share = 0;
   for (const double s : columns()["Share of ties in internal work"])
     test::add_error(share, s);
@@ -159,10 +157,9 @@ test_moved_surface(const std::string                         &u,
                      "Material points/Points per cell = 4\n"
                      "Material points/Region = abs(x)<0.25 && abs(y)<0.25\n"
                      "Material/Young modulus = 1e10\nDynamics/Inertia = true\n"
-                     "Boundary conditions/Surfaces of body = all: 1\n"
-                     "Boundary conditions/Displacement of body = all: x=0, y=" +
+                     "Interaction: body - place/Displacement = x=0, y=" +
                      u + "\nTime/End time = 0.05\nTime/Step size = 0.005\n");
-  const auto &force = columns()["Reaction y on all by boundary points (N)"];
+  const auto &force = columns()["Force y on body by place (N)"];
   double      error = 0;
   for (unsigned int i = 0; i < force.size(); ++i)
     test::add_error(error,
@@ -189,7 +186,7 @@ test_long_domains()
       points +
       "\nBoundary conditions/Displacement = left: x=0; bottom: y=0; top: y=0\n"
       "Boundary conditions/Surfaces of body = end: x > 0.9999\n"
-      "Boundary conditions/Displacement of body = end: x = (" +
+      "Interaction: end - place/Displacement = x = (" +
       stretch + " - 1)*t\nTime/Step size = 0.1\n" + settings);
     for (const auto &warning : test::all_warnings(*problem).all())
       if (warning.subject == "domains longer than the cells")
@@ -218,7 +215,7 @@ main(int argc, char **argv)
                         "Kinetic energy (J)",
                         "Share of ties in internal work",
                         "Tied nodes",
-                        "Reaction y on all by boundary points (N)"});
+                        "Force y on body by place (N)"});
   test_slivers();
   test_tip();
   test_free_flight();

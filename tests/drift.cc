@@ -69,8 +69,7 @@ main(int argc, char **argv)
          messages<2>(growing +
                        "Boundary conditions/Surfaces of body = "
                        "end: if(x > 3.99, 1, 0)\n"
-                       "Boundary conditions/Displacement of body = "
-                       "end: y = -0.5*t\n" +
+                       "Interaction: end - place/Displacement = y = -0.5*t\n" +
                        clamp,
                      false),
          {"WARNING surface in part off the body"});

@@ -406,7 +406,8 @@ namespace
     run("a smooth motion of a boundary", "; top: y = -0.01*t^3\n");
     run("a smooth motion of a surface of the body",
         "\nBoundary conditions/Surfaces of body = roof: top\n"
-        "Boundary conditions/Displacement of body = roof: x=0, y=-0.01*t^3\n");
+        "Quadrature/Type = CPDI\n"
+        "Interaction: roof - place/Displacement = x=0, y=-0.01*t^3\n");
     run("a smooth motion of a rigid side",
         "\nBoundary conditions/Rigid sides = top: y=-0.01*t^3, x=0, "
         "rotation=0\n");

@@ -109,16 +109,6 @@ namespace
             "a load on a support",
             "<bottom>",
             "acts in y where this component is prescribed"});
-    const std::string by_surface =
-      good + "Boundary conditions/Surfaces of body = end: top\nBoundary "
-             "conditions/Traction on body = end: 1e2*t, 0\nBoundary "
-             "conditions/Displacement of body = end: ";
-    expect("a load on a surface that is moved",
-           messages<2>(by_surface + "x=0.01*t\n", false),
-           {"WARNING", "a load on a support", "<end>", "acts in x"});
-    expect("a load across the motion of a surface",
-           messages<2>(by_surface + "y=0.01*t\n", false),
-           {});
     expect("a load on a side of which another component is held",
            messages<2>(load + "left: 0, -1e2*t\nBoundary conditions/"
                               "Displacement = left: x=0; bottom: y=0\n",
@@ -277,7 +267,7 @@ namespace
         "Material/Poisson ratio = 0.499\nMaterial points/Points per cell = 1\n"
         "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
         "Boundary conditions/Surfaces of body = plate: y > 0.99 && x < 0.5\n"
-        "Boundary conditions/Displacement of body = plate: x=0, y=-" +
+        "Interaction: plate - place/Displacement = x=0, y=-" +
           way + "*t\nTime/Step size = 0.125\n",
         false);
     };
@@ -341,26 +331,6 @@ namespace
     expect("periodic sides, at both", periodic("y < 0.5"), {});
   }
 
-  /** One face of a cell is a hinge, also with two domains at it. */
-  void
-  test_hinge_of_a_face()
-  {
-    const std::string bar =
-      "Grid/Upper corner = 2, 1\nGrid/Subdivisions = 8, 4\n"
-      "Quadrature/Type = CPDI\nMaterial points/Points per cell = 4\n"
-      "Material/Young modulus = 1e9\nBoundary conditions/Gravity = 0, -1\n"
-      "Boundary conditions/Displacement of body = root: x=0, y=0\n"
-      "Boundary conditions/Surfaces of body = root: x < 1e-6 && y < ";
-    const std::string one =
-      "\nBoundary conditions/Boundary points per face = 1";
-    expect("a hinge",
-           messages<2>(bar + "0.2" + one + "\n"),
-           {"WARNING a body that nothing holds",
-            "against: rotation about (0, 0.125)"});
-    expect("two faces", messages<2>(bar + "0.4" + one + "\n"), {});
-    expect("three points", messages<2>(bar + "0.2\n"), {});
-  }
-
   void
   test_summary()
   {
@@ -389,7 +359,7 @@ namespace
       "Material/Poisson ratio = 0\n"
       "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
       "Boundary conditions/Surfaces of body = end: x > 1.99\n"
-      "Boundary conditions/Displacement of body = end: x=1.5*t\n"
+      "Boundary conditions/Traction on body = end: 600*t, 0\n"
       "Time/Step size = 0.05\n");
     const std::string told =
       test::warning_of(*problem,
@@ -421,7 +391,6 @@ main(int argc, char **argv)
   test_materials();
   test_wandering_volumes();
   test_untouched();
-  test_hinge_of_a_face();
   test_summary();
   test_volumes_that_differ();
 }

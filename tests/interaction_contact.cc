@@ -168,15 +168,14 @@ namespace
               std::to_string(cells) +
               "\nBoundary conditions/Displacement = left: x=0; bottom: y=0\n" +
               (sphere ? "Formulation/Geometry = axisymmetric\n" : "") +
-              "Interaction: body - place/Law = tie\n"
-              "Interaction: body - place/Surface = x^2+y^2<1.001\n"
-              "Interaction: body - place/Displacement = x=0.1*t*x, "
+              "Boundary conditions/Surfaces of body = bore: x^2+y^2<1.001\n"
+              "Interaction: bore - place/Displacement = x=0.1*t*x, "
               "y=0.1*t*y\n");
             test::check_error(
               (sphere ? "spherical cavity, " : "tube, ") +
                 std::to_string(cells) + " cells",
               test::relative(
-                test::get(*problem, "Force y on body by place (N)"), exact),
+                test::get(*problem, "Force y on bore by place (N)"), exact),
               cells == 20 ? 0.01 : 0.003);
           }
       }
@@ -296,16 +295,15 @@ namespace
       "Grid/Lower corner = -4.4, -4.4\nGrid/Upper corner = 4.4, 4.4\n"
          "Grid/Subdivisions = 59, 59\nMaterial/Young modulus = 3\n"
          "Material/Poisson ratio = 0.499999\n"
-         "Interaction: body - place/Law = tie\n"
-         "Interaction: body - place/Surface = x^2+y^2>15\n"
-         "Interaction: body - place/Displacement = x=0, y=0\n"
+         "Boundary conditions/Surfaces of body = in: x^2+y^2<10; "
+         "out: x^2+y^2>15\n"
+         "Interaction: out - place/Displacement = x=0, y=0\n"
          "Rigid body: pin/Shape = circle\nRigid body: pin/Centre = 0, 0\n"
          "Rigid body: pin/Radius = 3\nRigid body: pin/Motion = x=1e-4*t\n"
-         "Interaction: body - pin/Law = tie\n"
-         "Interaction: body - pin/Surface = x^2+y^2<10\n");
+         "Interaction: in - pin/Law = tie\n");
     test::check_error(
       "bonded bush",
-      test::relative(test::get(*bush, "Force x on body by pin (N)"), exact),
+      test::relative(test::get(*bush, "Force x on in by pin (N)"), exact),
       0.01);
   }
 

@@ -267,18 +267,12 @@ main(int argc, char **argv)
   test_slope(0.37, 0);
   const std::string wall = "Rigid body: wall/Shape = half plane\n"
                            "Rigid body: wall/Normal = 1, 0\n",
-                    tie  = "/Law = tie\nInteraction: body - ";
-  test_bar("a rigid wall",
-           wall + "Interaction: body - wall" + tie +
-             "wall/Surface = x < 0.001\n");
-  test_bar("places",
-           "Interaction: body - place" + tie +
-             "place/Surface = x < 0.001\n"
-             "Interaction: body - place/Displacement = x=0, y=0\n");
-  test_carried("places",
-               "Interaction: body - place" + tie +
-                 "place/Surface = x < 0.001\n"
-                 "Interaction: body - place/Displacement = x=0.1*t, y=0\n");
+                    end =
+                      "Boundary conditions/Surfaces of body = end: x < 0.001\n"
+                      "Interaction: end - ";
+  test_bar("a rigid wall", wall + end + "wall/Law = tie\n");
+  test_bar("places", end + "place/Displacement = x=0, y=0\n");
+  test_carried("places", end + "place/Displacement = x=0.1*t, y=0\n");
   test_carried("a wall",
                wall + "Rigid body: wall/Motion = x=0.1*t\n"
                       "Interaction: body - wall/Law = unilateral\n");

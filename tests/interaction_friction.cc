@@ -16,7 +16,7 @@ using namespace isochor;
 
 namespace
 {
-  const std::string floor_at = "Interaction: body - floor/";
+  const std::string floor_at = "Interaction: foot - floor/";
 
   std::string
   number(const double value)
@@ -67,24 +67,19 @@ namespace
              "\nRigid body: floor/Shape = half plane\n"
              "Rigid body: floor/Point = " +
              pair(X, Y) + "\nRigid body: floor/Normal = " + pair(0, 1) + '\n' +
-             floor_at + "Surface = " + y + "<0.2\n" + floor_at +
-             "Law = Coulomb\n" + law;
+             "Boundary conditions/Surfaces of body = foot: " + y +
+             "<0.2; top: " + y + ">0.45\n" + floor_at + "Law = Coulomb\n" + law;
     }
 
     /** Its upper side is pressed down and then moved along. */
     std::string
     dragged(const std::string &law) const
     {
-      const std::string y =
-                          (swap ? "(x-" : "(y-") + number(Y) + ")/" + number(L),
-                        l = number(L);
+      const std::string l = number(L);
       return scene(law) +
-             "Interaction: body - place/Law = tie\n"
-             "Interaction: body - place/Surface = " +
-             y + ">0.45\nInteraction: body - place/Displacement = " +
-             (swap ? "y" : "x") + "=if(t>0.4,0.4*(t-0.4),0)*" + l + ", " +
-             (swap ? "x" : "y") + "=-0.05*min(t/0.4,1)*" + l +
-             "\nTime/Step size = 0.1\n";
+             "Interaction: top - place/Displacement = " + (swap ? "y" : "x") +
+             "=if(t>0.4,0.4*(t-0.4),0)*" + l + ", " + (swap ? "x" : "y") +
+             "=-0.05*min(t/0.4,1)*" + l + "\nTime/Step size = 0.1\n";
     }
 
     /** Along and across. */
@@ -95,7 +90,7 @@ namespace
       for (unsigned int a = 0; a < 2; ++a)
         f[a] = test::get(problem,
                          std::string("Force ") + "xy"[swap ? 1 - a : a] +
-                           " on body by floor (N)") /
+                           " on foot by floor (N)") /
                (P * L);
       return f;
     }
@@ -162,16 +157,16 @@ namespace
   void
   test_dissipation()
   {
-    test::record_columns({"Force x on body by place (N)",
-                          "Force x on body by floor (N)",
-                          "Force y on body by floor (N)",
+    test::record_columns({"Force x on top by place (N)",
+                          "Force x on foot by floor (N)",
+                          "Force y on foot by floor (N)",
                           "Strain energy (J)"});
     const auto problem = test::run_scene<2>(
       Block().dragged(mu) + "Time/End time = 2\n"
                             "Postprocess/Write energies = always\n");
     const auto &columns = test::recorded().columns;
-    const auto &pull    = columns.at("Force x on body by place (N)"),
-               &N       = columns.at("Force y on body by floor (N)"),
+    const auto &pull    = columns.at("Force x on top by place (N)"),
+               &N       = columns.at("Force y on foot by floor (N)"),
                &energy  = columns.at("Strain energy (J)");
     const double s      = 0.04;
     double       work = 0, friction = 0;

@@ -127,8 +127,7 @@ namespace
       grid<dim>(offset) + form +
       "Material points/Region = abs(x-0.5)<0.45 && abs(y-0.5)<0.45" +
       (dim == 3 ? " && abs(z-0.5)<0.45" : "") +
-      "\nTime/Step size = 0.5\nInteraction: body - place/Law = tie\n"
-      "Interaction: body - place/Displacement = " +
+      "\nTime/Step size = 0.5\nInteraction: body - place/Displacement = " +
       where + '\n');
     test::check_error("tied to places, offset " + test::in_short(offset) +
                         ", dim " + std::to_string(dim) + ", " +
@@ -213,9 +212,8 @@ namespace
         add(sides[2 * axis + 1], axis, true);
       }
     if (!confined && !axisymmetric)
-      scene += std::string("Interaction: body - place/Law = tie\n") +
-               "Interaction: body - place/Displacement = x=0\n"
-               "Interaction: body - place/Surface = x<1e-6\n";
+      scene += "Boundary conditions/Surfaces of body = side: x<1e-6\n"
+               "Interaction: side - place/Displacement = x=0\n";
     if (!confined && dim == 3)
       scene += "Boundary conditions/Displacement = front: z=0\n";
     std::string settings = grid<dim>(offset);

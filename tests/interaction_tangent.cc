@@ -128,9 +128,9 @@ namespace
           "\nQuadrature/Type = CPDI\n"
           "Material/Young modulus = 1\nMaterial/Density = 1\n"
           "Material/Poisson ratio = 0.3\nTime/Step size = 0.05\n"
-          "Time/End time = 0.1\nInteraction: body - place/Law = tie\n"
-          "Interaction: body - place/Surface = y<0.01\n"
-          "Interaction: body - place/Displacement = " +
+          "Time/End time = 0.1\nBoundary conditions/Surfaces of body = "
+          "foot: y<0.01; upper: y>0.5\n"
+          "Interaction: foot - place/Displacement = " +
           zero + '\n' + tool.second + law + form.second);
         if (!(n_checked > 20 && norm > 0 && worst < 1e-7))
           wrong += name + ": " + std::to_string(n_checked) +
@@ -142,7 +142,7 @@ namespace
                 wrong);
   }
 
-  const std::string at    = "Interaction: body - tool/",
+  const std::string at    = "Interaction: upper - tool/",
                     shape = "Rigid body: tool/";
   const Variants laws     = {
         {"tie", at + "Law = tie\n"},
@@ -161,11 +161,10 @@ int
 main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const std::string                upper = at + "Surface = y>0.5\n",
-                    motion               = upper + shape +
-                             "Motion = rotation=0.5*t, x=0.2*t, y=-0.3*t\n",
+  const std::string                motion =
+                      shape + "Motion = rotation=0.5*t, x=0.2*t, y=-0.3*t\n",
                     turning =
-                      upper + shape +
+                      shape +
                       "Motion = rx=0.2*t, rz=0.5*t, x=0.1*t, y=-0.3*t\n",
                     plane  = shape + "Shape = half plane\n" + shape,
                     circle = shape + "Shape = circle\n" + shape +
@@ -195,7 +194,7 @@ main(int argc, char **argv)
   for (const auto &form : forms)
     check<2>(form,
              {"place of one component",
-              "Interaction: body - place/Displacement = y=0\n"},
+              "Interaction: foot - place/Displacement = y=0\n"},
              {{"tie", ""}});
   for (unsigned int i = 0; i < 4; ++i)
     {

@@ -126,8 +126,8 @@ namespace
     for (const bool of_body : {true, false})
       {
         reactions.clear();
-        column = of_body ? "Reaction x on tip by boundary points (N)" :
-                           "Reaction x on right (N)";
+        column =
+          of_body ? "Force x on tip by place (N)" : "Reaction x on right (N)";
         test::run_scene<dim>(
           scene + settings +
           (of_body ?
@@ -136,8 +136,9 @@ namespace
                "\nMaterial points/Region = x < 1\n"
                "Boundary conditions/Displacement = " +
                sides + (solid ? "; front: z=0; back: z=0" : "") +
-               "\nBoundary conditions/Surfaces of body = tip: x > 0.999\n"
-               "Boundary conditions/Displacement of body = tip: x=" +
+               "\nQuadrature/Type = CPDI\n"
+               "Boundary conditions/Surfaces of body = tip: x > 0.999\n"
+               "Interaction: tip - place/Displacement = x=" +
                u + "\n" :
              "Grid/Upper corner = 1" + width +
                "\nGrid/Subdivisions = " + (solid ? "4" : "8") + across + "\n" +
@@ -183,7 +184,7 @@ void
 test_refined_base(const std::string &formulation)
 {
   reactions.clear();
-  column = "Reaction y on base by boundary points (N)";
+  column = "Force y on base by place (N)";
   test::run_scene<2>(
     "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
     "Grid/Upper corner = 1, 1.5\nGrid/Subdivisions = 4, 6\n"
@@ -193,7 +194,7 @@ test_refined_base(const std::string &formulation)
     "Material/Young modulus = 1e9\nMaterial/Poisson ratio = 0.3\n"
     "Material/Density = 1000\nDynamics/Inertia = true\n"
     "Boundary conditions/Surfaces of body = base: bottom\n"
-    "Boundary conditions/Displacement of body = base: x=0, y=0.05*t^3\n"
+    "Interaction: base - place/Displacement = x=0, y=0.05*t^3\n"
     "Newton/Tolerance = 1e-12\nTime/Step size = 0.05\nTime/End time = 0.5\n"
     "Formulation/Type = " +
     formulation + '\n');
@@ -300,8 +301,9 @@ test_jumps()
   test_jump("; right: x=max(0,t-0.0223)", 0.0223);
   test_jump(start + "Rigid sides = right: y=0, rotation=0, x=min(t,0.0301)",
             0.0301);
-  test_jump(start + "Surfaces of body = tip: right" + start +
-              "Displacement of body = tip: x=max(0,t-0.0211)",
+  test_jump(start + "Surfaces of body = tip: right\nQuadrature/Type = CPDI"
+                    "\nInteraction: tip - place/Displacement = "
+                    "x=max(0,t-0.0211)",
             0.0211);
   test_jump("; right: x=100*max(0,t-0.0223)^2", 0.0223);
   for (const std::string smooth : {"t",

@@ -75,9 +75,8 @@ namespace
          "Rigid body: lid/Free = y\nRigid body: lid/Force = y=-200*t\n"
          "Interaction: body - floor/Law = unilateral\n"
          "Interaction: body - lid/Law = unilateral\n"
-         "Interaction: body - place/Law = tie\n"
-         "Interaction: body - place/Surface = x < 0.03\n"
-         "Interaction: body - place/Displacement = x=0\n"
+         "Boundary conditions/Surfaces of body = side: x < 0.03\n"
+         "Interaction: side - place/Displacement = x=0\n"
          "Newton/Tolerance = 1e-10\nTime/Step size = 0.25\n"
       << settings;
     const auto problem = test::run_scene<2>(scene.str());

@@ -117,11 +117,11 @@ namespace
                               "Material points/Region = (y-0.25)*(y-0.75) > "
                               "0\n"),
            {"Nothing holds a body", "rotation (the one around (0.5, 0.875)"});
-    expect("held by boundary points",
+    expect("held by an interaction",
            messages<2>(no_load +
                        "Boundary conditions/Surfaces of body = foot: bottom\n"
-                       "Boundary conditions/Displacement of body = foot: x = "
-                       "0, y = 0.01*t\n"),
+                       "Interaction: foot - place/Displacement = x = 0, y = "
+                       "0.01*t\n"),
            {});
     expect("far away and small",
            messages<2>("Grid/Lower corner = 1e4, 1e4\n"
@@ -217,9 +217,6 @@ namespace
       {{"Linear solver/Block FGMRES/Basis size = 50",
         "Linear solver/Solver = MUMPS",
         "Linear solver/Block FGMRES/Basis size"}},
-      {{"Boundary conditions/Penalty of body displacement = 10",
-        "",
-        "Boundary conditions/Penalty of body displacement"}},
       {{"Boundary conditions/Boundary points per face = 1",
         "",
         "Boundary conditions/Boundary points per face"}},

@@ -81,7 +81,7 @@ namespace
       "Material points/Region = y < 1 && x < 1.5\n"
       "Material/Young modulus = 1e6\nMaterial/Poisson ratio = 0.3\n"
       "Boundary conditions/Surfaces of body = lid: y > 0.99 && x < 0.5\n"
-      "Boundary conditions/Displacement of body = lid: x=0, y=-0.1*t\n"
+      "Interaction: lid - place/Displacement = x=0, y=-0.1*t\n"
       "Boundary conditions/Displacement = bottom: x=0, y=0; left: x=0\n"
       "Time/Step size = 0.05\n";
     for (const std::string material :

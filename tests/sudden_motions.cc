@@ -103,14 +103,14 @@ namespace
     const std::string size =
       body ? "Grid/Upper corner = 1.5" + width +
                "\nGrid/Subdivisions = " + (solid ? "6, 2, 2" : "12, 4") +
-               "\nMaterial points/Region = x < 1\n" :
+               "\nMaterial points/Region = x < 1\nQuadrature/Type = CPDI\n" :
              "Grid/Upper corner = 1" + width +
                "\nGrid/Subdivisions = " + (solid ? "4, 2, 2" : "8, 4") + '\n' +
                test::keep_grid + "Postprocess/Reactions = right\n";
     const std::string is_moved =
       body ? "Boundary conditions/Displacement = " + sides +
                "\nBoundary conditions/Surfaces of body = tip: x > 0.999\n"
-               "Boundary conditions/Displacement of body = tip: x=" :
+               "Interaction: tip - place/Displacement = x=" :
       of == Of::boundary ?
              "Boundary conditions/Displacement = " + sides + "; right: x=" :
              "Boundary conditions/Displacement = " + sides +
@@ -118,12 +118,11 @@ namespace
                (solid ? "z=0, rotation x=0, rotation y=0, rotation z=0" :
                         "rotation=0") +
                ", x=";
-    const std::string name   = body               ? "surface of the body" :
-                               of == Of::boundary ? "boundary of the grid" :
-                                                    "rigid side";
-    const std::string column = body ?
-                                 "Reaction x on tip by boundary points (N)" :
-                                 "Reaction x on right (N)";
+    const std::string name = body               ? "surface of the body" :
+                             of == Of::boundary ? "boundary of the grid" :
+                                                  "rigid side";
+    const std::string column =
+      body ? "Force x on tip by place (N)" : "Reaction x on right (N)";
     test::record_columns({column, "Energy lost by the scheme (J)"});
     test::run_scene<dim>(
       size + is_moved + motion.place +
@@ -289,14 +288,15 @@ namespace
                                                    {"1e-9", false}})
       for (const std::string condition :
            {"Displacement = left: x=",
-            "Surfaces of body = end: left\nBoundary conditions/Displacement "
-            "of body = end: x=",
+            "Surfaces of body = end: left\nQuadrature/Type = CPDI\n"
+            "Interaction: end - place/Displacement = x=",
             "Rigid sides = left: y=0, rotation=0, x="})
         check("Boundary conditions/" + condition + place, is_told);
     check("Boundary conditions/Walls = left: n=0", false);
     check("Boundary conditions/Walls = left: n=0.01", true);
     check("Boundary conditions/Surfaces of body = end: left\n"
-          "Boundary conditions/Displacement of body = end: x=0.01 - 2*t",
+          "Quadrature/Type = CPDI\n"
+          "Interaction: end - place/Displacement = x=0.01 - 2*t",
           true); // back at the end of the first step
   }
 } // namespace

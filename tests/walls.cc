@@ -95,10 +95,9 @@ test_positions()
       test::run_scene<2>(block +
                          "Boundary conditions/Displacement = bottom: x=0, y=0\n"
                          "Boundary conditions/Surfaces of body = up: top\n"
-                         "Boundary conditions/Displacement of body = up: y = " +
-                         formula +
-                         "\nBoundary conditions/Penalty of body displacement = "
-                         "1e5\nNewton/Tolerance = 1e-8\n");
+                         "Quadrature/Type = CPDI\n"
+                         "Interaction: up - place/Displacement = y = " +
+                         formula + "\nNewton/Tolerance = 1e-8\n");
     return problem->last_statistics().get("Reaction y on bottom (N)");
   };
   test::check_error("the same on the body",

@@ -238,10 +238,10 @@ def supports(scene, random, pick, chance):
             "x=0", "x=0.1*t", "force y=0.1*t"
         )
         scene.held = ""
-    elif kind == "by its surface":
+    elif kind == "by its surface" and set_["Quadrature/Type"] == "CPDI":
         held = ""
         set_["Boundary conditions/Surfaces of body"] = "foot: bottom"
-        set_["Boundary conditions/Displacement of body"] = f"foot: {zero}"
+        set_["Interaction: foot - place/Displacement"] = zero
     set_["Boundary conditions/Displacement"] = held + sides
     if "bottom" in held:
         set_["Postprocess/Reactions"] = "bottom"

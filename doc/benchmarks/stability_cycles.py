@@ -21,7 +21,8 @@ def ten_cycles(bench):
     for axis, scene in zip(
         axes, ("beam_vibration", "pendulum", "spinning_square", "tube_ten_cycles")
     ):
-        for quadrature in QUADRATURES:
+        # only CPDI has a surface that can hang on a pin
+        for quadrature in QUADRATURES if scene != "pendulum" else ("CPDI",):
             numbers = bench.run(
                 SCENES / f"{scene}.prm",
                 {"Quadrature/Type": quadrature},

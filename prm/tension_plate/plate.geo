@@ -3,7 +3,7 @@
 // Square plate 0.1 m x 0.1 m, unstructured triangles of edge length h (m):
 //   gmsh -2 plate.geo -setnumber h 0.001 -o plate.msh
 // With room > 0 the grid goes on above the plate for so many metres, as a plate
-// that is pulled by boundary points needs it.
+// that is pulled on a grid at rest needs it.
 DefineConstant[ h = {0.001, Min 1e-4, Max 0.1, Name "h"} ];
 DefineConstant[ room = {0, Min 0, Max 0.1, Name "room"} ];
 width  = 0.1;

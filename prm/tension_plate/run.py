@@ -3,10 +3,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Mesh the tension plate, run all cases and draw the figures.
 
-    run.py [--h 0.001] [--directory output] [--boundary-points]
+    run.py [--h 0.001] [--directory output] [--grid-at-rest]
 
 Needs gmsh. The four cases are u and u-p + PPP, nu = 0.33 and 0.4999. With
---boundary-points the last is also pulled by boundary points on a grid at rest.
+--grid-at-rest the last is also pulled at its own surface on a grid at rest.
 """
 
 import argparse
@@ -52,16 +52,16 @@ def run_cases(directory, arguments):
     return cases
 
 
-def run_boundary_points(directory, arguments):
+def run_on_grid_at_rest(directory, arguments):
     """The plate that leaves the grid's nodes; prints both reactions."""
     mesh = directory / "plate_room.msh"
     make_mesh(mesh, arguments.h, max(0.004, 2 * arguments.h))
-    case = directory / "boundary-points"
-    output.run(None, SCENE / "boundary_points.prm", {"Grid/File": mesh}, case)
+    case = directory / "grid-at-rest"
+    output.run(None, SCENE / "grid_at_rest.prm", {"Grid/File": mesh}, case)
     statistics = output.read_statistics(case)
-    top = statistics["Reaction y on top by boundary points (N)"][-1]
+    top = statistics["Force y on top by place (N)"][-1]
     bottom = statistics["Reaction y on bottom (N)"][-1]
-    print(f"boundary points: top {top:.6e} N, bottom by nodes {bottom:.6e} N")
+    print(f"grid at rest: top {top:.6e} N, bottom by nodes {bottom:.6e} N")
 
 
 def main():
@@ -70,14 +70,14 @@ def main():
     )
     parser.add_argument("--h", type=float, default=0.001, help="edge length (m)")
     parser.add_argument("--directory", type=Path, default=Path("output"))
-    parser.add_argument("--boundary-points", action="store_true")
+    parser.add_argument("--grid-at-rest", action="store_true")
     arguments = parser.parse_args()
     directory = arguments.directory.resolve()
     directory.mkdir(parents=True, exist_ok=True)
 
     cases = run_cases(directory, arguments)
-    if arguments.boundary_points:
-        run_boundary_points(directory, arguments)
+    if arguments.grid_at_rest:
+        run_on_grid_at_rest(directory, arguments)
     command = [sys.executable, str(SCENE / "plot.py")]
     command += [f"{label}={case}" for label, case in cases]
     command += ["--figures", str(directory)]

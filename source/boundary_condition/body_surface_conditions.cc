@@ -6,20 +6,16 @@
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/surface_checks.h>
 #include <isochor/boundary_condition/surface_forces.h>
-#include <isochor/boundary_condition/surface_gap.h>
-#include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
-#include <limits>
-#include <sstream>
 #include <string>
 
 namespace isochor
 {
   /**
-   * Conditions on the surface of the body, wherever it is in the grid: dead
-   * loads, follower pressures and prescribed displacements on boundary points,
-   * see SurfaceForces. Loads on a boundary of the grid are loads on the surface
+   * Loads on the surface of the body, wherever it is in the grid: dead loads
+   * and follower pressures on boundary points, see SurfaceForces. Loads on a
+   * boundary of the grid are loads on the surface
    * that the body has there at t = 0.
    */
   template <int dim>
@@ -71,13 +67,6 @@ namespace isochor
              const bool              with_matrix,
              MixedSystem<dim>       &system) override;
     void
-    add_unit_residual(const StepContext<dim> &step,
-                      NodalField             &scale) const override
-    {
-      if (points)
-        forces->add_unit_residual(step, scale);
-    }
-    void
     add_external_force(const StepContext<dim> &step,
                        NodalField             &force) const override;
 
@@ -89,47 +78,14 @@ namespace isochor
       return !has_symmetric_matrix();
     }
     bool
-    supports_body(const Tensor<1, dim> &gravity) const override
+    supports_body(const Tensor<1, dim> & /*gravity*/) const override
     {
-      return conditions.support(gravity);
+      return !conditions.surfaces.empty();
     }
-    bool
-    moves_body(const StepContext<dim> &step) const override
-    {
-      return points && forces->move_body(step);
-    }
-    void
-    start_contact() override
-    {
-      correction.start_step(step_size);
-    }
-    bool
-    correct(const StepContext<dim> &step, const NodalField &unknowns) override;
     void
     add_boundary_force(const StepContext<dim> &step,
                        const NodalField       &unknowns,
                        NodalField             &force) const override;
-    void
-    append_motion(const StepContext<dim> &step,
-                  std::vector<double>    &values) const override
-    {
-      if (points)
-        forces->append_motion(step.time, values);
-    }
-    void
-    set_trial(const StepContext<dim> &step,
-              const double            trial_size,
-              const SmoothStart      &start) override
-    {
-      if (points)
-        forces->set_trial(step, trial_size, start);
-    }
-    bool
-    starts_suddenly(const StepContext<dim> &step,
-                    const NodalField       &velocity) const override
-    {
-      return points && forces->starts_suddenly(step, velocity);
-    }
     void
     evaluate(const StepContext<dim> &step,
              const NodalField       &unknowns,
@@ -140,9 +96,18 @@ namespace isochor
     advance(const StepContext<dim> &step, const NodalField &unknowns) override;
 
     std::string
-    save_state() const override;
+    save_state() const override
+    {
+      return seeded ? points->save_state() : std::string();
+    }
     void
-    load_state(const std::string &state) override;
+    load_state(const std::string &state) override
+    {
+      if (state.empty() || !points)
+        return;
+      points->load_state(state);
+      seeded = true;
+    }
 
   private:
     void
@@ -161,9 +126,6 @@ namespace isochor
      * of the area consists of faces of these. */
     std::vector<double>                 share_on_domains;
     std::unique_ptr<SurfaceForces<dim>> forces;
-    SurfaceCorrection<dim>              correction;
-    SurfaceGap<dim>                     gap;
-    double                              step_size = 0; ///< of the step (s)
   };
 
 
@@ -178,8 +140,7 @@ namespace isochor
         points =
           std::make_unique<BoundaryPoints<dim>>(grid,
                                                 conditions.points_per_face);
-        forces =
-          std::make_unique<SurfaceForces<dim>>(conditions, *points, correction);
+        forces = std::make_unique<SurfaceForces<dim>>(conditions, *points);
       }
   }
 
@@ -194,8 +155,7 @@ namespace isochor
       return;
     if (at_start)
       {
-        seeded     = false; // as many as the new faces need
-        correction = {};
+        seeded = false; // as many as the new faces need
         covered_area.clear();
         share_on_domains.clear();
       }
@@ -216,11 +176,10 @@ namespace isochor
       union_over_ranks(body->cell, grid.communicator());
     const auto found =
       seed_surfaces(grid, *shape, occupied, places, conditions.body_mesh);
-    const bool linear_on_domains =
-      points->seed(found.faces, *body, conditions.are_held_at_centres());
-    candidate_area = found.candidate;
-    covered_area   = found.covered;
-    description    = describe_surfaces(found, places);
+    const bool linear_on_domains = points->seed(found.faces, *body);
+    candidate_area               = found.candidate;
+    covered_area                 = found.covered;
+    description                  = describe_surfaces(found, places);
     share_on_domains.assign(linear_on_domains ? places.size() : 0, 0.);
     for (const SurfaceFace<dim> &face : points->faces_on_domains())
       share_on_domains[face.surface] +=
@@ -236,16 +195,18 @@ namespace isochor
   {
     warn_of_places_without_comparison(step, conditions);
     warn_of_doubled_loads(step, conditions, points.get());
-    warn_of_faces_round_an_edge(step, conditions, points.get());
-    for (const auto &surface : conditions.surfaces)
-      if (surface.traction.empty() && surface.pressure.empty() &&
-          !surface.is_fixed())
-        step.warnings.add(
-          "no condition on <" + surface.place.name + "> of <Surfaces of body>",
-          "The surface <" + surface.place.name + "> of the parameter <" +
-            this->parameter("Surfaces of body") +
-            "> has no effect: name it in <Traction on body>, <Pressure on "
-            "body> or <Displacement of body> of that section, or leave it out.");
+    for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
+      {
+        std::vector<SurfacePiece<dim>> pieces;
+        for (unsigned int b = 0; b < points->size(); ++b)
+          if (points->surface(b) == s)
+            {
+              const Tensor<1, dim> a = points->reference_area(b);
+              pieces.push_back(
+                {points->reference_location(b), a / a.norm(), a.norm()});
+            }
+        warn_of_faces_round_an_edge(step, conditions.surfaces[s].place, pieces);
+      }
   }
 
 
@@ -272,14 +233,12 @@ namespace isochor
   {
     if (!points)
       return;
-    step_size              = step.step_size();
     const std::string mesh = this->parameter("Mesh of body surfaces");
     warn_of_uncovered_faces(
       step, conditions, covered_area, candidate_area, mesh);
     warn_of_loads_beside_domains(step, conditions, share_on_domains, mesh);
     covered_area.clear();
     share_on_domains.clear();
-    forces->find_shear_moduli(step);
     std::vector<unsigned int> nodes;
     for (unsigned int b = 0; b < points->size(); ++b)
       if (forces->has_element(b))
@@ -345,27 +304,6 @@ namespace isochor
 
 
   template <int dim>
-  bool
-  BodySurfaceConditions<dim>::correct(const StepContext<dim> &step,
-                                      const NodalField       &unknowns)
-  {
-    // inertia would have to know of it from the start of the step on
-    if (step.has_inertia || !conditions.prescribe_displacements())
-      return false;
-    return correction.update(
-      *points,
-      conditions,
-      [&](const unsigned int b, const unsigned int a) {
-        return forces->displacement(step, unknowns, b)[a] -
-               forces->target(step, b, a);
-      },
-      gap.scale(step, unknowns, *points, *forces, conditions),
-      step.grid.communicator());
-  }
-
-
-
-  template <int dim>
   void
   BodySurfaceConditions<dim>::add_boundary_force(const StepContext<dim> &step,
                                                  const NodalField &unknowns,
@@ -402,40 +340,22 @@ namespace isochor
       warn_of_loads_on_supports(
         step, unknowns, conditions, *points, *forces, constraints);
     // <Traction> may load a boundary that <Surfaces of body> has, too
-    const auto set = [&](const std::string &surface,
-                         const std::string &name,
-                         const std::string &how,
-                         const auto        &force_at) {
-      std::vector<bool> has_name;
-      for (const SurfaceCondition<dim> &other : conditions.surfaces)
-        has_name.push_back(other.place.name == surface);
-      std::array<double, dim> force{};
-      for (unsigned int b = 0; b < points->size(); ++b)
-        if (has_name[points->surface(b)])
-          {
-            const Tensor<1, dim> f = force_at(b);
-            for (unsigned int a = 0; a < dim; ++a)
-              force[a] += f[a];
-          }
-      sum_over_ranks(force, step.grid.communicator());
-      for (unsigned int a = 0; a < dim; ++a)
-        statistics.set(name + ' ' + "xyz"[a] + " on " + surface + how + " (N)",
-                       force[a]);
-    };
     for (const SurfaceCondition<dim> &surface : conditions.surfaces)
       {
-        const std::string &name = surface.place.name;
-        if (surface.is_fixed())
-          set(name,
-              "Reaction",
-              " by boundary points",
-              [&](const unsigned int b) {
-                return forces->penalty_force(step, unknowns, b);
-              });
-        if (!surface.traction.empty() || !surface.pressure.empty())
-          set(name, "Load", "", [&](const unsigned int b) {
-            return forces->load(step, unknowns, b);
-          });
+        const std::string      &name = surface.place.name;
+        std::array<double, dim> force{};
+        for (unsigned int b = 0; b < points->size(); ++b)
+          if (forces->condition_at(b).place.name == name)
+            {
+              const Tensor<1, dim> f = forces->load(step, unknowns, b);
+              for (unsigned int a = 0; a < dim; ++a)
+                force[a] += f[a];
+            }
+        sum_over_ranks(force, step.grid.communicator());
+        for (unsigned int a = 0; a < dim; ++a)
+          statistics.set(std::string("Load ") + "xyz"[a] + " on " + name +
+                           " (N)",
+                         force[a]);
       }
   }
 
@@ -446,48 +366,8 @@ namespace isochor
   BodySurfaceConditions<dim>::advance(const StepContext<dim> &step,
                                       const NodalField       &unknowns)
   {
-    if (!points)
-      return;
-    gap.check(step,
-              unknowns,
-              *points,
-              *forces,
-              conditions,
-              this->parameter("Penalty of body displacement"));
-    points->advance(step, unknowns);
-    correction.accept(step.time);
-  }
-
-
-
-  template <int dim>
-  std::string
-  BodySurfaceConditions<dim>::save_state() const
-  {
-    if (!seeded)
-      return {};
-    std::ostringstream text;
-    text.precision(std::numeric_limits<double>::max_digits10);
-    correction.save(text);
-    text << '\n' << gap.save_state() << points->save_state();
-    return text.str();
-  }
-
-
-
-  template <int dim>
-  void
-  BodySurfaceConditions<dim>::load_state(const std::string &state)
-  {
-    if (state.empty() || !points)
-      return;
-    const std::size_t  second = state.find('\n') + 1;
-    const std::size_t  third  = state.find('\n', second) + 1;
-    std::istringstream text(state.substr(0, second));
-    correction.load(text);
-    gap.load_state(state.substr(second, third - second));
-    points->load_state(state.substr(third));
-    seeded = true;
+    if (points)
+      points->advance(step, unknowns);
   }
 
 

@@ -276,7 +276,7 @@ namespace isochor
            "the body") +
         ". Let the grid follow (<Grid/Stretch>), keep it "
         "(<Grid reset/Steps between resets>), or move the body's own surface "
-        "(<Boundary conditions/Displacement of body>).");
+        "(<Interaction: name - place>).");
   }
 
 

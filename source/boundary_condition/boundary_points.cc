@@ -98,63 +98,6 @@ namespace isochor
 
 
 
-  /** Whether @p x lies on the boundary of @p grid, where that isn't parallel to
-   * @p face. */
-  template <int dim>
-  static bool
-  is_beside_boundary(const BackgroundGrid<dim> &grid,
-                     const SurfaceFace<dim>    &face,
-                     const Point<dim>          &x)
-  {
-    constexpr double            rounding = 1e-6;
-    const SimplexGeometry<dim> &geometry = grid.geometry();
-    const auto                 &faces    = grid.boundary_faces();
-    return std::any_of(faces.begin(), faces.end(), [&](const auto &side) {
-      const auto  &lambda = geometry.barycentric(side.cell, x);
-      const auto  &normal = geometry.gradients(side.cell)[side.opposite_vertex];
-      const double cosine =
-        std::abs(normal * face.area) / normal.norm() / face.area.norm();
-      const double least = *std::min_element(lambda.begin(), lambda.end());
-      return std::abs(lambda[side.opposite_vertex]) < rounding &&
-             least > -rounding && cosine < 1 - rounding;
-    });
-  }
-
-
-
-  /** Whether what is held at the centres of the @p faces of @p surface may turn
-   * around them: around one, or in 3D a line of them. Not if the body is one
-   * cell wide, between boundaries of the grid. */
-  template <int dim>
-  static bool
-  is_hinge(const BackgroundGrid<dim>           &grid,
-           const std::vector<SurfaceFace<dim>> &faces,
-           const unsigned int                   surface)
-  {
-    std::vector<Point<dim>> centres;
-    bool                    is_between = true;
-    for (const SurfaceFace<dim> &face : faces)
-      if (face.surface == surface)
-        {
-          centres.push_back(centre_of<dim>(face.corners));
-          for (const Point<dim> &x : face.corners)
-            is_between = is_between && is_beside_boundary(grid, face, x);
-        }
-    if (is_between)
-      return false;
-    if (centres.size() <= 1 || dim == 2)
-      return centres.size() == 1;
-    constexpr double     rounding = 1e-6;
-    const Tensor<1, dim> along    = centres[1] - centres[0];
-    return std::all_of(centres.begin(), centres.end(), [&](const auto &x) {
-      const Tensor<1, dim> r = x - centres[0];
-      return (r - (r * along) / along.norm_square() * along).norm() <
-             rounding * along.norm();
-    });
-  }
-
-
-
   template <int dim>
   BoundaryPoints<dim>::BoundaryPoints(const BackgroundGrid<dim> &grid,
                                       const unsigned int points_per_face)
@@ -171,16 +114,12 @@ namespace isochor
   template <int dim>
   bool
   BoundaryPoints<dim>::seed(const std::vector<SurfaceFace<dim>> &faces,
-                            const PointArrays<dim>              &body,
-                            const std::vector<bool> &held_at_centres)
+                            const PointArrays<dim>              &body)
   {
     // a rank may have no points
     const bool linear_on_domains =
       Utilities::MPI::max(body.displacement.empty() ? 0 : 1,
                           grid.communicator()) != 0;
-    std::vector<bool> hinges = held_at_centres;
-    for (unsigned int s = 0; s < hinges.size(); ++s)
-      hinges[s] = hinges[s] && is_hinge(grid, faces, s);
     std::vector<SurfaceFace<dim>> of_domains, others = faces;
     if (linear_on_domains)
       {
@@ -191,9 +130,7 @@ namespace isochor
                              grid.communicator());
         others.clear();
         for (unsigned int f = 0; f < faces.size(); ++f)
-          (std::abs(shares[f] - 1) < whole && !hinges[faces[f].surface] ?
-             of_domains :
-             others)
+          (std::abs(shares[f] - 1) < whole ? of_domains : others)
             .push_back(faces[f]);
       }
     on_domains        = SurfaceOnDomains<dim>(of_domains);
@@ -206,8 +143,7 @@ namespace isochor
       for (unsigned int i = 0; i < rule.size(); ++i)
         {
           std::array<double, n_entries> payload{};
-          payload[surface_entry]   = face.surface;
-          payload[on_domain_entry] = hinges[face.surface] ? at_hinge : 0;
+          payload[surface_entry] = face.surface;
           for (unsigned int d = 0; d < dim; ++d)
             {
               payload[area_entry + d]        = rule.weight(i) * face.area[d];
@@ -309,7 +245,6 @@ namespace isochor
     stencil_vertex.clear();
     stencil_shape.clear();
     stencil_gradient.clear();
-    cell_sizes.clear();
   }
 
 
@@ -321,13 +256,11 @@ namespace isochor
   {
     const SimplexGeometry<dim>          &geometry = grid.geometry();
     const std::size_t                    begin    = stencil_start.back();
-    double                               size     = 0;
     typename ShapeFunctions<dim>::Values at;
     for (const unsigned int cell : cells)
       {
         grid.shape_functions().evaluate(
           cell, geometry.barycentric(cell, records.locations[b]), at);
-        size += cell_size(geometry, cell) / cells.size();
         for (unsigned int I = 0; I < at.n_nodes; ++I)
           {
             const unsigned int vertex = at.vertex[I];
@@ -347,7 +280,6 @@ namespace isochor
           }
       }
     stencil_start.push_back(stencil_vertex.size());
-    cell_sizes.push_back(size);
   }
 
 

@@ -62,19 +62,9 @@ namespace isochor
     const auto           nodes  = body.stencil(geometry, part.k, part.q);
     const Tensor<1, dim> area =
       face.area * (measure<dim>(part.corners) / face.area.norm());
-    // In dynamics the size at t = 0, that of the face: the acceleration that a
-    // step starts with contains the force of the penalty at the end of the last
-    // step, which would change with the size of cells while the gap doesn't. On
-    // adaptive grids, too, where cells of many sizes pass: the work of this
-    // force would be that of another one.
-    const bool   keeps_size = !body.velocity.empty() || grid.is_adaptive();
-    const double size =
-      keeps_size ?
-        std::pow((dim == 2 ? 1 : 2) * face.area.norm(), 1. / (dim - 1)) :
-        cell_size(geometry, cell);
     std::array<double, n_entries> payload{};
     payload[surface_entry]   = face.surface;
-    payload[on_domain_entry] = 1 + body.material[part.q];
+    payload[on_domain_entry] = 1;
     for (unsigned int d = 0; d < dim; ++d)
       for (unsigned int e = 0; e < dim; ++e)
         payload[F_entry + d * dim + e] = F[d][e];
@@ -84,7 +74,6 @@ namespace isochor
         const Tensor<1, dim> R = X - (centre - u), r = F * R;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            // not the difference of two places: penalties feel its rounding
             payload[displacement_entry + d] = u[d] + r[d] - R[d];
             payload[area_entry + d]         = rule.weight(i) * area[d];
           }
@@ -100,7 +89,6 @@ namespace isochor
             stencil_gradient.push_back(nodes.gradient[I]);
           }
         stencil_start.push_back(stencil_vertex.size());
-        cell_sizes.push_back(size);
       }
   }
 

@@ -40,8 +40,6 @@ namespace isochor
     std::vector<std::array<Tensor<1, dim>, dim - 1>> sides; // now
     for (unsigned int b = 0; b < size(); ++b)
       {
-        if (records.payload(b)[on_domain_entry] == at_hinge)
-          continue; // parts would hold the rotation
         // two or one tangents of the undeformed surface, as long as its part
         std::array<Tensor<1, dim>, dim - 1> tangents;
         const Tensor<1, dim>                A = reference_area(b);

@@ -29,7 +29,7 @@ namespace isochor
         for (const double value : records.payload(b))
           line << ' ' << value;
         const Stencil nodes = stencil(b);
-        line << ' ' << cell_sizes[b] << ' ' << nodes.n_nodes;
+        line << ' ' << nodes.n_nodes;
         for (unsigned int I = 0; I < nodes.n_nodes; ++I)
           line << ' ' << nodes.vertex[I] << ' ' << nodes.shape[I] << ' '
                << nodes.gradient[I];
@@ -68,14 +68,13 @@ namespace isochor
         unsigned int                  cell, n_nodes = 0;
         Point<dim>                    location;
         std::array<double, n_entries> payload;
-        double                        size;
         text >> id >> cell;
         for (unsigned int d = 0; d < dim; ++d)
           text >> location[d];
         for (double &value : payload)
           text >> value;
         some_are_in_cells = some_are_in_cells || payload[on_domain_entry] <= 0;
-        text >> size >> n_nodes;
+        text >> n_nodes;
         for (unsigned int I = 0; I < n_nodes && text; ++I)
           {
             unsigned int   vertex;
@@ -99,7 +98,6 @@ namespace isochor
             continue;
           }
         stencil_start.push_back(stencil_vertex.size());
-        cell_sizes.push_back(size);
         records.push_back(cell,
                           id,
                           location,

@@ -39,13 +39,10 @@ namespace isochor
             "> of <" + place.parameter + "> consists of, " +
             rounded(covered_area[s]) + " of " + rounded(candidate_area[s]) +
             unit + ". " +
-            (surface.traction.empty() && surface.pressure.empty() ?
-               "What it does acts on this part." :
-               "Its load acts on this part, and is too small by the rest, if "
-               "all of these faces are meant: smaller cells do not cure that, "
-               "as steps of cells along an inclined or curved surface stay "
-               "steps.") +
-            " If the body's surface does not lie on faces of the grid there, "
+            "Its load acts on this part, and is too small by the rest, if "
+            "all of these faces are meant: smaller cells do not cure that, "
+            "as steps of cells along an inclined or curved surface stay "
+            "steps. If the body's surface does not lie on faces of the grid there, "
             "give the body's mesh in <Material points/Body mesh> and <" +
             mesh_parameter + ">.");
       }
@@ -64,8 +61,7 @@ namespace isochor
     for (unsigned int s = 0; s < share_on_domains.size(); ++s)
       {
         const SurfaceCondition<dim> &surface = conditions.surfaces[s];
-        if ((surface.traction.empty() && surface.pressure.empty()) ||
-            share_on_domains[s] > enough)
+        if (share_on_domains[s] > enough)
           continue;
         step.warnings.add(
           "a load beside the domains of the points",
@@ -93,12 +89,12 @@ namespace isochor
   warn_of_places_without_comparison(const StepContext<dim>       &step,
                                     const SurfaceConditions<dim> &conditions)
   {
-    const auto is_doubtful = [](const SurfaceCondition<dim> &surface) {
-      return !surface.place.on_grid_boundary &&
-             compares_nothing(surface.place.condition);
+    const auto is_doubtful = [&step](const SurfaceRegion<dim> &place) {
+      return step.grid.boundary_names().count(place.condition) == 0 &&
+             compares_nothing(place.condition);
     };
-    if (std::none_of(conditions.surfaces.begin(),
-                     conditions.surfaces.end(),
+    if (std::none_of(conditions.named.begin(),
+                     conditions.named.end(),
                      is_doubtful))
       return;
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
@@ -107,11 +103,10 @@ namespace isochor
          union_over_ranks(step.points.cell, step.grid.communicator()))
       for (const unsigned int vertex : geometry.vertex_indices(cell))
         touched[vertex] = 1;
-    for (const SurfaceCondition<dim> &surface : conditions.surfaces)
-      if (is_doubtful(surface))
+    for (const SurfaceRegion<dim> &place : conditions.named)
+      if (is_doubtful(place))
         {
-          const SurfaceRegion<dim> &place = surface.place;
-          std::vector<double>       values;
+          std::vector<double> values;
           try
             {
               const Expression<dim> formula(place.condition, place.parameter);
@@ -202,45 +197,20 @@ namespace isochor
 
   namespace
   {
-    /** A piece of a surface: where it is, and its outward normal. */
-    template <int dim>
-    struct Piece
-    {
-      Point<dim>     x;
-      Tensor<1, dim> n;
-      double         area;
-    };
-
-    /** Those of this rank. */
-    template <int dim>
-    std::vector<Piece<dim>>
-    pieces_of(const BoundaryPoints<dim> &points, const unsigned int surface)
-    {
-      std::vector<Piece<dim>> pieces;
-      for (unsigned int b = 0; b < points.size(); ++b)
-        if (points.surface(b) == surface)
-          {
-            const Tensor<1, dim> a    = points.reference_area(b);
-            const double         area = a.norm();
-            pieces.push_back({points.reference_location(b), a / area, area});
-          }
-      return pieces;
-    }
-
     /** The part of the area of a surface that points away from the rest of it,
      * which is nearly flat, and lies at its rim; 0 if there is none, or if
      * such pieces lie between others, as steps do. Collective. */
     template <int dim>
     double
-    part_round_an_edge(const std::vector<Piece<dim>> &pieces,
-                       const MPI_Comm                 comm)
+    part_round_an_edge(const std::vector<SurfacePiece<dim>> &pieces,
+                       const MPI_Comm                        comm)
     {
       // cosines, and parts of the area and of its extent
       constexpr double nearly_flat = 0.79, away = 0.5, most = 0.2, same = 1e-6,
                        round = 0.9;
       Tensor<1, dim> sum;
       double         area = 0;
-      for (const Piece<dim> &piece : pieces)
+      for (const SurfacePiece<dim> &piece : pieces)
         {
           sum += piece.area * piece.n;
           area += piece.area;
@@ -250,20 +220,22 @@ namespace isochor
       if (!(sum.norm() > nearly_flat * area))
         return 0;
       const Tensor<1, dim> normal  = sum / sum.norm();
-      const auto           is_away = [&](const Piece<dim> &piece) {
+      const auto           is_away = [&](const SurfacePiece<dim> &piece) {
         return piece.n * normal < away;
       };
       // the edge is sharp
       const bool is_rounded =
-        std::any_of(pieces.begin(), pieces.end(), [&](const Piece<dim> &piece) {
-          return !is_away(piece) && piece.n * normal < round;
-        });
+        std::any_of(pieces.begin(),
+                    pieces.end(),
+                    [&](const SurfacePiece<dim> &piece) {
+                      return !is_away(piece) && piece.n * normal < round;
+                    });
       if (Utilities::MPI::max(is_rounded ? 1 : 0, comm) == 1)
         return 0;
       // of those: place and direction along the surface
       std::vector<double> mine;
       double              of_edge = 0;
-      for (const Piece<dim> &piece : pieces)
+      for (const SurfacePiece<dim> &piece : pieces)
         if (is_away(piece))
           {
             Tensor<1, dim> along = piece.n - (piece.n * normal) * normal;
@@ -283,7 +255,7 @@ namespace isochor
       for (const auto &of_rank : all)
         for (std::size_t i = 0; i < of_rank.size() && !are_steps; i += 2 * dim)
           are_steps = std::any_of(
-            pieces.begin(), pieces.end(), [&](const Piece<dim> &piece) {
+            pieces.begin(), pieces.end(), [&](const SurfacePiece<dim> &piece) {
               double beyond = 0;
               for (unsigned int a = 0; a < dim; ++a)
                 beyond += (piece.x[a] - of_rank[i + a]) * of_rank[i + dim + a];
@@ -298,26 +270,22 @@ namespace isochor
 
   template <int dim>
   void
-  warn_of_faces_round_an_edge(const StepContext<dim>       &step,
-                              const SurfaceConditions<dim> &conditions,
-                              const BoundaryPoints<dim>    *points)
+  warn_of_faces_round_an_edge(const StepContext<dim>               &step,
+                              const SurfaceRegion<dim>             &place,
+                              const std::vector<SurfacePiece<dim>> &pieces)
   {
-    if (points == nullptr)
-      return;
-    for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
-      if (const double part = part_round_an_edge<dim>(pieces_of(*points, s),
-                                                      step.grid.communicator());
-          part > 0)
-        step.warnings.add(
-          "a surface that goes round an edge",
-          "The surface <" + conditions.surfaces[s].place.name + "> of <" +
-            conditions.surfaces[s].place.parameter + "> is nearly flat, but " +
-            rounded(100 * part) +
-            " % of its area are faces at its rim that point elsewhere: its "
-            "condition holds in the middle of the last faces of the sides beside it, "
-            "too, and what acts on the surface acts there as well. If that isn't "
-            "meant, let the condition begin nearer to the flat part, by less "
-            "than half of a cell.");
+    const double part =
+      part_round_an_edge<dim>(pieces, step.grid.communicator());
+    if (part > 0)
+      step.warnings.add(
+        "a surface that goes round an edge",
+        "The surface <" + place.name + "> of <" + place.parameter +
+          "> is nearly flat, but " + rounded(100 * part) +
+          " % of its area are faces at its rim that point elsewhere: its "
+          "condition holds in the middle of the last faces of the sides beside it, "
+          "too, and what acts on the surface acts there as well. If that isn't "
+          "meant, let the condition begin nearer to the flat part, by less "
+          "than half of a cell.");
   }
 
 
@@ -346,8 +314,7 @@ namespace isochor
               const double       part = std::abs(stencil.shape[I] * load[a]);
               const unsigned int i =
                 step.nodes.node(stencil.vertex[I]) * step.n_components + a;
-              if (constraints.constrained[i] == NodalConstraints::prescribed ||
-                  !forces.condition_at(b).displacement[a].empty())
+              if (constraints.constrained[i] == NodalConstraints::prescribed)
                 sum[2 * a] += part;
               sum[2 * a + 1] += part;
             }
@@ -412,12 +379,12 @@ namespace isochor
                         const BoundaryPoints<3> *);
   template void
   warn_of_faces_round_an_edge(const StepContext<2> &,
-                              const SurfaceConditions<2> &,
-                              const BoundaryPoints<2> *);
+                              const SurfaceRegion<2> &,
+                              const std::vector<SurfacePiece<2>> &);
   template void
   warn_of_faces_round_an_edge(const StepContext<3> &,
-                              const SurfaceConditions<3> &,
-                              const BoundaryPoints<3> *);
+                              const SurfaceRegion<3> &,
+                              const std::vector<SurfacePiece<3>> &);
   template void
   warn_of_loads_on_supports(const StepContext<2> &,
                             const NodalField &,

@@ -388,9 +388,7 @@ namespace isochor
           rounded(100 * share) +
           " % of the internal work on to the cells they are tied to. A part of "
           "the body is too thin for the grid: use smaller cells there, or a "
-          "smaller <Cut cells/Smallest support>. If a displacement of the body "
-          "is prescribed on a surface that goes through cells, lower its "
-          "<Penalty of body displacement>.");
+          "smaller <Cut cells/Smallest support>.");
     if (sums[1] > 0)
       step.warnings.add(
         "unsupported nodes that could not be tied",

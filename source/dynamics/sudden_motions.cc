@@ -306,7 +306,7 @@ namespace isochor
         most =
           std::max(most,
                    std::abs(equation.value) * little / little_of_equations);
-      if (condition.moves_body(start)) // by springs
+      if (condition.moves_body(start)) // not by nodes
         {
           std::vector<double> displacements;
           condition.append_motion(start, displacements);

@@ -169,7 +169,7 @@ namespace isochor
                      adjoint(other)});
 
     const InteractionLaw<dim> &law =
-      element.is_tied ? *default_tie : law_of(own.body, other.body);
+      element.is_tied ? *default_tie : laws.of(own, other);
     PartnerPlace<dim> place;
     if (element.is_tied)
       {

@@ -60,8 +60,7 @@ namespace isochor
   template <int dim>
   BodyPairTerm<dim>::BodyPairTerm(
     std::vector<std::unique_ptr<Interaction<dim>>> &&interactions)
-    : interactions(std::move(interactions))
-    , default_contact(PluginRegistry<InteractionLaw<dim>>::create("unilateral"))
+    : laws(std::move(interactions))
     , default_tie(PluginRegistry<InteractionLaw<dim>>::create("tie"))
   {
     this->name = "Interactions of bodies";
@@ -74,25 +73,7 @@ namespace isochor
   BodyPairTerm<dim>::set_bodies(const std::vector<std::string> &names)
   {
     body_names = names;
-    for (const auto &interaction : interactions)
-      {
-        interaction->find_bodies(names);
-        for (unsigned int a = 0; a < names.size(); ++a)
-          for (unsigned int b = a + 1; b < names.size(); ++b)
-            if (interaction->is_between(a, b))
-              laws[{a, b}] = interaction->law.get();
-      }
-  }
-
-
-
-  template <int dim>
-  const InteractionLaw<dim> &
-  BodyPairTerm<dim>::law_of(const unsigned int body,
-                            const unsigned int other) const
-  {
-    const auto found = laws.find(std::minmax(body, other));
-    return found == laws.end() ? *default_contact : *found->second;
+    laws.set_bodies(names);
   }
 
 
@@ -136,8 +117,8 @@ namespace isochor
               std::pow(rounding * size_of<dim>(other.X), 2) ||
             at.normal * own.normal > 0)
           continue;
-        const auto law = laws.find(std::minmax(own.body, other.body));
-        if (law != laws.end() && law->second->is_unilateral())
+        const InteractionLaw<dim> *const law = laws.given(own, other);
+        if (law != nullptr && law->is_unilateral())
           continue;
         element.is_tied = true;
         element.tied_at = at.xi;
@@ -176,20 +157,21 @@ namespace isochor
       near.clear();
       tree.query(bgi::intersects(x), std::back_inserter(near));
       element.others.clear();
-      const unsigned int body = copies[element.own].body;
+      const FaceCopy<dim> &own = copies[element.own];
       for (const Entry &entry : near)
-        if (const unsigned int other = copies[entry.second].body;
-            body != other && may_act(body, other))
+        if (const FaceCopy<dim> &other = copies[entry.second];
+            own.body != other.body && may_act(own, other))
           element.others.push_back(entry.second);
       std::sort(element.others.begin(), element.others.end());
       return !element.others.empty();
     };
-    const auto acts = [&](const unsigned int a, const unsigned int b) {
-      return law_of(a, b).acts();
+    const auto acts = [&](const FaceCopy<dim> &a, const FaceCopy<dim> &b) {
+      return laws.of(a, b).acts();
     };
-    const auto is_contact = [&](const unsigned int a, const unsigned int b) {
-      return law_of(a, b).acts() && law_of(a, b).is_unilateral() &&
-             tied_pairs.count(std::minmax(a, b)) == 0;
+    const auto is_contact = [&](const FaceCopy<dim> &a,
+                                const FaceCopy<dim> &b) {
+      return tied_pairs.count(std::minmax(a.body, b.body)) == 0 &&
+             laws.of(a, b).acts() && laws.of(a, b).is_unilateral();
     };
     if (!knows_tied_pairs)
       for (unsigned int i = 0; i < copies.size(); ++i)
@@ -207,7 +189,8 @@ namespace isochor
     bool any_contact = false;
     for (unsigned int a = 0; a < body_names.size(); ++a)
       for (unsigned int b = a + 1; b < body_names.size(); ++b)
-        any_contact = any_contact || is_contact(a, b);
+        any_contact = any_contact || (tied_pairs.count({a, b}) == 0 &&
+                                      laws.have_contact(a, b));
     if (!any_contact) // what is tied stays where it is
       reach = std::numeric_limits<double>::max();
     for (unsigned int f = 0; f < surface.faces().size(); ++f)

@@ -12,18 +12,39 @@
 
 namespace isochor
 {
+  namespace
+  {
+    /** Of the interaction "NAME - PARTNER" in @p section: both names. */
+    std::pair<std::string, std::string>
+    names_in(const std::string &section)
+    {
+      const std::string kind  = "Interaction: ",
+                        title = section.substr(kind.size());
+      const std::size_t dash  = title.find(" - ");
+      AssertThrow(dash != std::string::npos && dash > 0 &&
+                    dash + 3 < title.size(),
+                  ExcMessage("The subsection <" + section +
+                             "> must name a body or a surface and its "
+                             "partner: <" +
+                             kind + "name - partner>."));
+      return {title.substr(0, dash), title.substr(dash + 3)};
+    }
+
+    /** The partner that is no other thing's name. */
+    const std::string place = "place";
+  } // namespace
+
+
+
   template <int dim>
   void
-  Interaction<dim>::declare_parameters(ParameterHandler &prm)
+  Interaction<dim>::declare_parameters(ParameterHandler  &prm,
+                                       const std::string &section)
   {
-    InteractionLaw<dim>::declare_laws(prm);
-    prm.declare_entry(
-      "Surface",
-      "",
-      Patterns::Anything(),
-      "Which part of the body's surface takes part: where this "
-      "formula in x, y(, z) is positive at the centre of a face "
-      "at t = 0. Empty: all of it.");
+    const std::string end       = " - " + place;
+    const bool        is_placed = section.size() > end.size() &&
+                           section.substr(section.size() - end.size()) == end;
+    InteractionLaw<dim>::declare_laws(prm, is_placed ? "tie" : "unilateral");
     prm.declare_entry("Displacement",
                       "",
                       Patterns::Anything(),
@@ -36,33 +57,25 @@ namespace isochor
 
 
   template <int dim>
-  Interaction<dim>::Interaction(ParameterHandler  &prm,
-                                const std::string &section)
+  Interaction<dim>::Interaction(ParameterHandler                      &prm,
+                                const std::string                     &section,
+                                const std::vector<SurfaceRegion<dim>> &surfaces)
     : section(section)
+    , body(names_in(section).first)
+    , partner_name(names_in(section).second)
+    , law(InteractionLaw<dim>::create(prm))
   {
-    const std::string kind  = "Interaction: ",
-                      title = section.substr(kind.size());
-    const std::size_t dash  = title.find(" - ");
-    AssertThrow(dash != std::string::npos && dash > 0 &&
-                  dash + 3 < title.size(),
-                ExcMessage("The subsection <" + section +
-                           "> must name a body and its partner: <" + kind +
-                           "body - partner>."));
-    body         = title.substr(0, dash);
-    partner_name = title.substr(dash + 3);
-    law          = InteractionLaw<dim>::create(prm);
-    if (!prm.get("Surface").empty())
-      region = std::make_unique<Expression<dim>>(prm.get("Surface"),
-                                                 section + "/Surface",
-                                                 FormulaVariables::space);
-    if (partner_name == "place")
+    for (const SurfaceRegion<dim> &surface : surfaces)
+      if (surface.name == body)
+        region = surface;
+    if (partner_name == place)
       partner =
         std::make_unique<PrescribedPlace<dim>>(prm.get("Displacement"),
                                                section + "/Displacement");
-    AssertThrow(!partner || law->acts(),
+    AssertThrow(!partner || (law->acts() && !law->is_unilateral()),
                 ExcMessage("<" + section +
-                           "/Law = none> is for two bodies only. Leave the "
-                           "section out."));
+                           "/Law> must be 'tie': a place is no surface that "
+                           "could be left."));
   }
 
 
@@ -117,12 +130,25 @@ namespace isochor
                     ". Bodies get names by <Material points/Bodies>."));
       return found;
     };
-    bodies = find(body, "");
+    if (region)
+      {
+        AssertThrow(std::find(names.begin(), names.end(), body) == names.end(),
+                    ExcMessage("The section <" + section + "> names <" + body +
+                               ">, which is a body and a surface of <" +
+                               region->parameter +
+                               ">. Give one of them another name."));
+        bodies.assign(names.size(), true);
+      }
+    else
+      bodies =
+        find(body, "; also what <Boundary conditions/Surfaces of body> names");
     if (!partner)
       partners = find(partner_name,
                       "; as a partner also 'place', 'boundary NAME' and what a "
                   "section <Rigid "
                       "body: ...> describes");
+    else
+      partners.assign(names.size(), false);
   }
 
 

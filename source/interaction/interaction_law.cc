@@ -8,15 +8,16 @@ namespace isochor
 {
   template <int dim>
   void
-  InteractionLaw<dim>::declare_laws(ParameterHandler &prm)
+  InteractionLaw<dim>::declare_laws(ParameterHandler  &prm,
+                                    const std::string &usual)
   {
     prm.declare_entry(
       "Law",
-      "unilateral",
+      usual,
       Patterns::Selection(PluginRegistry<InteractionLaw<dim>>::names()),
       "What the partner does to the surface. unilateral: it pushes but does not "
       "pull, without friction. Coulomb: the same with friction. tie: the "
-      "surface stays where it is on the partner. none: nothing; of two bodies, "
+      "surface stays where it is on the partner; the only law with 'place'. none: nothing; of two bodies, "
       "which pass through each other.");
     PluginRegistry<InteractionLaw<dim>>::declare_parameters(prm);
   }

@@ -99,26 +99,6 @@ namespace isochor
 
   template <int dim>
   void
-  InteractionTerm<dim>::check_surfaces()
-  {
-    std::vector<unsigned int> n_faces(interactions.size());
-    for (const FaceElement &element : faces)
-      for (const unsigned int i : element.partners)
-        ++n_faces[i];
-    Utilities::MPI::sum(n_faces, grid->communicator(), n_faces);
-    for (unsigned int i = 0; i < interactions.size(); ++i)
-      AssertThrow(n_faces[i] > 0,
-                  ExcMessage("The section <" + interactions[i]->section +
-                             "> acts on nothing: <Surface> is positive at the "
-                             "centre of no face of <" +
-                             interactions[i]->body + ">."));
-    is_checked = true;
-  }
-
-
-
-  template <int dim>
-  void
   InteractionTerm<dim>::set_nodes(const StepContext<dim>    &step,
                                   const FaceElement         &element,
                                   std::vector<unsigned int> &nodes) const

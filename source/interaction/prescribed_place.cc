@@ -4,6 +4,9 @@
  * --------------------------------------------------------------------- */
 #include <isochor/interaction/prescribed_place.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace isochor
 {
   template <int dim>
@@ -28,6 +31,12 @@ namespace isochor
                                "."));
         component.emplace_back(item.substr(equals + 1), parameter);
       }
+    AssertThrow(std::any_of(components.begin(),
+                            components.end(),
+                            [](const auto &one) { return !one.empty(); }),
+                ExcMessage("The parameter <" + parameter +
+                           "> must say where the surface goes, such as 'x=0, "
+                           "y=-0.1*t'."));
   }
 
 
@@ -52,6 +61,48 @@ namespace isochor
             (trial.size == 0 ? displacement(time) : trial.at_end(displacement));
         }
     return result;
+  }
+
+
+
+  template <int dim>
+  void
+  PrescribedPlace<dim>::append_motion(
+    const typename BodySurface<dim>::Place &place,
+    const double                            at,
+    std::vector<double>                    &values) const
+  {
+    for (const auto &component : components)
+      if (!component.empty())
+        values.push_back(component.front()(place.X, at));
+  }
+
+
+
+  template <int dim>
+  bool
+  PrescribedPlace<dim>::starts_suddenly(
+    const typename BodySurface<dim>::Place &place,
+    const Tensor<1, dim>                   &velocity) const
+  {
+    const double dt = trial.end - trial.start;
+    if (dt == 0)
+      return false; // nothing moves
+    for (unsigned int a = 0; a < dim; ++a)
+      {
+        if (components[a].empty())
+          continue;
+        std::array<double, n_motion_places> places;
+        for (unsigned int k = 0; k < n_motion_places; ++k)
+          places[k] =
+            components[a].front()(place.X,
+                                  trial.start + k * dt / (n_motion_places - 1));
+        const double V = trial.smooth.of(motion_of_step(places, dt)).first;
+        if (std::abs(V - velocity[a]) >
+            1e-8 * std::max(std::abs(V), std::abs(velocity[a])))
+          return true;
+      }
+    return false;
   }
 
 

@@ -171,13 +171,6 @@ namespace isochor
                      const std::vector<unsigned int> &occupied,
                      const bool                       of_grid)
       {
-        std::vector<std::pair<unsigned int, Expression<dim>>> conditions;
-        for (unsigned int s = 0; s < surfaces.size(); ++s)
-          if (!surfaces[s].on_grid_boundary)
-            conditions.emplace_back(s,
-                                    Expression<dim>(surfaces[s].condition,
-                                                    surfaces[s].parameter,
-                                                    FormulaVariables::space));
         for (const unsigned int cell : occupied)
           for (unsigned int v = 0; v <= dim; ++v)
             {
@@ -187,8 +180,9 @@ namespace isochor
                 continue;
               const Point<dim> centre =
                 centre_of<dim>(corners_of(geometry, cell, v));
-              for (const auto &[s, condition] : conditions)
-                if (condition(centre, 0.) > 0)
+              for (unsigned int s = 0; s < surfaces.size(); ++s)
+                if (!surfaces[s].on_grid_boundary &&
+                    surfaces[s].contains(centre))
                   add_face(geometry, cell, v, s, of_grid);
             }
       }

@@ -33,7 +33,7 @@ namespace isochor
                         "whichever of them holds the node: the sum over "
                         "boundaries that meet is not the whole force, and a "
                         "smooth wall shows what the wall next to it carries "
-                        "at the corner. <Displacement of body> "
+                        "at the corner. Interactions "
                         "and <Periodic sides> have columns of their own.");
     }
 
@@ -63,10 +63,11 @@ namespace isochor
                         known_names(grid) + ". If <" + name +
                         "> is a surface of the body (<Surfaces of body>), the "
                         "force that holds it needs no entry here: it is in "
-                        "the columns <Reaction x on " +
+                        "the columns <Force x on " +
                         name +
-                        " by boundary points (N)>, and so on, if <Displacement "
-                        "of body> names it."));
+                        " by place (N)>, and so on, with a section "
+                        "<Interaction: " +
+                        name + " - place>."));
           const types::boundary_id id = grid.boundary_id(name, parameter);
           vertices.emplace_back();
           for (const BoundaryFace &face : grid.boundary_faces())

@@ -213,13 +213,13 @@ namespace isochor
   Equilibrium<dim>::solve()
   {
     const bool   predicted = predict();
-    NewtonReport report    = solve_and_correct(predicted);
+    NewtonReport report    = solve_from_start(predicted);
     if (!report.converged && predicted)
       {
         if (terminal.log())
           terminal.out() << "    from rest: " << report.failure << std::endl;
         start_from_rest();
-        report = solve_and_correct(false);
+        report = solve_from_start(false);
       }
     return report;
   }
@@ -228,7 +228,7 @@ namespace isochor
 
   template <int dim>
   NewtonReport
-  Equilibrium<dim>::solve_and_correct(const bool has_other_start)
+  Equilibrium<dim>::solve_from_start(const bool has_other_start)
   {
     const LoadStepping &time = scene.time;
     if (terminal.log())
@@ -236,15 +236,8 @@ namespace isochor
                      << " to t = " << time.next_time()
                      << " (dt = " << time.next_time() - time.time << ")"
                      << std::endl;
-    at_start            = true;
-    NewtonReport report = find_root(has_other_start);
-    while (report.converged && correct_conditions())
-      {
-        if (terminal.log())
-          terminal.out() << "    conditions corrected" << std::endl;
-        report.continue_with(find_root(has_other_start), true);
-      }
-    return report;
+    at_start = true;
+    return find_root(has_other_start);
   }
 
 
@@ -253,8 +246,6 @@ namespace isochor
   void
   Equilibrium<dim>::start_conditions(const bool with_other_nodes)
   {
-    for (const auto &condition : scene.boundary_conditions)
-      condition->start_contact();
     constrain_nodes();
     lay_out_system(with_other_nodes);
   }
@@ -272,18 +263,6 @@ namespace isochor
                                         scene.symmetric);
     system.matrix().may_yield = scene.may_yield;
     terminal.work().count("patterns of the matrix", laid_out);
-  }
-
-
-
-  template <int dim>
-  bool
-  Equilibrium<dim>::correct_conditions()
-  {
-    bool any = false;
-    for (const auto &condition : scene.boundary_conditions)
-      any = condition->correct(setup.context(), unknowns) || any;
-    return any;
   }
 
 

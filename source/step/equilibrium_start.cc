@@ -90,7 +90,7 @@ namespace isochor
     inertia.start_trial(step, trial, conditions);
     start_again();
     at_start            = true;
-    NewtonReport report = trial.size < 0 ? find_root() : solve_and_correct();
+    NewtonReport report = trial.size < 0 ? find_root() : solve_from_start();
     if (report.converged && trial.size > 0 && !trial.is_past)
       settle_weight(report);
     if (report.converged)

@@ -193,13 +193,29 @@ namespace isochor
 
 
 
-    void
-    inspect_surfaces(const ParameterList &list, const Inspector &inspect)
+    /** The names in "name: ...; name: ...". */
+    std::set<std::string>
+    names_in(const std::string &named_list)
     {
+      std::set<std::string> names;
+      for (const auto &entry : split_named_list(named_list, ""))
+        names.insert(entry.first);
+      return names;
+    }
+
+
+
+    void
+    inspect_surfaces(const ParameterList &list,
+                     const Inspector     &inspect,
+                     Warnings            &warnings)
+    {
+      const std::string main        = "Boundary conditions",
+                        interaction = "Interaction: ";
       for (const Path &path : list.subsections)
         {
           const std::string section = path.front();
-          if (path.size() > 1 || section.rfind("Boundary conditions", 0) != 0)
+          if (path.size() > 1 || section.rfind(main, 0) != 0)
             continue;
           if (inspect.value({section, "Surfaces of body"}).empty())
             {
@@ -210,9 +226,24 @@ namespace isochor
                 inspect.idle({section, "Boundary points per face"},
                              without + " or <" + section + "/Traction>");
             }
-          if (inspect.value({section, "Displacement of body"}).empty())
-            inspect.idle({section, "Penalty of body displacement"},
-                         "without <" + section + "/Displacement of body>");
+          std::set<std::string> used =
+            names_in(inspect.value({section, "Traction on body"}));
+          used.merge(names_in(inspect.value({section, "Pressure on body"})));
+          for (const Path &other : list.subsections)
+            if (section == main && other[0].rfind(interaction, 0) == 0)
+              used.insert(
+                other[0].substr(interaction.size(),
+                                other[0].find(" - ") - interaction.size()));
+          for (const std::string &name :
+               names_in(inspect.value({section, "Surfaces of body"})))
+            if (used.count(name) == 0)
+              warnings.add(
+                "no condition on <" + name + "> of <Surfaces of body>",
+                "The surface <" + name + "> of the parameter <" + section +
+                  "/Surfaces of body> has no effect: name it in <Traction on "
+                  "body> or <Pressure on body> of that section, in a section "
+                  "<Interaction: " +
+                  name + " - place>, or leave it out.");
         }
     }
 
@@ -366,7 +397,7 @@ namespace isochor
       inspect_adaptation(list, inspect);
     inspect_equations(inspect, scene.has_inertia());
     inspect_cut_cells(inspect, scene.ties_cut_cells());
-    inspect_surfaces(list, inspect);
+    inspect_surfaces(list, inspect, scene.warnings);
     inspect_materials(list, inspect);
     inspect_partners<dim>(list, scene.rigid_bodies, inspect);
     inspect_linear_solver(list, inspect);

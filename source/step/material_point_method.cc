@@ -186,8 +186,9 @@ namespace isochor
                           comm) == 1;
     scene.warnings.add(
       "a motion that jumps",
-      "The place that <Boundary conditions/" +
-        (by_surface ? "Displacement of body" : condition.name) +
+      "The place that <" +
+        (by_surface ? "Interaction: name - place/Displacement" :
+                      "Boundary conditions/" + condition.name) +
         "> prescribes jumps, or its velocity has no bounds, at t = " +
         rounded(time) +
         ". In dynamics a body can't be elsewhere at once: forces grow as steps "
@@ -344,7 +345,7 @@ namespace isochor
         grid_to_points.project_volume(step, scene.points, setup.point_arrays());
       warn_if_nothing_moves(scene, newton, unknowns);
       warn_of_rounding(scene, newton, equilibrium.zero_force());
-      scene.time.accept(newton.n_factorisations - newton.n_after_correction);
+      scene.time.accept(newton.n_factorisations);
     }
     {
       TimerOutput::Scope scope(terminal.timer(), "postprocessing");

@@ -195,7 +195,7 @@ namespace isochor
     for (const NamedSection &entry : sections.interactions)
       {
         prm.enter_subsection(entry.section);
-        Interaction<dim>::declare_parameters(prm);
+        Interaction<dim>::declare_parameters(prm, entry.section);
         prm.leave_subsection();
       }
     for (const NamedSection &entry : sections.rigid_bodies)
@@ -349,6 +349,11 @@ namespace isochor
           if (has_inertia())
             rigid_bodies.back()->body.check_inertia();
         }
+    prm.enter_subsection("Boundary conditions");
+    const auto surfaces =
+      SurfaceRegion<dim>::parse(prm.get("Surfaces of body"),
+                                "Boundary conditions/Surfaces of body");
+    prm.leave_subsection();
     std::vector<std::unique_ptr<Interaction<dim>>> of_bodies, of_others;
     const auto  walls = find_one_sided_walls(boundary_conditions);
     std::string asked_by;
@@ -359,7 +364,7 @@ namespace isochor
         {
           prm.enter_subsection(path.front());
           auto interaction =
-            std::make_unique<Interaction<dim>>(prm, path.front());
+            std::make_unique<Interaction<dim>>(prm, path.front(), surfaces);
           prm.leave_subsection();
           const auto rigid =
             std::find_if(rigid_bodies.begin(),

@@ -137,9 +137,8 @@ namespace isochor
       text << "; ...";
     text << ". In statics the displacement is then not unique, and there is no "
             "equilibrium if a load acts along such a motion. Hold the body by "
-            "<Boundary conditions/Displacement> or <Boundary "
-            "conditions/Displacement of body>, or give it inertia: <Dynamics/"
-            "Inertia = true>.";
+            "<Boundary conditions/Displacement> or a section <Interaction: "
+            "name - place>, or give it inertia: <Dynamics/Inertia = true>.";
     warnings.add("a body that nothing holds", text.str());
   }
 
@@ -252,30 +251,13 @@ namespace isochor
     if (scene.has_inertia() || residual <= small ||
         newton.force_scale <= large * zero_force)
       return;
-    // loads on the body's surface count as supports whatever the direction
-    bool has_surface = false, has_load = false;
-    for (const auto &condition : scene.boundary_conditions)
-      {
-        has_load = has_load || condition->supports_body(Tensor<1, dim>());
-        for (unsigned int a = 0; a < dim; ++a)
-          has_surface =
-            has_surface || condition->supports_body(Point<dim>::unit_vector(a));
-      }
     std::ostringstream text;
     text.precision(2);
-    text
-      << "At t = " << scene.time.next_time()
-      << " the residual forces that remain are " << 100 * residual
-      << " % of the forces: less can't be told from rounding, as "
-      << (has_surface && !has_load ?
-            "a penalty (<Boundary conditions/Penalty of body displacement>) "
-            "is too stiff for the way that its surface goes. Lower it." :
-            "the forces are tiny beside the stiffness. Are loads and "
-            "<Material/Young modulus> in the same units?")
-      << (has_surface && has_load ?
-            " Where the displacement of a surface of the body is prescribed, "
-            "the penalty that does it may be too stiff." :
-            "");
+    text << "At t = " << scene.time.next_time()
+         << " the residual forces that remain are " << 100 * residual
+         << " % of the forces: less can't be told from rounding, as the forces "
+            "are tiny beside the stiffness. Are loads and <Material/Young "
+            "modulus> in the same units?";
     scene.warnings.add("forces near rounding", text.str());
   }
 

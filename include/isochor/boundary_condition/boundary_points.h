@@ -57,13 +57,11 @@ namespace isochor
     }
 
     /** Begin with these faces, the same on all ranks, at t = 0, when @p body
-     * has been set up. Those of surfaces that are to be @p held_at_centres stay
-     * faces of cells if the surface may turn so, as around one face. Returns
-     * whether its points see functions linear on their domains. Collective. */
+     * has been set up. Returns whether its points see functions linear on their
+     * domains. Collective. */
     bool
     seed(const std::vector<SurfaceFace<dim>> &faces,
-         const PointArrays<dim>              &body,
-         const std::vector<bool>             &held_at_centres);
+         const PointArrays<dim>              &body);
 
     /** The faces that consist of faces of domains; see above. */
     const std::vector<SurfaceFace<dim>> &
@@ -142,39 +140,12 @@ namespace isochor
               stencil_gradient.data() + begin};
     }
 
-    /** The size of the cells that point @p b acts on (m), see cell_size(); of a
-     * point on a domain in dynamics, that of its face at t = 0. */
-    double
-    size_of_cells(const unsigned int b) const
-    {
-      return cell_sizes[b];
-    }
-
     /** Whether point @p b lies on the domain of a material point. */
     bool
     is_on_domain(const unsigned int b) const
     {
       return records.payload(b)[on_domain_entry] > 0;
     }
-    /** The index of its material, if so. */
-    unsigned int
-    material(const unsigned int b) const
-    {
-      return static_cast<unsigned int>(records.payload(b)[on_domain_entry]) - 1;
-    }
-
-    /** Of other points: that of the body around (Pa), as it was last set. */
-    double
-    shear_modulus(const unsigned int b) const
-    {
-      return records.payload(b)[modulus_entry];
-    }
-    void
-    set_shear_modulus(const unsigned int b, const double G)
-    {
-      records.payloads[b * n_entries + modulus_entry] = G;
-    }
-
     /** Append the vertices of all points' nodes. */
     void
     touch_vertices(std::vector<unsigned int> &vertices) const;
@@ -222,12 +193,9 @@ namespace isochor
     static constexpr unsigned int displacement_entry = 1;
     static constexpr unsigned int area_entry         = 1 + dim;
     static constexpr unsigned int F_entry            = 1 + 2 * dim;
-    static constexpr unsigned int modulus_entry      = 1 + 2 * dim + dim * dim;
-    /** 0: not on a domain; else 1 + index of the material, or at_hinge: not on
-     * a domain, and to stay one point. */
-    static constexpr unsigned int on_domain_entry = 1 + modulus_entry;
+    /** 1: on a domain; else 0. */
+    static constexpr unsigned int on_domain_entry = 1 + 2 * dim + dim * dim;
     static constexpr unsigned int n_entries       = 1 + on_domain_entry;
-    static constexpr double       at_hinge        = -1;
 
     class Candidates;
 
@@ -250,7 +218,6 @@ namespace isochor
     std::vector<unsigned int>   stencil_vertex;
     std::vector<double>         stencil_shape;
     std::vector<Tensor<1, dim>> stencil_gradient;
-    std::vector<double>         cell_sizes;
   };
 } // namespace isochor
 

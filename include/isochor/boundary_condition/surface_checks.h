@@ -53,15 +53,24 @@ namespace isochor
                         const SurfaceConditions<dim> &conditions,
                         const BoundaryPoints<dim>    *points);
 
-  /** Warn of surfaces that are nearly flat but for a few faces at their rim,
+  /** A piece of a surface at t = 0. */
+  template <int dim>
+  struct SurfacePiece
+  {
+    Point<dim>     x;
+    Tensor<1, dim> n; ///< outward normal
+    double         area;
+  };
+
+  /** Warn of a surface that is nearly flat but for a few faces at its rim,
    * which point elsewhere, as if a condition such as y > 0.9 were to hold on
    * top and holds at the upper ends of the sides as well. At the start. @p
-   * points: nullptr without surfaces. Collective. */
+   * pieces: this rank's. Collective. */
   template <int dim>
   void
-  warn_of_faces_round_an_edge(const StepContext<dim>       &step,
-                              const SurfaceConditions<dim> &conditions,
-                              const BoundaryPoints<dim>    *points);
+  warn_of_faces_round_an_edge(const StepContext<dim>               &step,
+                              const SurfaceRegion<dim>             &place,
+                              const std::vector<SurfacePiece<dim>> &pieces);
 
   /** Warn of loads of surfaces that act, in a component, on nodes alone at
    * which

@@ -10,9 +10,6 @@
 #include <isochor/base/expression.h>
 #include <isochor/material_points/surface_seeding.h>
 
-#include <algorithm>
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,26 +17,16 @@ namespace isochor
 {
   using namespace dealii;
 
-  /** What is prescribed on a surface of the body. */
+  /** The loads on a surface of the body. */
   template <int dim>
   struct SurfaceCondition
   {
     SurfaceRegion<dim>           place;
     std::vector<Expression<dim>> traction; ///< dim or none
     std::vector<Expression<dim>> pressure; ///< one or none
-    std::array<std::vector<Expression<dim>>, dim>
-      displacement; ///< by component: one or none
-
-    bool
-    is_fixed() const
-    {
-      return std::any_of(displacement.begin(),
-                         displacement.end(),
-                         [](const auto &u) { return !u.empty(); });
-    }
   };
 
-  /** The parameters of the conditions on the body's surface, in a subsection
+  /** The parameters of the loads on the body's surface, in a subsection
    * like "Boundary conditions". */
   template <int dim>
   struct SurfaceConditions
@@ -53,60 +40,21 @@ namespace isochor
     void
     find_boundaries(const BackgroundGrid<dim> &grid);
 
-    /** Whether a prescribed component or a load can hold the body up against
-     * @p gravity. */
-    bool
-    support(const Tensor<1, dim> &gravity) const;
-
-    /** Whether there are prescribed components at all. */
-    bool
-    prescribe_displacements() const
-    {
-      return std::any_of(surfaces.begin(),
-                         surfaces.end(),
-                         [](const auto &surface) {
-                           return surface.is_fixed();
-                         });
-    }
-
-    /** By surface: whether each face of the cells is held at its centre only,
-     * also with domains that have several faces there. What is held at one
-     * point may turn around it. */
-    std::vector<bool>
-    are_held_at_centres() const
-    {
-      std::vector<bool> result;
-      for (const auto &surface : surfaces)
-        result.push_back(points_per_face == 1 && surface.is_fixed());
-      return result;
-    }
-
     /** Of the parameters, for messages. */
     std::string section = "Boundary conditions";
 
+    /** All that `Surfaces of body` names. */
+    std::vector<SurfaceRegion<dim>> named;
+    /** Those with a load. */
     std::vector<SurfaceCondition<dim>> surfaces;
     unsigned int                       points_per_face = 3;
     std::string                        body_mesh;
-    /** β, see SurfaceForces; none: the default. */
-    std::optional<double> given_penalty;
-
-    /** Statics correct what springs stay behind by (SurfaceCorrection), and
-     * soft ones do; in dynamics they have to be stiff enough by themselves. */
-    double
-    penalty(const bool has_inertia) const
-    {
-      return given_penalty.value_or(has_inertia ? 100. : 10.);
-    }
 
   private:
-    void
-    parse_penalty(ParameterHandler &prm);
     void
     parse_tractions(ParameterHandler &prm);
     void
     parse_loads(ParameterHandler &prm);
-    void
-    parse_displacements(ParameterHandler &prm);
     SurfaceCondition<dim> &
     find_surface(const std::string &name, const std::string &parameter);
   };

@@ -8,10 +8,9 @@
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/interaction/face_copies.h>
 #include <isochor/interaction/face_projection.h>
-#include <isochor/interaction/interaction.h>
+#include <isochor/interaction/pair_laws.h>
 #include <isochor/interaction/slip_memory.h>
 
-#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -46,6 +45,7 @@ namespace isochor
     initialize(const BackgroundGrid<dim> &grid) override
     {
       this->grid = &grid;
+      laws.find_places(grid);
     }
     void
     set_body(const BodyShape<dim> & /*shape*/,
@@ -155,8 +155,6 @@ namespace isochor
     find_tie(const Point<dim> &X, PairElement &element) const;
     void
     number_nodes(PairElement &element) const;
-    const InteractionLaw<dim> &
-    law_of(const unsigned int body, const unsigned int other) const;
     Tensor<1, dim>
     increment_at(const StepContext<dim> &step,
                  const NodalField       &unknowns,
@@ -175,11 +173,8 @@ namespace isochor
                      InteractionKernel<dim> &kernel,
                      Action                 &action) const;
 
-    std::vector<std::unique_ptr<Interaction<dim>>> interactions;
-    std::unique_ptr<InteractionLaw<dim>>           default_contact, default_tie;
-    /** By pair of bodies, the lower number first: the law, if one is given. */
-    std::map<std::pair<unsigned int, unsigned int>, const InteractionLaw<dim> *>
-      laws;
+    PairLaws<dim>                        laws;
+    std::unique_ptr<InteractionLaw<dim>> default_tie;
     /** Pairs of bodies, the lower number first, that are tied somewhere: they
      * don't come into contact elsewhere, as at the edges of what is tied. */
     std::set<std::pair<unsigned int, unsigned int>> tied_pairs;

@@ -7,28 +7,33 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <isochor/base/expression.h>
 #include <isochor/boundary_condition/one_sided_wall.h>
 #include <isochor/interaction/interaction_law.h>
 #include <isochor/interaction/partner.h>
+#include <isochor/material_points/surface_region.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace isochor
 {
   /** A surface, its partner and the law between them: what a subsection
-   * "Interaction: BODY - PARTNER" describes. */
+   * "Interaction: NAME - PARTNER" describes, the name being that of a body or
+   * of a surface. */
   template <int dim>
   class Interaction
   {
   public:
+    /** @param section "Interaction: NAME - PARTNER", which @p prm is in. */
     static void
-    declare_parameters(ParameterHandler &prm);
+    declare_parameters(ParameterHandler &prm, const std::string &section);
 
-    /** @param section "Interaction: BODY - PARTNER", which @p prm is in. */
-    Interaction(ParameterHandler &prm, const std::string &section);
+    /** @param surfaces Those that have a name. */
+    Interaction(ParameterHandler                      &prm,
+                const std::string                     &section,
+                const std::vector<SurfaceRegion<dim>> &surfaces);
 
     /** What a wall without a section of its own stands for: frictionless
      * contact of a body with it. */
@@ -58,36 +63,57 @@ namespace isochor
     bool
     has(const unsigned int of_body, const Point<dim> &X) const
     {
-      return bodies[of_body] && (!region || (*region)(X, 0.) > 0);
+      return bodies[of_body] && (!region || region->contains(X));
     }
 
     /** Find the bodies by their @p names. @throws ExcMessage if there is none
-     * of that name. */
+     * of that name, or a surface as well. */
     void
     find_bodies(const std::vector<std::string> &names);
 
-    /** Whether it is one between body number @p a and body number @p b. */
+    /** Find the place of its surface, if that is a part of a body's. */
+    void
+    find_place(const BackgroundGrid<dim> &grid)
+    {
+      if (region)
+        region->find_place(grid);
+    }
+
+    /** Whether body number @p a and body number @p b take part. */
     bool
     is_between(const unsigned int a, const unsigned int b) const
     {
       return (bodies[a] && partners[b]) || (bodies[b] && partners[a]);
     }
 
-    /** "BODY - PARTNER". */
+    /** Whether faces of these bodies, with their centres at @p X_a and @p X_b,
+     * do. */
+    bool
+    is_between(const unsigned int a,
+               const Point<dim>  &X_a,
+               const unsigned int b,
+               const Point<dim>  &X_b) const
+    {
+      return (partners[b] && has(a, X_a)) || (partners[a] && has(b, X_b));
+    }
+
+    /** "NAME - PARTNER". */
     std::string
     name() const
     {
       return body + " - " + partner_name;
     }
 
+    /** The name of the surface is @p body if it has a region, else that is the
+     * body's. */
     std::string                          section, body, partner_name;
+    std::optional<SurfaceRegion<dim>>    region;
     std::unique_ptr<InteractionLaw<dim>> law;
     std::unique_ptr<Partner<dim>>        partner;
 
   private:
     /** By number: which are the body, and the partner if it has none else. */
-    std::vector<bool>                bodies, partners;
-    std::unique_ptr<Expression<dim>> region;
+    std::vector<bool> bodies, partners;
   };
 } // namespace isochor
 

@@ -41,9 +41,10 @@ namespace isochor
   public:
     virtual ~InteractionLaw() = default;
 
-    /** Declare `Law` and the parameters of all laws. */
+    /** Declare `Law`, which is @p usual if it isn't given, and the parameters
+     * of all laws. */
     static void
-    declare_laws(ParameterHandler &prm);
+    declare_laws(ParameterHandler &prm, const std::string &usual);
     /** The law that the parameters name, its own being read. */
     static std::unique_ptr<InteractionLaw<dim>>
     create(ParameterHandler &prm);

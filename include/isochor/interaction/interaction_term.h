@@ -6,6 +6,7 @@
 #define isochor_interaction_term_h
 
 #include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/boundary_condition/surface_checks.h>
 #include <isochor/interaction/body_surface.h>
 #include <isochor/interaction/interaction.h>
 #include <isochor/interaction/interaction_kernel.h>
@@ -43,7 +44,10 @@ namespace isochor
     {
       this->grid = &grid;
       for (const auto &interaction : interactions)
-        interaction->partner->initialize(grid);
+        {
+          interaction->partner->initialize(grid);
+          interaction->find_place(grid);
+        }
     }
     std::string
     force_column(const std::string &boundary) const override;
@@ -53,6 +57,13 @@ namespace isochor
     {
       this->points = &points;
     }
+    std::string
+    describe() const override
+    {
+      return description;
+    }
+    void
+    check_scene(const StepContext<dim> &step) const override;
     void
     touch_vertices(std::vector<unsigned int> & /*vertices*/) override
     {
@@ -73,6 +84,12 @@ namespace isochor
         interaction->partner->set_trial(
           {step.old_time, step.time, trial_size, start});
     }
+    void
+    append_motion(const StepContext<dim> &step,
+                  std::vector<double>    &values) const override;
+    bool
+    starts_suddenly(const StepContext<dim> &step,
+                    const NodalField       &velocity) const override;
     void
     note_start(const StepContext<dim> &start,
                const NodalField       &unknowns,
@@ -158,9 +175,13 @@ namespace isochor
      * Collective. */
     void
     find_faces();
-    /** @throws ExcMessage for an interaction without a face. Collective. */
+    /** @throws ExcMessage for an interaction without a face, and for faces that
+     * two of them tie. Collective. */
     void
     check_surfaces();
+    /** Its faces of this rank. */
+    std::vector<SurfacePiece<dim>>
+    pieces_of(const unsigned int interaction) const;
     typename SurfaceStress<dim>::Domain
     domain(const StepContext<dim> &step, const unsigned int face) const;
     /** Residual and matrix of a face. @p actions, if not null, gets what acts.
@@ -193,6 +214,7 @@ namespace isochor
     const BackgroundGrid<dim>                     *grid   = nullptr;
     const PointArrays<dim>                        *points = nullptr;
     bool                     is_checked = false; ///< see check_surfaces()
+    std::string              description;
     BodySurface<dim>         surface;
     std::vector<FaceElement> faces;
     /** The force on this rank's faces at the last iterate, in dynamics (N). */

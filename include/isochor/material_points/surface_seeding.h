@@ -8,6 +8,7 @@
 #include <deal.II/base/quadrature.h>
 
 #include <isochor/material_points/body_shape.h>
+#include <isochor/material_points/surface_region.h>
 
 #include <functional>
 #include <string>
@@ -16,25 +17,6 @@
 namespace isochor
 {
   using namespace dealii;
-
-  /** A named part of the body's surface at t = 0. */
-  template <int dim>
-  struct SurfaceRegion
-  {
-    std::string name;
-    /** The parameter that asks for it, for messages. */
-    std::string parameter;
-    /** Either a boundary of the grid, ... */
-    bool               on_grid_boundary = false;
-    types::boundary_id id               = 0;
-    /** ... or where this formula in x, y(, z) is positive at the centre of a
-     * face. */
-    std::string condition;
-  };
-
-  /** The corners of a face of a cell, or of a part of it. */
-  template <int dim>
-  using FaceCorners = std::array<Point<dim>, dim>;
 
   /** Length (2D) or area (3D). */
   template <int dim>

@@ -25,9 +25,6 @@ namespace isochor
     std::string                  failure; ///< why not
     std::vector<NewtonIteration> iterations;
     unsigned int                 n_factorisations = 0;
-    /** Of these, how many came after boundary conditions had been corrected,
-     * which says nothing about how difficult the step is. */
-    unsigned int n_after_correction = 0;
     /** What forces were measured against (N). */
     double force_scale = 0;
 
@@ -49,15 +46,14 @@ namespace isochor
     }
 
     /** Add the report of a solution that started where this one ended, with
-     * other nodes in contact or, @p corrected, with conditions corrected. */
+     * other nodes in contact. */
     void
-    continue_with(const NewtonReport &next, const bool corrected = false)
+    continue_with(const NewtonReport &next)
     {
       converged   = next.converged;
       failure     = next.failure;
       force_scale = next.force_scale;
       n_factorisations += next.n_factorisations;
-      n_after_correction += corrected ? next.n_factorisations : 0;
       if (!next.iterations.empty())
         iterations.insert(iterations.end(),
                           next.iterations.begin() + 1,

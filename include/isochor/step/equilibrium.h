@@ -177,14 +177,10 @@ namespace isochor
     /** Constrain the nodes for the step, and lay out the system for it. */
     void
     start_conditions(const bool with_other_nodes);
-    /** Newton's method, again if conditions correct what they prescribe.
+    /** Newton's method for the step, of which it tells the terminal.
      * @p has_other_start: see NewtonSolver::Problem. */
     NewtonReport
-    solve_and_correct(const bool has_other_start = false);
-    /** Let boundary conditions correct what they prescribe; whether they did.
-     */
-    bool
-    correct_conditions();
+    solve_from_start(const bool has_other_start = false);
     /** Constrain the nodes anew; whether that made a difference on any rank. */
     bool
     constrain_nodes();

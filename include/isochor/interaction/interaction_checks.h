@@ -1,0 +1,31 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_interaction_checks_h
+#define isochor_interaction_checks_h
+
+#include <isochor/boundary_condition/surface_checks.h>
+#include <isochor/interaction/interaction.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace isochor
+{
+  /** Check which faces @p interactions have: @p pieces, by interaction, those
+   * of this rank; @p tied_twice, pairs of interactions that tie the same faces.
+   * Returns what is found, a line each. @throws ExcMessage for an interaction
+   * without a face, and for faces that are tied twice. Collective. */
+  template <int dim>
+  std::string
+  check_faces(
+    const std::vector<std::unique_ptr<Interaction<dim>>>     &interactions,
+    const std::vector<std::vector<SurfacePiece<dim>>>        &pieces,
+    const std::vector<std::pair<unsigned int, unsigned int>> &tied_twice,
+    const MPI_Comm                                            comm);
+} // namespace isochor
+
+#endif
