@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/quadrature_lib.h>
 
+#include <isochor/material_points/point_domain.h>
 #include <isochor/material_points/seeding.h>
 
 #include <algorithm>
@@ -63,16 +64,6 @@ namespace isochor
           }
       while (std::next_permutation(axes.begin(), axes.end()));
       return simplices;
-    }
-
-    template <int dim>
-    Point<dim>
-    centroid(const std::array<Point<dim>, dim + 1> &corners)
-    {
-      Point<dim> sum;
-      for (const Point<dim> &corner : corners)
-        sum += corner;
-      return sum / (dim + 1.);
     }
 
     /** The dim + 1 simplices between a simplex' centroid and its faces. */

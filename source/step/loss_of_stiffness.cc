@@ -301,8 +301,22 @@ namespace isochor
 
 
 
-  template struct FailureReport<2>::Softness;
-  template struct FailureReport<3>::Softness;
+  template double
+  FailureReport<2>::Softness::growth(const FailureReport<2>::Softness &) const;
+  template std::string
+  FailureReport<2>::Softness::measure(const FailureReport<2>::Softness &) const;
+  template void
+  FailureReport<2>::Softness::take_smaller(const FailureReport<2>::Softness &);
+  template bool
+  FailureReport<2>::Softness::is_of_other_loading() const;
+  template double
+  FailureReport<3>::Softness::growth(const FailureReport<3>::Softness &) const;
+  template std::string
+  FailureReport<3>::Softness::measure(const FailureReport<3>::Softness &) const;
+  template void
+  FailureReport<3>::Softness::take_smaller(const FailureReport<3>::Softness &);
+  template bool
+  FailureReport<3>::Softness::is_of_other_loading() const;
   template double
   FailureReport<2>::largest_prescribed(const StepContext<2> &, const Drive &);
   template bool
