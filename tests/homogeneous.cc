@@ -36,7 +36,8 @@ namespace isochor
 {
   /** Rotates all active nodes but those near the origin. */
   template <int dim>
-  class RigidRotation : public BoundaryCondition<dim>
+  class RigidRotation : public BoundaryCondition<dim>,
+                        public ConstrainsNodes<dim>
   {
   public:
     static void

@@ -59,7 +59,7 @@ namespace isochor
 {
   /** Moves all active nodes but those near the block's centre. */
   template <int dim>
-  class BlockMotion : public BoundaryCondition<dim>
+  class BlockMotion : public BoundaryCondition<dim>, public ConstrainsNodes<dim>
   {
   public:
     void

@@ -14,7 +14,7 @@ namespace isochor
 {
   /** Shears all active nodes: u_x = γ(t) y. */
   template <int dim>
-  class SimpleShear : public BoundaryCondition<dim>
+  class SimpleShear : public BoundaryCondition<dim>, public ConstrainsNodes<dim>
   {
   public:
     static void

@@ -16,7 +16,9 @@ namespace isochor
    * act.
    */
   template <int dim>
-  class Lever : public BoundaryCondition<dim>
+  class Lever : public BoundaryCondition<dim>,
+                public ConstrainsNodes<dim>,
+                public HasControlNodes<dim>
   {
   public:
     static void

@@ -14,7 +14,8 @@ namespace isochor
    * else is special about them, since no point lies on the axis.
    */
   template <int dim>
-  class AxisOfSymmetry : public BoundaryCondition<dim>
+  class AxisOfSymmetry : public BoundaryCondition<dim>,
+                         public ConstrainsNodes<dim>
   {
   public:
     void

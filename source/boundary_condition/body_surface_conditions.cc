@@ -19,7 +19,8 @@ namespace isochor
    * that the body has there at t = 0.
    */
   template <int dim>
-  class BodySurfaceConditions : public BoundaryCondition<dim>
+  class BodySurfaceConditions : public BoundaryCondition<dim>,
+                                public ActsByAssembly<dim>
   {
   public:
     static void

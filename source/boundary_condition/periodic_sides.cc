@@ -27,7 +27,10 @@ namespace isochor
    * several pairs follow the one that is left (PeriodicVertices).
    */
   template <int dim>
-  class PeriodicSides : public BoundaryCondition<dim>, public HasPeriods
+  class PeriodicSides : public BoundaryCondition<dim>,
+                        public ConstrainsNodes<dim>,
+                        public HasControlNodes<dim>,
+                        public HasPeriods
   {
   public:
     static void
@@ -134,8 +137,7 @@ namespace isochor
     }
 
     std::string
-    why_points_left(const StepContext<dim> & /*step*/,
-                    const std::vector<std::string> &boundaries) const override
+    why_points_left(const std::vector<std::string> &boundaries) const override
     {
       const auto is_one_of_a_pair = [&](const std::string &name) {
         return std::any_of(pairs.begin(), pairs.end(), [&](const auto &pair) {
@@ -194,12 +196,6 @@ namespace isochor
           return "Force x through " + pair.first + " and " + pair.second +
                  " (N)";
       return {};
-    }
-
-    std::vector<unsigned int>
-    vertices_never_tied() const override
-    {
-      return vertices.all();
     }
 
     void

@@ -34,7 +34,9 @@ namespace isochor
    * belong to the wall named first.
    */
   template <int dim>
-  class Walls : public BoundaryCondition<dim>, public HasOneSidedWalls
+  class Walls : public BoundaryCondition<dim>,
+                public ConstrainsNodes<dim>,
+                public HasOneSidedWalls
   {
   public:
     static void
@@ -318,8 +320,8 @@ namespace isochor
     }
 
     std::vector<OneSidedWall> one_sided_ones;
-    std::vector<Wall>       walls;
-    std::vector<Point<dim>> reference;
+    std::vector<Wall>         walls;
+    std::vector<Point<dim>>   reference;
   };
 
   ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition, Walls, "Walls")

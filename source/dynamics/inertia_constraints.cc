@@ -173,11 +173,7 @@ namespace isochor
     NodalConstraints constraints;
     constraints.reinit(step.nodes.n_local() * step.n_components,
                        step.nodes.control_entries(step.n_components));
-    for (const auto &condition : conditions)
-      {
-        constraints.source = condition->name;
-        condition->constrain(until, constraints);
-      }
+    constrain_nodes(conditions, until, constraints);
     if (part > 0 && constraints.equations.empty())
       return constraints; // nothing but prescribed unknowns
     constraints.ties = ties;

@@ -169,10 +169,11 @@ namespace isochor
     start.time             = step.old_time;
     NodalField forces;
     step.nodes.initialize(forces, step.n_components);
-    for (const auto &condition : conditions)
+    const auto acting = with_role<ActsByAssembly<dim>>(conditions);
+    for (const auto *const condition : acting)
       condition->add_boundary_force(start, start_unknowns, forces);
     forces.compress(VectorOperation::add);
-    for (const auto &condition : conditions)
+    for (auto *const condition : acting)
       condition->note_start(start, start_unknowns, forces);
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       for (unsigned int a = 0; a < dim; ++a)

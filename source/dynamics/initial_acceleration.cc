@@ -32,7 +32,7 @@ namespace isochor
     trial.step_size         = trial_step.step_size;
     StepContext<dim> motion = step;
     motion.time             = end_of_motion(step);
-    for (const auto &condition : conditions)
+    for (auto *const condition : with_role<ActsByAssembly<dim>>(conditions))
       condition->set_trial(motion, trial.size, smooth_start(step.step_size()));
   }
 
@@ -47,7 +47,7 @@ namespace isochor
     trial.size    = 0;
     trial.is_past = false;
     trial.settles = false;
-    for (const auto &condition : conditions)
+    for (auto *const condition : with_role<ActsByAssembly<dim>>(conditions))
       condition->set_trial(step, 0., {});
   }
 
@@ -64,7 +64,8 @@ namespace isochor
     // maybe to rest
     const bool   jumps   = step.old_time > 0;
     unsigned int by_body = jumps ? 1 : 0;
-    for (const auto &condition : conditions)
+    for (const auto *const condition :
+         with_role<const ActsByAssembly<dim>>(conditions))
       if (!jumps && condition->starts_suddenly(step, velocity))
         by_body = 1;
     const bool impulse =
@@ -160,11 +161,11 @@ namespace isochor
   {
     trial = Trial();
     // such that the matrix is that of the step, where this starts
-    trial.size        = std::sqrt(trial_integrator.stiffness(1.) /
+    trial.size      = std::sqrt(trial_integrator.stiffness(1.) /
                            integrator->stiffness(step.step_size()));
-    trial.step_size   = step.step_size();
-    trial.settles     = true;
-    prescribed        = false;
+    trial.step_size = step.step_size();
+    trial.settles   = true;
+    prescribed      = false;
     // without what the scheme adds to the acceleration of the forces
     NodalField excess;
     collect_excess(step, points, excess);
@@ -172,7 +173,7 @@ namespace isochor
       force.local_element(i) -= excess.local_element(i);
     StepContext<dim> moment = step;
     moment.time             = step.old_time; // nothing moves
-    for (const auto &condition : conditions)
+    for (auto *const condition : with_role<ActsByAssembly<dim>>(conditions))
       condition->set_trial(moment, trial.size, smooth_start(trial.step_size));
   }
 

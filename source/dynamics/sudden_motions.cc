@@ -112,6 +112,23 @@ namespace isochor
 
 
 
+    /** What @p condition prescribes at the end of @p step. */
+    template <int dim>
+    void
+    append_motion(const BoundaryCondition<dim> &condition,
+                  const StepContext<dim>       &step,
+                  std::vector<double>          &values)
+    {
+      if (const auto *const nodes =
+            dynamic_cast<const ConstrainsNodes<dim> *>(&condition))
+        nodes->append_motion(step, values);
+      else if (const auto *const surface =
+                 dynamic_cast<const ActsByAssembly<dim> *>(&condition))
+        surface->append_motion(step, values);
+    }
+
+
+
     template <int dim>
     Samples
     JumpSearch<dim>::sample(const double       start,
@@ -124,7 +141,7 @@ namespace isochor
         {
           until.time = std::max(0., start + k * length);
           samples.values.emplace_back();
-          condition.append_motion(until, samples.values.back());
+          append_motion(condition, until, samples.values.back());
         }
       return samples;
     }
@@ -297,7 +314,9 @@ namespace isochor
       NodalConstraints constraints;
       constraints.reinit(step.nodes.n_local() * step.n_components,
                          step.nodes.control_entries(step.n_components));
-      condition.constrain(start, constraints);
+      if (const auto *const role =
+            dynamic_cast<const ConstrainsNodes<dim> *>(&condition))
+        role->constrain(start, constraints);
       for (unsigned int i = 0; i < constraints.increment.size(); ++i)
         if (constraints.constrained[i] != NodalConstraints::is_free &&
             i % step.n_components < dim)
@@ -306,10 +325,12 @@ namespace isochor
         most =
           std::max(most,
                    std::abs(equation.value) * little / little_of_equations);
-      if (condition.moves_body(start)) // not by nodes
+      if (const auto *const role =
+            dynamic_cast<const ActsByAssembly<dim> *>(&condition);
+          role != nullptr && role->moves_body(start))
         {
           std::vector<double> displacements;
-          condition.append_motion(start, displacements);
+          role->append_motion(start, displacements);
           for (const double displacement : displacements)
             most = std::max(most, std::abs(displacement));
         }

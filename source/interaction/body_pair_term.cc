@@ -291,7 +291,7 @@ namespace isochor
 
   template <int dim>
   void
-  BodyPairTerm<dim>::prepare_contact(const StepContext<dim> &step)
+  BodyPairTerm<dim>::prepare(const StepContext<dim> &step)
   {
     if (grid->n_layers() == 1)
       return;

@@ -148,7 +148,7 @@ namespace isochor
 
   template <int dim>
   void
-  InteractionTerm<dim>::prepare_contact(const StepContext<dim> &step)
+  InteractionTerm<dim>::prepare(const StepContext<dim> &step)
   {
     if (!is_checked) // a run that is resumed on a kept grid; on all ranks
       find_faces();
@@ -298,9 +298,9 @@ namespace isochor
       {
         const auto start = BodySurface<dim>::place(step, face, g);
         typename Partner<dim>::SurfacePlace place{&start,
-                                                         {},
-                                                         {},
-                                                         element.normal};
+                                                  {},
+                                                  {},
+                                                  element.normal};
         double                              p = 0;
         for (unsigned int I = 0; I < N_p.n_nodes; ++I)
           {

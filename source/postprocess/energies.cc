@@ -359,8 +359,12 @@ namespace isochor
       for (const auto &condition : result.conditions)
         {
           condition->add_external_force(start, force);
-          condition->add_boundary_force(start, rest, force);
           condition->add_external_force(step, force);
+        }
+      for (const auto *const condition :
+           with_role<const ActsByAssembly<dim>>(result.conditions))
+        {
+          condition->add_boundary_force(start, rest, force);
           condition->add_boundary_force(step, result.unknowns, force);
         }
       force.compress(VectorOperation::add);

@@ -175,7 +175,8 @@ namespace isochor
     may_be_held(const StepResult<dim>        &result,
                 const std::set<unsigned int> &of_boundary) const
     {
-      for (const auto &condition : result.conditions)
+      for (const auto *const condition :
+           with_role<const ConstrainsNodes<dim>>(result.conditions))
         for (const unsigned int vertex : condition->held_vertices())
           if (of_boundary.count(vertex) != 0)
             return true;

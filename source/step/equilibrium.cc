@@ -73,8 +73,9 @@ namespace isochor
     linear_step.start_step(nodes, n_components);
     at_start = true;
     set_initial_pressure();
-    for (const auto &condition : scene.boundary_conditions)
-      condition->prepare_contact(setup.context());
+    for (auto *const condition :
+         with_role<ActsByAssembly<dim>>(scene.boundary_conditions))
+      condition->prepare(setup.context());
     scene.inertia.take_pressures(setup.context(), unknowns);
     scene.inertia.start_step(setup.context(),
                              scene.boundary_conditions,
@@ -277,11 +278,7 @@ namespace isochor
     const Followers        old          = constraints.followers;
     constraints.reinit(setup.active_nodes().n_local() * n_components,
                        setup.active_nodes().control_entries(n_components));
-    for (const auto &condition : scene.boundary_conditions)
-      {
-        constraints.source = condition->name;
-        condition->constrain(step, constraints);
-      }
+    isochor::constrain_nodes(scene.boundary_conditions, step, constraints);
     setup.constrain(step, constraints);
     constraints.resolve(n_components);
     std::vector<int> any = {constraints.constrained != previous ||

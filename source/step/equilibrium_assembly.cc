@@ -93,7 +93,8 @@ namespace isochor
     bool is_dragged = false;
     boundary_force  = 0.;
     boundary_force.zero_out_ghost_values();
-    for (const auto &condition : scene.boundary_conditions)
+    for (const auto *const condition :
+         with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))
       {
         if (at_start && condition->moves_body(step))
           is_dragged = true;
@@ -117,10 +118,10 @@ namespace isochor
       setup.active_nodes().initialize(loads, scene.n_components);
       setup.active_nodes().initialize(rest, scene.n_components);
       for (const auto &condition : scene.boundary_conditions)
-        {
-          condition->add_external_force(step, loads);
-          condition->add_boundary_force(step, rest, loads);
-        }
+        condition->add_external_force(step, loads);
+      for (const auto *const condition :
+           with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))
+        condition->add_boundary_force(step, rest, loads);
       loads.compress(VectorOperation::add);
       return loads;
     };

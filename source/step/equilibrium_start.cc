@@ -27,10 +27,9 @@ namespace isochor
     constexpr double tolerance = 1e-10;
     bool             supported = false;
     for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
-      supported =
-        supported ||
-        (constraints.constrained[i] == NodalConstraints::prescribed &&
-         along(i, 1.) != 0.);
+      supported = supported ||
+                  (constraints.constrained[i] == NodalConstraints::prescribed &&
+                   along(i, 1.) != 0.);
     // a relation between nodes adds up to nothing, a wall doesn't
     for (const NodalConstraints::Equation &equation : constraints.equations)
       {
@@ -41,7 +40,8 @@ namespace isochor
           sum += along(constraints.entry[j], constraints.coefficient[j]);
         supported = supported || std::abs(sum) > tolerance * gravity.norm();
       }
-    for (const auto &condition : scene.boundary_conditions)
+    for (const auto *const condition :
+         with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))
       supported = supported || condition->supports_body(gravity);
     return Utilities::MPI::max(static_cast<int>(supported),
                                scene.grid.communicator()) == 1;

@@ -182,8 +182,7 @@ namespace isochor
     const double                  time)
   {
     const bool by_surface =
-      Utilities::MPI::max(condition.moves_body(setup.context()) ? 1 : 0,
-                          comm) == 1;
+      dynamic_cast<const ConstrainsNodes<dim> *>(&condition) == nullptr;
     scene.warnings.add(
       "a motion that jumps",
       "The place that <" +

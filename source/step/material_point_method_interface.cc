@@ -141,7 +141,8 @@ namespace isochor
   {
     const StepContext<dim> step   = setup.context();
     bool                   loaded = equilibrium.has_dead_loads();
-    for (const auto &condition : scene.boundary_conditions)
+    for (const auto *const condition :
+         with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))
       loaded = loaded || condition->assembles_load(step);
     return failure_report.explain({step,
                                    equilibrium.nodal_unknowns(),
@@ -165,7 +166,8 @@ namespace isochor
   {
     const StepContext<dim> step    = setup.context();
     bool                   dragged = false;
-    for (const auto &condition : scene.boundary_conditions)
+    for (const auto *const condition :
+         with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))
       dragged = dragged || condition->moves_body(step);
     return {equilibrium.nodal_constraints(),
             dragged,

@@ -436,8 +436,10 @@ namespace isochor
       {
         condition->set_body(shape, arrays);
         condition->initialize(grid);
-        symmetric = symmetric && condition->has_symmetric_matrix();
       }
+    for (const auto *const condition :
+         with_role<const ActsByAssembly<dim>>(boundary_conditions))
+      symmetric = symmetric && condition->has_symmetric_matrix();
     kernel.upper_blocks_only = symmetric;
     for (auto &postprocessor : postprocessors)
       postprocessor->initialize(grid);

@@ -69,7 +69,8 @@ namespace isochor
   {
     locator = std::make_unique<PointLocator<dim>>(scene.grid.geometry());
     unsigned int n_control_nodes = 0;
-    for (const auto &condition : scene.boundary_conditions)
+    for (auto *const condition :
+         with_role<HasControlNodes<dim>>(scene.boundary_conditions))
       {
         condition->set_first_control_node(n_control_nodes);
         n_control_nodes += condition->control_nodes().size();
@@ -88,11 +89,13 @@ namespace isochor
     if (control_nodes().empty())
       return;
     std::vector<unsigned int> held;
-    for (const auto &condition : scene.boundary_conditions)
+    for (const auto *const condition :
+         with_role<const ConstrainsNodes<dim>>(scene.boundary_conditions))
       for (const unsigned int vertex : condition->held_vertices())
         held.push_back(vertex);
     std::sort(held.begin(), held.end());
-    for (const auto &condition : scene.boundary_conditions)
+    for (auto *const condition :
+         with_role<HasPeriods>(scene.boundary_conditions))
       condition->set_held_vertices(held);
   }
 
@@ -104,7 +107,8 @@ namespace isochor
   {
     // what one condition adds may need more by another one
     const auto touch = [this](const std::size_t before) {
-      for (const auto &condition : scene.boundary_conditions)
+      for (auto *const condition :
+           with_role<HasControlNodes<dim>>(scene.boundary_conditions))
         condition->touch_masters(nodes, touched_vertices);
       if (touched_vertices.size() > before)
         keep_each_once(touched_vertices);
@@ -122,7 +126,8 @@ namespace isochor
   StepSetup<dim>::control_nodes() const
   {
     std::vector<ControlNode<dim>> all;
-    for (const auto &condition : scene.boundary_conditions)
+    for (const auto *const condition :
+         with_role<const HasControlNodes<dim>>(scene.boundary_conditions))
       for (const auto &node : condition->control_nodes())
         all.push_back(node);
     return all;
@@ -153,11 +158,7 @@ namespace isochor
     NodalConstraints       held;
     held.reinit(all_nodes.n_local() * n_components,
                 all_nodes.control_entries(n_components));
-    for (const auto &condition : scene.boundary_conditions)
-      {
-        held.source = condition->name;
-        condition->constrain(step, held);
-      }
+    constrain_nodes(scene.boundary_conditions, step, held);
     held.resolve(n_components);
     const HeldDirections<dim> directions(held, n_components);
     occupancy.initialize(
@@ -305,11 +306,8 @@ namespace isochor
     touched_vertices.shrink_to_fit(); // each cell has named its own
     if (extends)
       {
-        std::vector<unsigned int> never;
-        for (const auto &condition : scene.boundary_conditions)
-          for (const unsigned int vertex : condition->vertices_never_tied())
-            never.push_back(vertex);
-        extension.exempt(never);
+        extension.exempt(
+          find_periodic_vertices<dim>(scene.boundary_conditions));
         extension.update(arrays, touched_vertices);
       }
     touch_masters();
@@ -336,8 +334,6 @@ namespace isochor
   void
   StepSetup<dim>::owners_changed()
   {
-    for (const auto &condition : scene.boundary_conditions)
-      condition->owners_changed(scene.grid);
     for (const auto &postprocessor : scene.postprocessors)
       postprocessor->owners_changed(scene.grid);
     if (needs_occupancy)
@@ -416,7 +412,8 @@ namespace isochor
                           const NodalField       &unknowns)
   {
     bool is_asked_for = false;
-    for (const auto &condition : scene.boundary_conditions)
+    for (const auto *const condition :
+         with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))
       is_asked_for |= condition->needs_reset();
     grid_reset.advance(step, unknowns, is_asked_for, arrays);
     is_current = false;

@@ -65,9 +65,9 @@ namespace isochor
               "and t/mm^3).";
     if (const std::string why = grid_reset.why(); !why.empty())
       text += (text.empty() ? "" : " ") + why;
-    for (const auto &condition : scene.boundary_conditions)
-      if (const std::string why =
-            condition->why_points_left(context(), boundaries);
+    for (const auto *const condition :
+         with_role<const HasPeriods>(scene.boundary_conditions))
+      if (const std::string why = condition->why_points_left(boundaries);
           !why.empty())
         text += (text.empty() ? "" : " ") + why;
     return text.empty() ? text : text + " ";

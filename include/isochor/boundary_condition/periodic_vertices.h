@@ -5,6 +5,7 @@
 #ifndef isochor_periodic_vertices_h
 #define isochor_periodic_vertices_h
 
+#include <isochor/boundary_condition/condition_roles.h>
 #include <isochor/grid/background_grid.h>
 
 #include <map>
@@ -23,6 +24,17 @@ namespace isochor
     /** All that are the same place as others. */
     virtual std::vector<unsigned int>
     periodic_vertices() const = 0;
+
+    /** What ConstrainsNodes::held_vertices() of all conditions name, sorted:
+     * once they are initialised, and when the grid has changed. */
+    virtual void
+    set_held_vertices(const std::vector<unsigned int> &vertices) = 0;
+
+    /** Material points have left the grid as it was put back, through
+     * @p boundaries: what of this condition may be the cause, for the message.
+     */
+    virtual std::string
+    why_points_left(const std::vector<std::string> &boundaries) const = 0;
   };
 
   /** Those of all @p conditions, a list of pointers to them. */
@@ -31,11 +43,9 @@ namespace isochor
   find_periodic_vertices(const Conditions &conditions)
   {
     std::vector<unsigned int> vertices;
-    for (const auto &condition : conditions)
-      if (const auto *const has_periods =
-            dynamic_cast<const HasPeriods *>(condition.get()))
-        for (const unsigned int v : has_periods->periodic_vertices())
-          vertices.push_back(v);
+    for (const auto *const condition : with_role<const HasPeriods>(conditions))
+      for (const unsigned int v : condition->periodic_vertices())
+        vertices.push_back(v);
     return vertices;
   }
 

@@ -31,7 +31,7 @@ namespace isochor
    * in the step, of which the nearest acts.
    */
   template <int dim>
-  class BodyPairTerm : public BoundaryCondition<dim>
+  class BodyPairTerm : public BoundaryCondition<dim>, public ActsByAssembly<dim>
   {
   public:
     /** @p interactions of two bodies each; @p bodies: by layer of the grid. */
@@ -59,7 +59,7 @@ namespace isochor
     collect_elements(const StepContext<dim> &step,
                      ElementNodes           &elements) override;
     void
-    prepare_contact(const StepContext<dim> &step) override;
+    prepare(const StepContext<dim> &step) override;
     void
     note_start(const StepContext<dim> &start,
                const NodalField       &unknowns,

@@ -26,7 +26,8 @@ namespace isochor
    * of the matrix.
    */
   template <int dim>
-  class InteractionTerm : public BoundaryCondition<dim>
+  class InteractionTerm : public BoundaryCondition<dim>,
+                          public ActsByAssembly<dim>
   {
   public:
     /** @param walls Boundaries that each body has frictionless contact with,
@@ -74,7 +75,7 @@ namespace isochor
                      ElementNodes           &elements) override;
     /** Find γ and the adjoint of the step. */
     void
-    prepare_contact(const StepContext<dim> &step) override;
+    prepare(const StepContext<dim> &step) override;
     void
     set_trial(const StepContext<dim> &step,
               const double            trial_size,
@@ -151,9 +152,9 @@ namespace isochor
       std::vector<unsigned int> partners; ///< numbers of its interactions
       /** By Gauss point and partner: facing(), at the start of the step. */
       std::array<std::vector<double>, BodySurface<dim>::n_gauss> facing;
-      Tensor<1, dim> normal;    ///< outward, at the start of the step
-      double         gamma = 0;
-      double                                                     area_ratio = 1;
+      Tensor<1, dim>              normal; ///< outward, at the start of the step
+      double                      gamma      = 0;
+      double                      area_ratio = 1;
       std::vector<Tensor<1, dim>> adjoint; ///< B, if θ is not 0
       /** By Gauss point, if it is known. */
       std::vector<StartOfStep<dim>> start;

@@ -52,7 +52,10 @@ namespace isochor
 
   /** The equations of the rigid bodies' free components. */
   template <int dim>
-  class RigidBodyTerm : public BoundaryCondition<dim>
+  class RigidBodyTerm : public BoundaryCondition<dim>,
+                        public ConstrainsNodes<dim>,
+                        public HasControlNodes<dim>,
+                        public ActsByAssembly<dim>
   {
   public:
     using Bodies = std::vector<std::shared_ptr<RigidBodyInScene<dim>>>;

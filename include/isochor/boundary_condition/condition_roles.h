@@ -1,0 +1,205 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_condition_roles_h
+#define isochor_condition_roles_h
+
+#include <isochor/equations/equation_term.h>
+#include <isochor/grid/prescribed_motion.h>
+
+#include <string>
+#include <vector>
+
+namespace isochor
+{
+  /** A boundary condition that prescribes unknowns of nodes or adds equations
+   * between them. */
+  template <int dim>
+  class ConstrainsNodes
+  {
+  public:
+    virtual ~ConstrainsNodes() = default;
+
+    /** Prescribe increments of nodal unknowns over the step, or add linear
+     * equations between them. */
+    virtual void
+    constrain(const StepContext<dim> &step,
+              NodalConstraints       &constraints) const = 0;
+
+    /** Vertices whose displacements constrain() may determine, ahead of what is
+     * periodic. */
+    virtual std::vector<unsigned int>
+    held_vertices() const
+    {
+      return {};
+    }
+
+    /** Append what is prescribed at @p step.time to @p values, displacements
+     * (m), whether it holds at the moment or not; only how they change with the
+     * time counts. Always in the same order. This rank's. */
+    virtual void
+    append_motion(const StepContext<dim> &step,
+                  std::vector<double>    &values) const
+    {
+      NodalConstraints constraints;
+      constraints.reinit(step.nodes.n_local() * step.n_components,
+                         step.nodes.control_entries(step.n_components));
+      constrain(step, constraints);
+      for (unsigned int i = 0; i < constraints.increment.size(); ++i)
+        if (constraints.constrained[i] != NodalConstraints::is_free)
+          values.push_back(constraints.increment[i]);
+      for (const auto &equation : constraints.equations)
+        values.push_back(equation.value);
+    }
+  };
+
+
+
+  /** A boundary condition with unknowns of its own, see ControlNode. */
+  template <int dim>
+  class HasControlNodes
+  {
+  public:
+    virtual ~HasControlNodes() = default;
+
+    /** As many as ever, as they are at the start of the step. All ranks alike.
+     */
+    virtual std::vector<ControlNode<dim>>
+    control_nodes() const = 0;
+    /** Once, before the first step: control_nodes() are those of the step from
+     * number @p first on, see ActiveNodes::control_vertex(). */
+    virtual void
+    set_first_control_node(const unsigned int first) = 0;
+
+    /** The touched @p vertices of this rank are known: add those that the
+     * equations of the condition need on this rank, for nodes that this rank
+     * touches and for those it owns and others touch. @p nodes are those of the
+     * last step. Collective. */
+    virtual void
+    touch_masters(const ActiveNodes<dim>    &nodes,
+                  std::vector<unsigned int> &vertices) = 0;
+  };
+
+
+
+  /** A boundary condition that acts on the body by what it assembles. */
+  template <int dim>
+  class ActsByAssembly
+  {
+  public:
+    virtual ~ActsByAssembly() = default;
+
+    /** A step begins, or an attempt at it: find what is constant in it.
+     * Collective. */
+    virtual void
+    prepare(const StepContext<dim> & /*step*/)
+    {}
+
+    /** In dynamics, where a step starts with the acceleration of the forces:
+     * @p unknowns are those at its start, without increments, with what
+     * pressures the nodes of its grid can have, and @p forces those that all
+     * conditions then have by add_boundary_force(). @p start is the step that
+     * ends there. Collective. */
+    virtual void
+    note_start(const StepContext<dim> & /*start*/,
+               const NodalField & /*unknowns*/,
+               const NodalField & /*forces*/)
+    {}
+
+    /** Whether what assemble() adds is symmetric. */
+    virtual bool
+    has_symmetric_matrix() const
+    {
+      return true;
+    }
+
+    /** Whether assemble() adds a load, which add_external_force() doesn't show:
+     * one that turns with the body, such as a pressure. The same on all ranks.
+     */
+    virtual bool
+    assembles_load(const StepContext<dim> & /*step*/) const
+    {
+      return false;
+    }
+
+    /** Whether assemble() can hold the body up against @p gravity. */
+    virtual bool
+    supports_body(const Tensor<1, dim> & /*gravity*/) const
+    {
+      return false;
+    }
+
+    /** Whether assemble() sets this rank's part of the body in motion over the
+     * step. The first residual of such a step is no measure of forces. */
+    virtual bool
+    moves_body(const StepContext<dim> & /*step*/) const
+    {
+      return false;
+    }
+
+    /** As ConstrainsNodes::append_motion(). */
+    virtual void
+    append_motion(const StepContext<dim> & /*step*/,
+                  std::vector<double> & /*values*/) const
+    {}
+
+    /**
+     * A trial step in dynamics begins, of size @p trial_size (positive or
+     * negative, s), which looks for the initial acceleration; 0: it is over.
+     * What the condition prescribes is the increment h V + h²/2 A then, with V
+     * and A what a @p start with its motion_of_step() in @p step needs; in a
+     * step that ends before it begins, those of the motion up to then. See
+     * InertiaTerm.
+     */
+    virtual void
+    set_trial(const StepContext<dim> & /*step*/,
+              const double /*trial_size*/,
+              const SmoothStart & /*start*/)
+    {}
+
+    /** In a trial: whether what is prescribed on this rank's part of the body
+     * has another velocity than the body, which has @p velocity (dim per node).
+     */
+    virtual bool
+    starts_suddenly(const StepContext<dim> & /*step*/,
+                    const NodalField & /*velocity*/) const
+    {
+      return false;
+    }
+
+    /** Add the forces on the body (N) that assemble() accounts for, as
+     * BoundaryCondition::add_external_force(): what residuals are measured
+     * against. */
+    virtual void
+    add_boundary_force(const StepContext<dim> & /*step*/,
+                       const NodalField & /*unknowns*/,
+                       NodalField & /*force*/) const
+    {}
+
+    /** The step has converged and the grid may be kept: whether the next step
+     * needs a reset, as what touch_vertices() has found no longer holds. The
+     * same on all ranks. */
+    virtual bool
+    needs_reset() const
+    {
+      return false;
+    }
+  };
+
+
+
+  /** Those of @p conditions, a list of pointers, that have a role. */
+  template <typename Role, typename Conditions>
+  std::vector<Role *>
+  with_role(const Conditions &conditions)
+  {
+    std::vector<Role *> found;
+    for (const auto &condition : conditions)
+      if (auto *const role = dynamic_cast<Role *>(&*condition))
+        found.push_back(role);
+    return found;
+  }
+} // namespace isochor
+
+#endif
