@@ -215,11 +215,11 @@ namespace isochor
                              "the normal into the grid."));
       AssertThrow(equals != std::string::npos && axis.size() == 1 &&
                     axes.find(axis) != std::string::npos,
-                  ExcMessage("The entry <" + item + "> of the parameter <" +
-                             name +
-                             "> must have the form <x = formula>, with a component "
-                             "out of " +
-                             axes + "."));
+                  ExcMessage(
+                    "The entry <" + item + "> of the parameter <" + name +
+                    "> must have the form <x = formula>, with a component "
+                    "out of " +
+                    axes + "."));
       const unsigned int component = axes.find(axis);
       for (const auto &condition : conditions)
         AssertThrow(condition.boundary != boundary ||

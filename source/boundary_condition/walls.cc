@@ -318,8 +318,8 @@ namespace isochor
     }
 
     std::vector<OneSidedWall> one_sided_ones;
-    std::vector<Wall>       walls;
-    std::vector<Point<dim>> reference;
+    std::vector<Wall>         walls;
+    std::vector<Point<dim>>   reference;
   };
 
   ISOCHOR_REGISTER_FOR_DIMENSION(BoundaryCondition, Walls, "Walls")

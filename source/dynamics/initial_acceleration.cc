@@ -160,11 +160,11 @@ namespace isochor
   {
     trial = Trial();
     // such that the matrix is that of the step, where this starts
-    trial.size        = std::sqrt(trial_integrator.stiffness(1.) /
+    trial.size      = std::sqrt(trial_integrator.stiffness(1.) /
                            integrator->stiffness(step.step_size()));
-    trial.step_size   = step.step_size();
-    trial.settles     = true;
-    prescribed        = false;
+    trial.step_size = step.step_size();
+    trial.settles   = true;
+    prescribed      = false;
     // without what the scheme adds to the acceleration of the forces
     NodalField excess;
     collect_excess(step, points, excess);

@@ -33,8 +33,9 @@ namespace isochor
                         "whichever of them holds the node: the sum over "
                         "boundaries that meet is not the whole force, and a "
                         "smooth wall shows what the wall next to it carries "
-                        "at the corner. <Displacement of body>, <Rigid sides> "
-                        "and <Periodic sides> have columns of their own.");
+                        "at the corner. <Displacement of body>, <Rigid sides>, "
+                        "<Periodic sides> and walls that only push have "
+                        "columns of their own.");
     }
 
     void
@@ -168,8 +169,7 @@ namespace isochor
       return false;
     }
 
-    /** Whether a condition names vertices of a boundary: one-sided ones may
-     * hold them later. */
+    /** Whether a condition names vertices of a boundary. */
     bool
     may_be_held(const StepResult<dim>        &result,
                 const std::set<unsigned int> &of_boundary) const

@@ -27,10 +27,9 @@ namespace isochor
     constexpr double tolerance = 1e-10;
     bool             supported = false;
     for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
-      supported =
-        supported ||
-        (constraints.constrained[i] == NodalConstraints::prescribed &&
-         along(i, 1.) != 0.);
+      supported = supported ||
+                  (constraints.constrained[i] == NodalConstraints::prescribed &&
+                   along(i, 1.) != 0.);
     // a relation between nodes adds up to nothing, a wall doesn't
     for (const NodalConstraints::Equation &equation : constraints.equations)
       {

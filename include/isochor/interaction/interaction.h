@@ -32,7 +32,7 @@ namespace isochor
 
     /** What a wall without a section of its own stands for: frictionless
      * contact of a body with it. */
-    Interaction(const std::string              &body,
+    Interaction(const std::string               &body,
                 const std::vector<OneSidedWall> &walls,
                 const unsigned int               which);
 
@@ -80,6 +80,14 @@ namespace isochor
       return body + " - " + partner_name;
     }
 
+    /** Where the statistics have a component of the force on the body. */
+    std::string
+    force_column(const unsigned int component) const
+    {
+      return std::string("Force ") + "xyz"[component] + " on " + body + " by " +
+             partner_name + " (N)";
+    }
+
     std::string                          section, body, partner_name;
     std::unique_ptr<InteractionLaw<dim>> law;
     std::unique_ptr<Partner<dim>>        partner;
@@ -89,6 +97,14 @@ namespace isochor
     std::vector<bool>                bodies, partners;
     std::unique_ptr<Expression<dim>> region;
   };
+
+  /** Add to the @p interactions those of each of the @p bodies with each of the
+   * @p walls that there is none of yet. */
+  template <int dim>
+  void
+  add_walls(const std::vector<OneSidedWall>                &walls,
+            const std::vector<std::string>                 &bodies,
+            std::vector<std::unique_ptr<Interaction<dim>>> &interactions);
 } // namespace isochor
 
 #endif

@@ -35,7 +35,12 @@ namespace isochor
 
     /** The names of the bodies, by layer of the grid, once they are known. */
     void
-    set_bodies(const std::vector<std::string> &names);
+    set_bodies(const std::vector<std::string> &names)
+    {
+      add_walls(walls, names, interactions);
+      for (const auto &interaction : interactions)
+        interaction->find_bodies(names);
+    }
 
     void
     initialize(const BackgroundGrid<dim> &grid) override
@@ -133,9 +138,9 @@ namespace isochor
       std::vector<unsigned int> partners; ///< numbers of its interactions
       /** By Gauss point and partner: facing(), at the start of the step. */
       std::array<std::vector<double>, BodySurface<dim>::n_gauss> facing;
-      Tensor<1, dim> normal;    ///< outward, at the start of the step
-      double         gamma = 0;
-      double                                                     area_ratio = 1;
+      Tensor<1, dim>              normal; ///< outward, at the start of the step
+      double                      gamma      = 0;
+      double                      area_ratio = 1;
       std::vector<Tensor<1, dim>> adjoint; ///< B, if θ is not 0
       /** By Gauss point, if it is known. */
       std::vector<StartOfStep<dim>> start;
