@@ -299,6 +299,12 @@ main(int argc, char **argv)
              "Reactions = roof",
              {"roof", "top", "Postprocess/Reactions"});
   test_names_given_twice(loads);
+  test_scene("a wall without subdomains",
+             scene("subsection Quadrature\nset Type = points\nend\n"
+                   "subsection Boundary conditions\nset Walls = top: n >= 0\n"
+                   "end\n"),
+             1,
+             {"<top: n >= ...>", "<Quadrature/Type = CPDI>"});
   test_entry("wrong component",
              loads,
              "Displacement = bottom: z = 0",

@@ -262,21 +262,21 @@ namespace
     const std::string beside = "x > 1.5 && x < 2.5 && y > 0.25 && y < 0.75";
     for (const std::string &grid : {std::string(), adaptive})
       {
-          const std::string floor =
-            "Boundary conditions/Walls = bottom: n >= 0\n";
-          const std::string name = floor.substr(20, floor.size() - 21) +
-                                   (grid.empty() ? "" : ", adaptive");
-          compare<2>("through each other, " + name,
-                     falling + floor + grid,
-                     left,
-                     right);
-          compare<2>("side by side, " + name,
-                     falling + "Dynamics/Initial velocity = 0, -0.5\n" + floor +
-                       grid,
-                     left,
-                     beside,
-                     "second: x > 1.5");
-        }
+        const std::string floor =
+          "Boundary conditions/Walls = bottom: n >= 0\n";
+        const std::string name = floor.substr(20, floor.size() - 21) +
+                                 (grid.empty() ? "" : ", adaptive");
+        compare<2>("through each other, " + name,
+                   falling + floor + grid,
+                   left,
+                   right);
+        compare<2>("side by side, " + name,
+                   falling + "Dynamics/Initial velocity = 0, -0.5\n" + floor +
+                     grid,
+                   left,
+                   beside,
+                   "second: x > 1.5");
+      }
   }
 
 

@@ -174,6 +174,7 @@ test_linear_equations(const MPI_Comm comm)
     {"Boundary conditions/Displacement", ""},
     // the bed forgets its forces after each step, which makes energy
     {"Postprocess/Write energies", "never"},
+    {"Quadrature/Type", "CPDI"},
     {"Boundary conditions/Walls", "bottom: n >= -0.005"},
     {"Boundary conditions/Elastic bed/Boundary", "left"},
     {"Boundary conditions/Elastic bed/Stiffness", "1e4"},
@@ -215,6 +216,7 @@ test_contact(const MPI_Comm comm)
     {"Dynamics/Initial velocity", "0, -0.1"},
     {"Postprocess/Point probes", "centre: 1.7, 0.7"},
     {"Boundary conditions/Displacement", "left: x=0; right: x=0"},
+    {"Quadrature/Type", "CPDI"},
     {"Boundary conditions/Walls", "bottom: n >= -0.005*(1+x)"}};
   const std::string a = "checkpoint-contact-a", b = "checkpoint-contact-b";
   const Result      whole = run(comm, a, falling);

@@ -60,12 +60,14 @@ test_walls_on_adaptive_grid(const std::string &settings)
         "Postprocess/Reactions = bottom, left\nNewton/Tolerance = 1e-10\n"
         "Boundary conditions/Gravity = 0, -10*t\nTime/Step size = 0.25\n"
         "Boundary conditions/Walls = " +
-        walls + '\n');
+        walls +
+        (walls.find('>') == std::string::npos ? "\n" :
+                                                "\nQuadrature/Type = CPDI\n"));
       const auto along =
         [&](const std::string &name, const double x, const double y) {
-          const std::string of = walls.find('>') == std::string::npos ?
-                                   " on " :
-                                   " on body by boundary ",
+          const std::string of   = walls.find('>') == std::string::npos ?
+                                     " on " :
+                                     " on body by boundary ",
                             what = of == " on " ? "Reaction " : "Force ";
           return x * get(*problem, what + "x" + of + name + " (N)") +
                  y * get(*problem, what + "y" + of + name + " (N)");
@@ -314,8 +316,9 @@ test_reactions()
   };
   const std::string text = "no displacement of nodes that the material touches",
                     none = of_bottom("\n"),
-                    open = of_bottom("\nBoundary conditions/Walls = bottom: n >= "
-                                     "-0.1\n");
+                    open =
+                      of_bottom("\nBoundary conditions/Walls = bottom: n >= "
+                                "-0.1\nQuadrature/Type = CPDI\n");
   test::check("reaction of a side that nothing holds, and of an open one",
               none.find(text) != std::string::npos &&
                 open.find(text) == std::string::npos,

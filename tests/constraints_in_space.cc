@@ -169,11 +169,15 @@ test_sphere()
   };
   const double coarse   = energy(4, no_turn(), "n = 1e-4*t"),
                fine     = energy(8, no_turn(), "n = 1e-4*t"),
-               turned   = energy(4, some_turn(), "n >= 1e-4*t"),
+               turned   = energy(4,
+                               some_turn(),
+                               "n >= 1e-4*t",
+                               "Quadrature/Type = CPDI\n"),
                kept     = energy(4,
                              some_turn(),
                              "n >= 1e-4*t",
-                             test::keep_grid + "Time/Step size = 0.5\n"),
+                             test::keep_grid + "Quadrature/Type = CPDI\n"
+                                                   "Time/Step size = 0.5\n"),
                expected = pressure * delta / 2 * numbers::PI / 2 * a * a;
   test::check_error("a hollow sphere", relative(fine, expected), 0.05);
   test::check_error("extrapolated",

@@ -115,10 +115,10 @@ namespace
              "Postprocess/Reactions = left\n"
              "Boundary conditions/Gravity = " +
       test::in_short(push) + ", -1" + (dim == 2 ? "" : ", 0") + '\n');
-    const Statistics  &values = test::last_statistics(*problem);
-    const double       wall   = values.get("Force x on body by boundary right (N)");
-    const double       left   = values.get("Reaction x on left (N)");
-    const double       load   = push * values.get("Mass (kg)");
+    const Statistics &values = test::last_statistics(*problem);
+    const double wall = values.get("Force x on body by boundary right (N)");
+    const double left = values.get("Reaction x on left (N)");
+    const double load = push * values.get("Mass (kg)");
     std::ostringstream details;
     details << "wall " << wall << ", left " << left << ", load " << load
             << ", tied " << most_tied();

@@ -94,8 +94,8 @@ test_wall_that_lets_go()
         test::check_error("beside a wall" + what,
                           Utilities::MPI::max(error, MPI_COMM_WORLD),
                           1e-6);
-        const double reaction =
-          problem->last_statistics().get("Force x on body by boundary right (N)");
+        const double reaction = problem->last_statistics().get(
+          "Force x on body by boundary right (N)");
         test::check("force of the wall" + what,
                     stretch < 1 ? reaction < -1 : std::abs(reaction) < 1e-6,
                     std::to_string(reaction));

@@ -298,7 +298,8 @@ test_contact()
 {
   const auto problem = test::run_scene<2>(
     "Grid/Subdivisions = 4, 4\nMaterial/Poisson ratio = 0.3\n"
-    "Time/Step size = 0.04\nBoundary conditions/Walls = bottom: n >= 0\n"
+    "Quadrature/Type = CPDI\nTime/Step size = 0.04\n"
+    "Boundary conditions/Walls = bottom: n >= 0\n"
     "Boundary conditions/Displacement = left: x = 0; top: y = 0.1 - "
     "abs(t-0.4)/4\n" +
     never);

@@ -26,15 +26,15 @@ test_fall(const std::string &name,
     grid +
     "Material/Young modulus = 1e5\nMaterial/Density = 1000\n"
     "Dynamics/Inertia = true\nBoundary conditions/Walls = bottom: n >= 0\n"
-    "Quadrature/Type = CPDI\nTime/Step size = 0.01\n" + settings;
+    "Quadrature/Type = CPDI\nTime/Step size = 0.01\n" +
+    settings;
   const auto problem = test::run_scene<dim>(scene + kept);
   test::check(name + ": the ground holds it",
               test::get(*problem, "Displacement y of foot (m)") > -height,
               std::to_string(
                 test::get(*problem, "Displacement y of foot (m)")));
   test::check(name + ": it has reached the ground",
-              test::largest_in_statistics(force) > 1 ||
-                test::this_rank() > 0,
+              test::largest_in_statistics(force) > 1 || test::this_rank() > 0,
               "");
   const auto row = test::work(*problem).row("searches for all points");
   test::check(name + ": the grid is never put back",
@@ -162,7 +162,7 @@ test_corner()
         "Dynamics/Initial velocity = 0, -" +
         speed +
         "\nBoundary conditions/Walls = bottom: n >= 0\n"
-            "Postprocess/Point probes = foot: 1, 0.3\n"
+        "Postprocess/Point probes = foot: 1, 0.3\n"
         "Time/Step size = 0.01\nTime/End time = 0.2\n" +
         kept);
       test::check("corner: the ground holds it",

@@ -131,30 +131,6 @@ test_consistency()
               std::to_string(report.n_iterations()) + ' ' + report.failure);
 }
 
-/** A condition that holds at first leaves nothing to find. The change of it is
- * offered with each iterate that is not the solution, and taken once. */
-void
-test_other_conditions()
-{
-  bool          holds   = true;
-  unsigned int  n_asked = 0;
-  MadeUpProblem obstacle(0, [&holds](const double x) {
-    return holds ? 0.5 / (1 + x) : (x >= 4 ? 0. : 1.);
-  });
-  obstacle.problem.change_conditions = [&](const double force_scale) {
-    n_asked += force_scale > 0;
-    return holds && obstacle.x >= 2 ? !(holds = false) : false;
-  };
-  // what was assembled under the other conditions does not count
-  check_consistency("other conditions on the way",
-                    obstacle,
-                    solve(obstacle, "Newton/Maximum backtracks = 0\n"),
-                    4);
-  test::check("not asked about the solution",
-              n_asked == 3,
-              std::to_string(n_asked));
-}
-
 /** What can only be come closer to: each correction is shorter than the last
  * one. It is given up at the third of them if there is another start. */
 void
@@ -311,7 +287,6 @@ main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_consistency();
-  test_other_conditions();
   test_other_start();
   test_plastic("u");
   test_plastic("u-p");

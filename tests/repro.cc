@@ -160,9 +160,7 @@ namespace
     const double gap =
       -0.8 - test::get(*problem, "Displacement y of crown (m)");
     // a sixth of a cell, which are 0.12 m high in the end
-    test::check_error("gap between a ring and a wall",
-                      std::abs(gap),
-                      0.02);
+    test::check_error("gap between a ring and a wall", std::abs(gap), 0.02);
     std::string warnings;
     for (const auto &warning : test::all_warnings(*problem).all())
       warnings += warning.subject + ". ";

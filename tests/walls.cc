@@ -30,7 +30,6 @@ namespace isochor
       for (auto &column : history)
         column.second.push_back(statistics.get(column.first));
     }
-
   };
   ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Watch, "Z: after all others")
 } // namespace isochor
@@ -120,7 +119,8 @@ test_walls()
   test::check_error(
     "a wall that stands in the body pushes it out",
     relative(values("Boundary conditions/Displacement = top: x=0, y=0\n"
-                    "Boundary conditions/Walls = bottom: n >= 0.02\n",
+                    "Boundary conditions/Walls = bottom: n >= 0.02\n"
+                    "Quadrature/Type = CPDI\n",
                     of_wall)
                .back(),
              pushed),
@@ -131,7 +131,7 @@ test_walls()
   const std::string fall =
     "Boundary conditions/Displacement = top: x=0, y = -0.0196*t*(t<0.6) - "
     "(0.01+0.0004*(t-0.5))*(t>0.6)\nBoundary conditions/Walls = bottom: n >= "
-    "-0.01\nTime/Step size = 0.25\n";
+    "-0.01\nTime/Step size = 0.25\nQuadrature/Type = CPDI\n";
   const double expected =
     reactions("Boundary conditions/Displacement = top: x=0, y=-0.0002; "
               "bottom: y=0\n",

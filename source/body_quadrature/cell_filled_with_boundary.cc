@@ -38,7 +38,6 @@ namespace isochor
                const bool /*with_occupancy*/,
                CellOccupancy<dim> &occupancy) const override
     {
-      // where a wall only pushes, the domains say what is in its cells
       occupancy.update(points, kernel, true);
       fill_interior_cells(points, occupancy);
       const auto bare = fill_boundary_cells(points, occupancy);

@@ -26,8 +26,8 @@ namespace isochor
     if (!formulas.empty())
       for (const auto &condition : conditions)
         for (const unsigned int v : condition.vertices)
-            if (const auto found = formulas.find(v); found != formulas.end())
-              found->second[condition.component] = condition.displacement;
+          if (const auto found = formulas.find(v); found != formulas.end())
+            found->second[condition.component] = condition.displacement;
   }
 
 

@@ -418,7 +418,7 @@ namespace isochor
     }
 
     /** A force on a jump that nodes on both sides determine does nothing but to
-     * them. Nodes that a one-sided wall holds may let it go again. */
+     * them. */
     void
     warn_of_pinned_jumps(const StepContext<dim> &step,
                          const NodalConstraints &constraints) const
@@ -432,22 +432,13 @@ namespace isochor
                 constraints.constrained[jump * step.n_components + a] !=
                   NodalConstraints::follows)
               continue;
-            const bool contact =
-              std::any_of(constraints.equations.begin(),
-                          constraints.equations.end(),
-                          [](const auto &equation) {
-                            return equation.how == NodalConstraints::in_contact;
-                          });
-            if (Utilities::MPI::max(contact ? 1 : 0,
-                                    step.grid.communicator()) == 0)
-              step.warnings.add(
-                "a jump that can't follow its force",
-                std::string("<") + parameter() + "> gives the force " +
-                  "xyz"[a] + " through <" + pairs[k].first + "> and <" +
-                  pairs[k].second +
-                  ">, but other conditions determine nodes on both sides, and "
-                  "with them the jump. The force then acts on what holds these "
-                  "nodes. Leave them out there, or prescribe the jump.");
+            step.warnings.add(
+              "a jump that can't follow its force",
+              std::string("<") + parameter() + "> gives the force " + "xyz"[a] +
+                " through <" + pairs[k].first + "> and <" + pairs[k].second +
+                ">, but other conditions determine nodes on both sides, and "
+                "with them the jump. The force then acts on what holds these "
+                "nodes. Leave them out there, or prescribe the jump.");
           }
     }
 

@@ -95,8 +95,8 @@ namespace isochor
             "The boundaries <" + walls[w].boundary + "> and <" +
               other.boundary + "> of <" + parameter + "> meet at an angle of " +
               rounded(seam.angle / numbers::PI * 180) + " degrees, as at " +
-              place + "), but 'n = " + walls[w].formula + "' and 'n = " +
-              other.formula +
+              place + "), but 'n = " + walls[w].formula +
+              "' and 'n = " + other.formula +
               "' are not the same there. Nodes between them are held by both, "
               "and can't slide from one to the other. If they are one surface, "
               "give both the same formula.");

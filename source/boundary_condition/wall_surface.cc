@@ -155,9 +155,9 @@ namespace isochor
         if (id == ids.end())
           continue;
         NamedFace named;
-        named.boundary = id - ids.begin();
-        named.cell     = face.cell;
-        unsigned int n = 0;
+        named.boundary       = id - ids.begin();
+        named.cell           = face.cell;
+        unsigned int n       = 0;
         const auto  &of_cell = grid.geometry().vertex_indices(face.cell);
         for (unsigned int v = 0; v <= dim; ++v)
           if (v != face.opposite_vertex)
@@ -166,8 +166,8 @@ namespace isochor
         for (unsigned int c = 0; c < dim; ++c)
           corners[c] = vertices[named.vertices[c]];
         named.area = area_vector(corners);
-        if (named.area * (vertices[of_cell[face.opposite_vertex]] -
-                          corners[0]) <
+        if (named.area *
+              (vertices[of_cell[face.opposite_vertex]] - corners[0]) <
             0)
           named.area *= -1;
         found.push_back(named);
@@ -372,12 +372,13 @@ namespace isochor
           if (n_faces[end] != 1 || n_faces[next] != 2 || n_pieces[next] != 1)
             continue;
           Tensor<1, dim>       n_face;
-          const Tensor<1, dim> edge = all_faces[f].corners[1] - all_faces[f].corners[0];
-          n_face[0]                 = -edge[1];
-          n_face[1]                 = edge[0];
+          const Tensor<1, dim> edge =
+            all_faces[f].corners[1] - all_faces[f].corners[0];
+          n_face[0] = -edge[1];
+          n_face[1] = edge[0];
           n_face /= n_face.norm();
-          const Tensor<1, dim> n = all_faces[f].normals[1 - c];
-          all_faces[f].normals[c]    = unit(2 * (n_face * n) * n_face - n);
+          const Tensor<1, dim> n  = all_faces[f].normals[1 - c];
+          all_faces[f].normals[c] = unit(2 * (n_face * n) * n_face - n);
           for (Piece &piece : pieces)
             if (piece.vertex == end)
               piece.normal = all_faces[f].normals[c];

@@ -66,8 +66,7 @@ namespace isochor
   template <int dim>
   void
   tell_conflicts(const StepContext<dim> &step,
-                 const NodalConstraints &constraints,
-                 const bool              in_contact)
+                 const NodalConstraints &constraints)
   {
     // formulas that mean the same differ by rounding: of what they prescribe,
     // and of the places of nodes
@@ -84,8 +83,7 @@ namespace isochor
     const double smallest = rounding * largest + rounding_of_places * farthest;
     std::map<std::pair<std::string, bool>, Group> own;
     for (const auto &conflict : constraints.conflicts)
-      if (conflict.in_contact == in_contact &&
-          conflict.entry < step.nodes.n_owned() * step.n_components &&
+      if (conflict.entry < step.nodes.n_owned() * step.n_components &&
           (conflict.difference == 0. || conflict.difference > smallest))
         {
           Group &group =
@@ -148,7 +146,7 @@ namespace isochor
 
 
   template void
-  tell_conflicts(const StepContext<2> &, const NodalConstraints &, const bool);
+  tell_conflicts(const StepContext<2> &, const NodalConstraints &);
   template void
-  tell_conflicts(const StepContext<3> &, const NodalConstraints &, const bool);
+  tell_conflicts(const StepContext<3> &, const NodalConstraints &);
 } // namespace isochor

@@ -23,8 +23,7 @@ namespace isochor
     const std::size_t n_entries = constraints.constrained.size();
     held.assign(n_entries, 0);
     for (unsigned int i = 0; i < n_entries; ++i)
-      held[i] = constraints.constrained[i] == NodalConstraints::prescribed ||
-                constraints.constrained[i] == NodalConstraints::in_contact;
+      held[i] = constraints.constrained[i] == NodalConstraints::prescribed;
     entry       = constraints.entry;
     coefficient = constraints.coefficient;
     ties        = constraints.ties;

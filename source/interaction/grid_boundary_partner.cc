@@ -5,11 +5,45 @@
 #include <isochor/interaction/grid_boundary_partner.h>
 
 #include <algorithm>
-#include <map>
-#include <numeric>
 
 namespace isochor
 {
+  namespace
+  {
+    /** The vertices of a face without corner @p c, ascending. */
+    template <int dim>
+    std::array<unsigned int, dim - 1>
+    edge_of(const std::array<unsigned int, dim> &face, const unsigned int c)
+    {
+      std::array<unsigned int, dim - 1> edge;
+      unsigned int                      n = 0;
+      for (unsigned int i = 0; i < dim; ++i)
+        if (i != c)
+          edge[n++] = face[i];
+      std::sort(edge.begin(), edge.end());
+      return edge;
+    }
+
+    /** The direction from an edge to a vertex, across the edge. */
+    template <int dim>
+    Tensor<1, dim>
+    way_from(const std::vector<Point<dim>>           &vertices,
+             const std::array<unsigned int, dim - 1> &edge,
+             const unsigned int                       vertex)
+    {
+      Tensor<1, dim> way = vertices[vertex] - vertices[edge[0]];
+      if (dim == 3)
+        {
+          const Tensor<1, dim> along =
+            vertices[edge[dim - 2]] - vertices[edge[0]];
+          way -= (way * along) / along.norm_square() * along;
+        }
+      return way / way.norm();
+    }
+  } // namespace
+
+
+
   template <int dim>
   GridBoundaryPartner<dim>::GridBoundaryPartner(
     const std::vector<OneSidedWall> &walls,
@@ -83,48 +117,16 @@ namespace isochor
 
 
   template <int dim>
-  void
-  GridBoundaryPartner<dim>::find_rims()
+  typename GridBoundaryPartner<dim>::Edges
+  GridBoundaryPartner<dim>::edges_of(const Faces &faces) const
   {
-    const double smooth = std::cos(40. / 180. * numbers::PI); // as WallSurface
-    constexpr double rounding = 1e-8;
-    const auto      &geometry = grid->geometry();
-    const Faces      faces    = faces_at(reference, {});
-    // a face at an edge: its number if it is of this boundary, its normal, and
-    // the direction in it from the edge
-    struct AtEdge
-    {
-      unsigned int   number;
-      Tensor<1, dim> normal, way;
-    };
-    using Edge = std::array<unsigned int, dim - 1>;
-    std::map<Edge, std::vector<AtEdge>> at_edge;
-    const auto edge_of = [](const std::array<unsigned int, dim> &of_face,
-                            const unsigned int                   c) {
-      Edge         edge;
-      unsigned int n = 0;
-      for (unsigned int i = 0; i < dim; ++i)
-        if (i != c)
-          edge[n++] = of_face[i];
-      std::sort(edge.begin(), edge.end());
-      return edge;
-    };
-    const auto way_from = [&](const Edge &edge, const unsigned int v) {
-      Tensor<1, dim> way = reference[v] - reference[edge[0]];
-      if (dim == 3)
-        {
-          Tensor<1, dim> along = reference[edge[dim - 2]] - reference[edge[0]];
-          along /= along.norm();
-          way -= (way * along) * along;
-        }
-      return way / way.norm();
-    };
+    Edges edges;
     for (unsigned int f = 0; f < faces.size(); ++f)
       for (unsigned int c = 0; c < dim; ++c)
         {
-          const Edge edge = edge_of(faces[f].vertices, c);
-          at_edge[edge].push_back(
-            {f, faces[f].normal, way_from(edge, faces[f].vertices[c])});
+          const Edge edge = edge_of<dim>(faces[f].vertices, c);
+          edges[edge].push_back(
+            {f, way_from<dim>(reference, edge, faces[f].vertices[c])});
         }
     const types::boundary_id own =
       grid->boundary_id(wall.boundary, wall.parameter);
@@ -136,48 +138,83 @@ namespace isochor
         unsigned int                  n = 0;
         for (unsigned int v = 0; v <= dim; ++v)
           if (v != face.opposite_vertex)
-            vertices[n++] = geometry.vertex_indices(face.cell)[v];
+            vertices[n++] = grid->geometry().vertex_indices(face.cell)[v];
         for (unsigned int c = 0; c < dim; ++c)
           {
-            const Edge edge  = edge_of(vertices, c);
-            const auto found = at_edge.find(edge);
-            if (found != at_edge.end())
-              found->second.push_back({numbers::invalid_unsigned_int,
-                                       {},
-                                       way_from(edge, vertices[c])});
+            const Edge edge  = edge_of<dim>(vertices, c);
+            const auto found = edges.find(edge);
+            if (found != edges.end())
+              found->second.push_back(
+                {numbers::invalid_unsigned_int,
+                 way_from<dim>(reference, edge, vertices[c])});
           }
       }
+    return edges;
+  }
+
+
+
+  template <int dim>
+  typename GridBoundaryPartner<dim>::Facets::Rim
+  GridBoundaryPartner<dim>::rim_of(const Faces               &faces,
+                                   const unsigned int         f,
+                                   const std::vector<AtEdge> &at_edge,
+                                   std::vector<unsigned int> &smooth) const
+  {
+    const double     least    = std::cos(40. / 180. * numbers::PI);
+    constexpr double rounding = 1e-8;
+    auto             rim      = Facets::Rim::free;
+    for (const AtEdge &other : at_edge)
+      {
+        if (other.face == f)
+          continue;
+        if (other.face != numbers::invalid_unsigned_int &&
+            faces[other.face].normal * faces[f].normal > least)
+          {
+            smooth.push_back(other.face);
+            return Facets::Rim::none;
+          }
+        if (other.way * faces[f].normal > rounding)
+          rim = Facets::Rim::concave;
+      }
+    return rim;
+  }
+
+
+
+  template <int dim>
+  void
+  GridBoundaryPartner<dim>::find_rims()
+  {
+    const Faces                            faces = faces_at(reference, {});
+    const Edges                            edges = edges_of(faces);
+    std::vector<std::vector<unsigned int>> smooth(faces.size());
     rims.assign(faces.size(), {});
-    parts.resize(faces.size());
-    std::iota(parts.begin(), parts.end(), 0);
-    const auto root = [&](unsigned int f) {
-      while (parts[f] != f)
-        f = parts[f];
-      return f;
-    };
     for (unsigned int f = 0; f < faces.size(); ++f)
       for (unsigned int c = 0; c < dim; ++c)
-        {
-          rims[f][c] = Facets::Rim::free;
-          for (const AtEdge &other : at_edge[edge_of(faces[f].vertices, c)])
-            if (other.number == f)
+        rims[f][c] = rim_of(faces,
+                            f,
+                            edges.at(edge_of<dim>(faces[f].vertices, c)),
+                            smooth[f]);
+    // what is connected smoothly is a part
+    parts.assign(faces.size(), numbers::invalid_unsigned_int);
+    unsigned int n_parts = 0;
+    for (unsigned int first = 0; first < faces.size(); ++first)
+      {
+        if (parts[first] != numbers::invalid_unsigned_int)
+          continue;
+        std::vector<unsigned int> front(1, first);
+        while (!front.empty())
+          {
+            const unsigned int f = front.back();
+            front.pop_back();
+            if (parts[f] != numbers::invalid_unsigned_int)
               continue;
-            else if (other.number != numbers::invalid_unsigned_int &&
-                     other.normal * faces[f].normal > smooth)
-              {
-                rims[f][c] = Facets::Rim::none;
-                parts[std::max(root(f), root(other.number))] =
-                  std::min(root(f), root(other.number));
-                break;
-              }
-            else if (other.way * faces[f].normal > rounding)
-              rims[f][c] = Facets::Rim::concave;
-        }
-    std::map<unsigned int, unsigned int> number;
-    for (unsigned int f = 0; f < faces.size(); ++f)
-      parts[f] = root(f); // the first of a part has the least number
-    for (unsigned int &part : parts)
-      part = number.emplace(part, number.size()).first->second;
+            parts[f] = n_parts;
+            front.insert(front.end(), smooth[f].begin(), smooth[f].end());
+          }
+        ++n_parts;
+      }
   }
 
 
@@ -213,13 +250,34 @@ namespace isochor
 
 
   template <int dim>
+  double
+  GridBoundaryPartner<dim>::distance_of_chord(const Point<dim> &X) const
+  {
+    constexpr double rounding = 1e-8;
+    if (at_start->is_flat())
+      return 0.;
+    const auto  place = at_start->nearest(X, Tensor<1, dim>());
+    const auto &facet = at_start->facets()[place.facet];
+    Point<dim>  p;
+    for (unsigned int v = 0; v < dim; ++v)
+      p += place.weights[v] * facet.corners[v];
+    return X.distance(p) <=
+               rounding * facet.corners[0].distance(facet.corners[1]) ?
+             place.distance :
+             0.;
+  }
+
+
+
+  template <int dim>
   PartnerPlace<dim>
   GridBoundaryPartner<dim>::nearest(
     const typename Partner<dim>::SurfacePlace &place) const
   {
     const Point<dim> x     = place.start->x + place.increment;
     const auto       found = (now ? now : at_start)->nearest(x, place.normal);
-    return nearest_place<dim>(found.distance - shift,
+    return nearest_place<dim>(found.distance - shift -
+                                distance_of_chord(place.start->X),
                               found.normal,
                               found.curvature,
                               place.slip + place.increment,
@@ -243,7 +301,7 @@ namespace isochor
         x += found.weights[v] * facet_now.corners[v];
       }
     // what the vertices have at t = 0 by the formula is no motion
-    const double at_zero = formula(X, 0.);
+    const double      at_zero = formula(X, 0.);
     PartnerPlace<dim> result;
     result.gap_by_x = unit_symmetric_tensor<dim>();
     result.gap      = place.start->displacement + place.increment - (x - X) -

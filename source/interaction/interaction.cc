@@ -81,7 +81,7 @@ namespace isochor
 
 
   template <int dim>
-  Interaction<dim>::Interaction(const std::string              &body,
+  Interaction<dim>::Interaction(const std::string               &body,
                                 const std::vector<OneSidedWall> &walls,
                                 const unsigned int               which)
     : section(walls[which].parameter)
@@ -103,6 +103,10 @@ namespace isochor
     const std::string kind = of_boundary("");
     if (partner || partner_name.rfind(kind, 0) != 0)
       return;
+    AssertThrow(law->is_unilateral() || region,
+                ExcMessage("<" + section +
+                           "/Law = tie> needs <Surface>: the part of the "
+                           "body's surface that the boundary holds."));
     auto wall = std::find_if(walls.begin(), walls.end(), [&](const auto &one) {
       return is_with_boundary(one.boundary);
     });
@@ -145,7 +149,7 @@ namespace isochor
     if (!partner)
       partners = find(partner_name,
                       "; as a partner also 'place', 'boundary NAME' and what a "
-                  "section <Rigid "
+                      "section <Rigid "
                       "body: ...> describes");
     else
       partners.assign(names.size(), false);
@@ -153,6 +157,34 @@ namespace isochor
 
 
 
+  template <int dim>
+  void
+  add_walls(const std::vector<OneSidedWall>                &walls,
+            const std::vector<std::string>                 &bodies,
+            std::vector<std::unique_ptr<Interaction<dim>>> &interactions)
+  {
+    for (unsigned int w = 0; w < walls.size(); ++w)
+      for (const std::string &body : bodies)
+        if (std::none_of(interactions.begin(),
+                         interactions.end(),
+                         [&](const auto &one) {
+                           return one->body == body &&
+                                  one->is_with_boundary(walls[w].boundary);
+                         }))
+          interactions.push_back(
+            std::make_unique<Interaction<dim>>(body, walls, w));
+  }
+
+
+
+  template void
+  add_walls(const std::vector<OneSidedWall> &,
+            const std::vector<std::string> &,
+            std::vector<std::unique_ptr<Interaction<2>>> &);
+  template void
+  add_walls(const std::vector<OneSidedWall> &,
+            const std::vector<std::string> &,
+            std::vector<std::unique_ptr<Interaction<3>>> &);
   template class Interaction<2>;
   template class Interaction<3>;
 } // namespace isochor

@@ -11,20 +11,6 @@
 
 namespace isochor
 {
-  namespace
-  {
-    template <int dim>
-    std::string
-    force_column_of(const Interaction<dim> &interaction,
-                    const unsigned int      component)
-    {
-      return std::string("Force ") + "xyz"[component] + " on " +
-             interaction.body + " by " + interaction.partner_name + " (N)";
-    }
-  } // namespace
-
-
-
   template <int dim>
   InteractionTerm<dim>::InteractionTerm(
     std::vector<std::unique_ptr<Interaction<dim>>> &&interactions,
@@ -38,32 +24,12 @@ namespace isochor
 
 
   template <int dim>
-  void
-  InteractionTerm<dim>::set_bodies(const std::vector<std::string> &names)
-  {
-    for (unsigned int w = 0; w < walls.size(); ++w)
-      for (const std::string &body : names)
-        if (std::none_of(interactions.begin(),
-                         interactions.end(),
-                         [&](const auto &one) {
-                           return one->body == body &&
-                                  one->is_with_boundary(walls[w].boundary);
-                         }))
-          interactions.push_back(
-            std::make_unique<Interaction<dim>>(body, walls, w));
-    for (const auto &interaction : interactions)
-      interaction->find_bodies(names);
-  }
-
-
-
-  template <int dim>
   std::string
   InteractionTerm<dim>::force_column(const std::string &boundary) const
   {
     for (const auto &interaction : interactions)
       if (interaction->is_with_boundary(boundary))
-        return force_column_of(*interaction, 0);
+        return interaction->force_column(0);
     return {};
   }
 
@@ -518,7 +484,7 @@ namespace isochor
         const std::string of = " on " + interactions[i]->body + " by " +
                                interactions[i]->partner_name;
         for (unsigned int a = 0; a < dim; ++a)
-          statistics.set(force_column_of(*interactions[i], a), sums[i][a]);
+          statistics.set(interactions[i]->force_column(a), sums[i][a]);
         if (!interactions[i]->partner->lever({}, false) ||
             step.kernel.axisymmetric)
           continue;

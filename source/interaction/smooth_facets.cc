@@ -26,9 +26,8 @@ namespace isochor
     gradients(const std::array<Point<3>, 3> &corner)
     {
       const Tensor<1, 3> a = corner[1] - corner[0], b = corner[2] - corner[0];
-      const double       aa = a * a, ab = a * b, bb = b * b,
-                   det      = aa * bb - ab * ab;
-      const Tensor<1, 3> first = (bb * a - ab * b) / det,
+      const double aa = a * a, ab = a * b, bb = b * b, det = aa * bb - ab * ab;
+      const Tensor<1, 3> first  = (bb * a - ab * b) / det,
                          second = (aa * b - ab * a) / det;
       return {{-first - second, first, second}};
     }
@@ -118,6 +117,17 @@ namespace isochor
 
 
   template <int dim>
+  bool
+  SmoothFacets<dim>::is_flat() const
+  {
+    return std::all_of(parts.begin(), parts.end(), [](const Part &part) {
+      return part.is_plane;
+    });
+  }
+
+
+
+  template <int dim>
   double
   SmoothFacets<dim>::project(const Facet             &facet,
                              const Point<dim>        &x,
@@ -138,8 +148,7 @@ namespace isochor
           std::clamp((x - facet.corners[i]) * edge / edge.norm_square(),
                      0.,
                      1.);
-        const double square =
-          x.distance_square(facet.corners[i] + s * edge);
+        const double square = x.distance_square(facet.corners[i] + s * edge);
         if (square < best)
           {
             best = square;
@@ -159,9 +168,9 @@ namespace isochor
                               const std::array<double, dim> &weights,
                               const Point<dim>              &x) const
   {
-    constexpr double rounding = 1e-10;
-    const Facet     &facet    = all_facets[number];
-    const Point<dim> p        = place_of(facet.corners, weights);
+    constexpr double rounding  = 1e-10;
+    const Facet     &facet     = all_facets[number];
+    const Point<dim> p         = place_of(facet.corners, weights);
     const auto       unclamped = coordinates(facet.corners, x);
     Place            place;
     place.facet    = number;
@@ -172,11 +181,11 @@ namespace isochor
       {
         place.normal += weights[v] * facet.normals[v];
         place.distance +=
-          weights[v] * (facet.normals[v] * ((x - facet.corners[v]) -
-                                            (p - facet.corners[v]) / 2));
+          weights[v] * (facet.normals[v] *
+                        ((x - facet.corners[v]) - (p - facet.corners[v]) / 2));
         is_inside = is_inside && unclamped[v] >= -rounding;
-        is_beyond = is_beyond ||
-                    (unclamped[v] < -rounding && facet.rims[v] == Rim::free);
+        is_beyond =
+          is_beyond || (unclamped[v] < -rounding && facet.rims[v] == Rim::free);
       }
     const double         length = place.normal.norm();
     const Tensor<2, dim> T =
@@ -234,8 +243,7 @@ namespace isochor
           }
         if (from_box > least)
           break;
-        const double square =
-          project(all_facets[entry->second], x, weights);
+        const double square = project(all_facets[entry->second], x, weights);
         if (square < least)
           {
             least    = square;

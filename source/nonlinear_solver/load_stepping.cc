@@ -141,9 +141,7 @@ namespace isochor
     extra_target    = std::numeric_limits<double>::infinity();
     ++step;
     const double before = step_size;
-    if (n_held > 0)
-      --n_held;
-    else if (n_iterations <= easy_iterations)
+    if (n_iterations <= easy_iterations)
       step_size = std::min(largest, step_size * growth);
     if (follows_error())
       {
@@ -248,7 +246,6 @@ namespace isochor
     starts_anew     = saved.starts_anew;
     start_precision = saved.start_precision;
     n_cuts          = saved.n_cuts;
-    n_held          = saved.n_held;
     step_size       = saved.first_step_size == first_step_size ?
                         std::min(saved.step_size, largest) :
                         first_step_size;

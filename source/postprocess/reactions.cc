@@ -33,8 +33,9 @@ namespace isochor
                         "whichever of them holds the node: the sum over "
                         "boundaries that meet is not the whole force, and a "
                         "smooth wall shows what the wall next to it carries "
-                        "at the corner. Interactions "
-                        "and <Periodic sides> have columns of their own.");
+                        "at the corner. Interactions (also walls that only "
+                        "push) and <Periodic sides> have columns of their "
+                        "own.");
     }
 
     void
@@ -169,8 +170,7 @@ namespace isochor
       return false;
     }
 
-    /** Whether a condition names vertices of a boundary: one-sided ones may
-     * hold them later. */
+    /** Whether a condition names vertices of a boundary. */
     bool
     may_be_held(const StepResult<dim>        &result,
                 const std::set<unsigned int> &of_boundary) const

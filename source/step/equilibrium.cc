@@ -287,7 +287,7 @@ namespace isochor
     Utilities::MPI::max(any, scene.grid.communicator(), any);
     const bool changed = any[0] != 0;
     if (any[1] != 0)
-      tell_conflicts(step, constraints, false);
+      tell_conflicts(step, constraints);
     scene.inertia.constrain(step,
                             scene.time.next_time(),
                             scene.boundary_conditions,

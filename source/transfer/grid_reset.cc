@@ -83,10 +83,9 @@ namespace isochor
     if (!is_automatic)
       return {};
     const std::string value = "<Grid reset/Steps between resets = auto>: ";
-    return always() ?
-             value + "the grid is put back in each step, " + reason :
-             value + "the grid is kept, and put back where cells are "
-                     "distorted";
+    return always() ? value + "the grid is put back in each step, " + reason :
+                      value + "the grid is kept, and put back where cells are "
+                              "distorted";
   }
 
 

@@ -81,8 +81,7 @@ namespace isochor
     bool
     takes_back(const StepContext<dim> &step) const
     {
-      return !surface.is_flat() && !step.grid.is_moving() &&
-             !step.has_inertia;
+      return !surface.is_flat() && !step.grid.is_moving() && !step.has_inertia;
     }
 
     /** Tell if the wall of @p parameter has pushed the body out of the row of

@@ -273,8 +273,8 @@ namespace isochor
                              step.time;
     }
     /** Project the velocities of the points to the nodes that are not held, and
-     * so the accelerations, or what forces give at the start of the step; @p
-     * start holds there but for one-sided walls. Collective. */
+     * so the accelerations, or what forces give at the start of the step, where
+     * @p start holds. Collective. */
     void
     project_velocity(const StepContext<dim> &step);
     void
@@ -380,10 +380,10 @@ namespace isochor
                         const double       dt) const;
     struct Trial
     {
-      double size        = 0;     ///< 0: there is none
-      bool   is_past     = false; ///< see TrialStep
-      double step_size   = 0;     ///< see TrialStep
-      bool   settles     = false; ///< see start_settling()
+      double size      = 0;     ///< 0: there is none
+      bool   is_past   = false; ///< see TrialStep
+      double step_size = 0;     ///< see TrialStep
+      bool   settles   = false; ///< see start_settling()
     };
 
     std::unique_ptr<TimeIntegrator> integrator;

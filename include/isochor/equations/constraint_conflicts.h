@@ -19,14 +19,12 @@ namespace isochor
    * Say which conditions determine the same unknowns otherwise, for the
    * conflicts of @p constraints on any rank: a warning with the names of the
    * conditions and a place; an error if they are of the same precedence, so
-   * that nothing tells which one is meant. @p in_contact: of conflicts with
-   * what one-sided walls hold, or of the others. Collective.
+   * that nothing tells which one is meant. Collective.
    */
   template <int dim>
   void
   tell_conflicts(const StepContext<dim> &step,
-                 const NodalConstraints &constraints,
-                 const bool              in_contact);
+                 const NodalConstraints &constraints);
 } // namespace isochor
 
 #endif

@@ -71,8 +71,8 @@ namespace isochor
     }
 
   private:
-    const NodalConstraints &constraints;
-    const unsigned int      n_components;
+    const NodalConstraints                             &constraints;
+    const unsigned int                                  n_components;
     std::map<unsigned int, std::vector<Tensor<1, dim>>> directions; ///< by node
   };
 } // namespace isochor

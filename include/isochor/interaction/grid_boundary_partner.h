@@ -11,6 +11,7 @@
 #include <isochor/interaction/partner.h>
 #include <isochor/interaction/smooth_facets.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -63,9 +64,31 @@ namespace isochor
     std::unique_ptr<Facets>
     facets_at(const std::vector<Point<dim>>          &vertices,
               const typename WallSurface<dim>::Shift &move) const;
-    /** Find how the faces are connected. */
+    /** By its vertices the faces at an edge: number, if it is one of this
+     * boundary, and the direction in the face away from the edge. */
+    struct AtEdge
+    {
+      unsigned int   face;
+      Tensor<1, dim> way;
+    };
+    using Edge  = std::array<unsigned int, dim - 1>;
+    using Edges = std::map<Edge, std::vector<AtEdge>>;
+    Edges
+    edges_of(const Faces &faces) const;
+    /** What becomes of the surface at an edge of face @p f, with the faces
+     * there; those that it goes on in smoothly are added to @p smooth. */
+    typename Facets::Rim
+    rim_of(const Faces               &faces,
+           const unsigned int         f,
+           const std::vector<AtEdge> &at_edge,
+           std::vector<unsigned int> &smooth) const;
     void
     find_rims();
+    /** Where a body's face at t = 0 is one of the boundary's, what it is away
+     * from the smooth surface at @p X (m): an error of the body's surface,
+     * which fits the wall. Else 0. */
+    double
+    distance_of_chord(const Point<dim> &X) const;
     /** n(x, t) (m) at the end of the step, or of a trial. */
     double
     shift_at(const Point<dim> &x) const;
@@ -81,10 +104,10 @@ namespace isochor
     std::vector<std::array<typename Facets::Rim, dim>> rims;
     std::vector<unsigned int>                          parts;
     std::unique_ptr<Facets>                            at_start, now;
-    double                     shift = 0; ///< if it is the same everywhere
-    double                     time  = 0;
-    bool                       is_built = false;
-    TrialMotion                trial;
+    double      shift    = 0; ///< if it is the same everywhere
+    double      time     = 0;
+    bool        is_built = false;
+    TrialMotion trial;
   };
 } // namespace isochor
 

@@ -37,7 +37,7 @@ namespace isochor
 
     /** What a wall without a section of its own stands for: frictionless
      * contact of a body with it. */
-    Interaction(const std::string              &body,
+    Interaction(const std::string               &body,
                 const std::vector<OneSidedWall> &walls,
                 const unsigned int               which);
 
@@ -104,6 +104,14 @@ namespace isochor
       return body + " - " + partner_name;
     }
 
+    /** Where the statistics have a component of the force on the body. */
+    std::string
+    force_column(const unsigned int component) const
+    {
+      return std::string("Force ") + "xyz"[component] + " on " + body + " by " +
+             partner_name + " (N)";
+    }
+
     /** The name of the surface is @p body if it has a region, else that is the
      * body's. */
     std::string                          section, body, partner_name;
@@ -115,6 +123,14 @@ namespace isochor
     /** By number: which are the body, and the partner if it has none else. */
     std::vector<bool> bodies, partners;
   };
+
+  /** Add to the @p interactions those of each of the @p bodies with each of the
+   * @p walls that there is none of yet. */
+  template <int dim>
+  void
+  add_walls(const std::vector<OneSidedWall>                &walls,
+            const std::vector<std::string>                 &bodies,
+            std::vector<std::unique_ptr<Interaction<dim>>> &interactions);
 } // namespace isochor
 
 #endif

@@ -38,7 +38,12 @@ namespace isochor
 
     /** The names of the bodies, by layer of the grid, once they are known. */
     void
-    set_bodies(const std::vector<std::string> &names);
+    set_bodies(const std::vector<std::string> &names)
+    {
+      add_walls(walls, names, interactions);
+      for (const auto &interaction : interactions)
+        interaction->find_bodies(names);
+    }
 
     void
     initialize(const BackgroundGrid<dim> &grid) override

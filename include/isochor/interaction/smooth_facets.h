@@ -69,6 +69,10 @@ namespace isochor
     Place
     nearest(const Point<dim> &x, const Tensor<1, dim> &nu) const;
 
+    /** Whether all parts are planes that go on at their rims. */
+    bool
+    is_flat() const;
+
     const std::vector<Facet> &
     facets() const
     {

@@ -76,16 +76,6 @@ namespace isochor
     static std::vector<std::string>
     changeable_parameters();
 
-    /** In dynamics a body meets a wall in the step to next_time(): the next
-     * ones don't grow. Newmark's scheme lets the force that stops the body act
-     * for the mean of a step and the one behind it, so that a step that grows
-     * makes it bounce with more energy than it had. */
-    void
-    hold_size()
-    {
-      n_held = 20;
-    }
-
     /** Whether the step to next_time() may be tried with half its size. */
     bool
     can_be_cut() const;
@@ -134,7 +124,7 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &time &step &last_size &n_cuts &step_size &reached_output
-        &first_step_size &output_interval &starts_anew &start_precision &n_held;
+        &first_step_size &output_interval &starts_anew &start_precision;
     }
 
   private:
@@ -156,7 +146,6 @@ namespace isochor
     unsigned int easy_iterations = 5;
     double       output_interval = 0;
     unsigned int reached_output  = 0;
-    unsigned int n_held          = 0; ///< steps that don't grow
     /** See aim_at(); not saved, as it is looked for in each step. */
     double extra_target     = std::numeric_limits<double>::infinity();
     double target_precision = 0;
