@@ -45,6 +45,7 @@ namespace isochor
     if (!is_checked)
       check_surfaces();
     slips.send(surface, grid->communicator());
+    forces.send(surface, grid->communicator());
   }
 
 
@@ -281,6 +282,13 @@ namespace isochor
         for (unsigned int c = 0; c < motions.size(); ++c)
           for (unsigned int a = 0; a < motions[c].size(); ++a)
             kernel.add_partner(first_of_partner[chosen] + c, a, motions[c][a]);
+        // the work of statics begins with what there was
+        if (const auto key = BodySurface<dim>::key(face);
+            !step.has_inertia && step.step_size() == 0 && forces.knows(key))
+          {
+            kernel.add_force(forces.get(key, g));
+            continue;
+          }
         const typename InteractionKernel<dim>::Measure measure{
           start.weight * face.area * element.facing[g][chosen] *
             thickness(step.kernel.axisymmetric, start.X[0]),
@@ -304,7 +312,9 @@ namespace isochor
         actions->push_back({element.partners[chosen],
                             g,
                             start.x + place.increment,
-                            measure.weight * kernel.mean_traction(),
+                            measure.weight * (interaction.law->is_unilateral() ?
+                                                kernel.mean_traction() :
+                                                kernel.at_end().f),
                             slip,
                             projection.state,
                             kernel.at_end()});
@@ -410,32 +420,33 @@ namespace isochor
       return;
     for (const auto &interaction : interactions)
       interaction->partner->update(step, unknowns);
-    std::vector<double>    forces(interactions.size() * dim);
+    std::vector<double>    sums(interactions.size() * dim);
     InteractionKernel<dim> kernel;
     std::vector<Action>    actions;
     slips.start_noting();
+    forces.start_noting();
     for (const FaceElement &element : faces)
       {
         actions.clear();
         evaluate_face(step, unknowns, element, false, kernel, &actions);
         for (const Action &action : actions)
           {
+            const auto key =
+              BodySurface<dim>::key(surface.faces()[element.face]);
             for (unsigned int a = 0; a < dim; ++a)
-              forces[action.interaction * dim + a] += action.force[a];
+              sums[action.interaction * dim + a] += action.force[a];
+            forces.set_next(key, action.gauss_point, action.force);
             if (action.slip.norm_square() > 0)
-              slips.set_next(BodySurface<dim>::key(
-                               surface.faces()[element.face]),
-                             action.gauss_point,
-                             action.slip);
+              slips.set_next(key, action.gauss_point, action.slip);
           }
       }
-    Utilities::MPI::sum(forces, step.grid.communicator(), forces);
+    Utilities::MPI::sum(sums, step.grid.communicator(), sums);
     for (unsigned int i = 0; i < interactions.size(); ++i)
       for (unsigned int a = 0; a < dim; ++a)
         statistics.set(std::string("Force ") + "xyz"[a] + " on " +
                          interactions[i]->body + " by " +
                          interactions[i]->partner_name + " (N)",
-                       forces[i * dim + a]);
+                       sums[i * dim + a]);
   }
 
 
@@ -446,6 +457,32 @@ namespace isochor
                                 const NodalField & /*unknowns*/)
   {
     slips.accept();
+    forces.accept();
+  }
+
+
+
+  template <int dim>
+  std::string
+  InteractionTerm<dim>::save_state() const
+  {
+    const std::string first = slips.save(grid->communicator());
+    return std::to_string(first.size()) + '\n' + first +
+           forces.save(grid->communicator());
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::load_state(const std::string &state)
+  {
+    const std::size_t line = state.find('\n');
+    if (line == std::string::npos)
+      return;
+    const std::size_t size = std::stoul(state);
+    slips.load(state.substr(line + 1, size));
+    forces.load(state.substr(line + 1 + size));
   }
 
 
