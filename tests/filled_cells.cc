@@ -162,7 +162,7 @@ namespace
       "Material/Young modulus = 1000\nMaterial/Poisson ratio = 0\n"
       "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
       "Boundary conditions/Surfaces of body = end: x > 1.99\n"
-      "Boundary conditions/Traction on body = end: 600*t, 0\n"
+      "Boundary conditions/Traction on body = end: 250*t, 0\n"
       "Time/Step size = 0.05\n");
     std::string later;
     for (const auto &warning : pulled->all_warnings().all())

@@ -359,7 +359,7 @@ namespace
       "Material/Poisson ratio = 0\n"
       "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
       "Boundary conditions/Surfaces of body = end: x > 1.99\n"
-      "Boundary conditions/Traction on body = end: 600*t, 0\n"
+      "Boundary conditions/Traction on body = end: 400*t, 0\n"
       "Time/Step size = 0.05\n");
     const std::string told =
       test::warning_of(*problem,

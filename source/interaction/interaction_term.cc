@@ -59,6 +59,7 @@ namespace isochor
     if (!is_checked)
       check_surfaces();
     slips.send(surface, grid->communicator());
+    forces.send(surface, grid->communicator());
   }
 
 
@@ -300,6 +301,13 @@ namespace isochor
         for (unsigned int c = 0; c < motions.size(); ++c)
           for (unsigned int a = 0; a < motions[c].size(); ++a)
             kernel.add_partner(first_of_partner[chosen] + c, a, motions[c][a]);
+        // the work of statics begins with what there was
+        if (const auto key = BodySurface<dim>::key(face);
+            !step.has_inertia && step.step_size() == 0 && forces.knows(key))
+          {
+            kernel.add_force(forces.get(key, g));
+            continue;
+          }
         const typename InteractionKernel<dim>::Measure measure{
           start.weight * face.area * element.facing[g][chosen] *
             thickness(step.kernel.axisymmetric, start.X[0]),
@@ -326,7 +334,9 @@ namespace isochor
                               (interaction.law->is_unilateral() ?
                                  found.normal_gap * found.normal :
                                  found.gap),
-                            measure.weight * kernel.mean_traction(),
+                            measure.weight * (interaction.law->is_unilateral() ?
+                                                kernel.mean_traction() :
+                                                kernel.at_end().f),
                             slip,
                             projection.state,
                             kernel.at_end()});
@@ -429,10 +439,12 @@ namespace isochor
     InteractionKernel<dim>                   kernel;
     std::vector<Action>                      actions;
     slips.start_noting();
+    forces.start_noting();
     for (const FaceElement &element : faces)
       {
         actions.clear();
         evaluate_face(step, unknowns, element, false, kernel, &actions);
+        const auto key = BodySurface<dim>::key(surface.faces()[element.face]);
         for (const Action &action : actions)
           {
             auto &sum = sums[action.interaction];
@@ -452,11 +464,9 @@ namespace isochor
                 for (unsigned int a = 0; a < 3; ++a)
                   sum[dim + a] += moment[a];
               }
+            forces.set_next(key, action.gauss_point, action.force);
             if (action.slip.norm_square() > 0)
-              slips.set_next(BodySurface<dim>::key(
-                               surface.faces()[element.face]),
-                             action.gauss_point,
-                             action.slip);
+              slips.set_next(key, action.gauss_point, action.slip);
           }
       }
     for (auto &sum : sums)
@@ -504,6 +514,32 @@ namespace isochor
                                 const NodalField & /*unknowns*/)
   {
     slips.accept();
+    forces.accept();
+  }
+
+
+
+  template <int dim>
+  std::string
+  InteractionTerm<dim>::save_state() const
+  {
+    const std::string first = slips.save(grid->communicator());
+    return std::to_string(first.size()) + '\n' + first +
+           forces.save(grid->communicator());
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::load_state(const std::string &state)
+  {
+    const std::size_t line = state.find('\n');
+    if (line == std::string::npos)
+      return;
+    const std::size_t size = std::stoul(state);
+    slips.load(state.substr(line + 1, size));
+    forces.load(state.substr(line + 1 + size));
   }
 
 

@@ -191,6 +191,14 @@ namespace isochor
         const PartnerPlace<dim>   &place,
         const Measure             &measure);
 
+    /** Add @p force (N), which acts at the place whatever the law. */
+    void
+    add_force(const Tensor<1, dim> &force)
+    {
+      for (unsigned int i = 0; i < n_dofs; ++i)
+        residual[i] -= force * trace[i];
+    }
+
     /** t at the place, after add_side(). */
     const Tensor<1, dim> &
     traction() const

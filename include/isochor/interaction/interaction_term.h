@@ -139,15 +139,9 @@ namespace isochor
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override;
     std::string
-    save_state() const override
-    {
-      return slips.save(grid->communicator());
-    }
+    save_state() const override;
     void
-    load_state(const std::string &state) override
-    {
-      slips.load(state);
-    }
+    load_state(const std::string &state) override;
 
   private:
     /** A face that takes part, with what is constant in a step. */
@@ -170,9 +164,11 @@ namespace isochor
     {
       unsigned int interaction, gauss_point;
       /** Where it acts on the partner, at the iterate. */
-      Point<dim>       y;
-      Tensor<1, dim>   force; ///< on the body (N), the mean over the step
-      Tensor<1, dim>   slip;  ///< to be remembered (m)
+      Point<dim> y;
+      /** On the body (N): of contact the mean over the step, of a tie that at
+       * its end. */
+      Tensor<1, dim>   force;
+      Tensor<1, dim>   slip; ///< to be remembered (m)
       SurfaceState     state;
       StartOfStep<dim> end; ///< InteractionKernel::at_end()
     };
@@ -224,8 +220,11 @@ namespace isochor
     BodySurface<dim>         surface;
     std::vector<FaceElement> faces;
     /** The force on this rank's faces at the last iterate, in dynamics (N). */
-    Tensor<1, dim>             acting;
-    mutable SlipMemory<dim>    slips;
+    Tensor<1, dim>          acting;
+    mutable SlipMemory<dim> slips;
+    /** The forces at the end of the last step (N): with the pressures that
+     * nodes of another grid get from the points they would be others. */
+    mutable SlipMemory<dim>    forces;
     mutable SurfaceStress<dim> stress;
   };
 } // namespace isochor

@@ -12,8 +12,8 @@
 
 namespace isochor
 {
-  /** What friction remembers from step to step: of each Gauss point in contact
-   * the tangential gap g_t = T (t - f)/γ (m), by face. */
+  /** A vector at each Gauss point that is remembered from step to step, by
+   * face. Of friction the tangential gap g_t = T (t - f)/γ (m). */
   template <int dim>
   class SlipMemory
   {
@@ -29,7 +29,13 @@ namespace isochor
       return found == slips.end() ? Tensor<1, dim>() : found->second[g];
     }
 
-    /** Note the gap at the end of the step. */
+    bool
+    knows(const std::uint64_t key) const
+    {
+      return slips.count(key) > 0;
+    }
+
+    /** Note the vector at the end of the step. */
     void
     set_next(const std::uint64_t   key,
              const unsigned int    g,
