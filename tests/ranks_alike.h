@@ -113,7 +113,8 @@ run(const MPI_Comm                  comm,
             "together";
   create_output_directory(directory, comm);
   ParameterHandler prm;
-  MaterialPointMethod<dim>::declare_parameters(prm);
+  MaterialPointMethod<dim>::declare_parameters(prm,
+                                               test::sections_of(settings));
   test::set_parameters(prm,
                        "Output/Terminal = quiet\n"
                        "Postprocess/Write grid = false\n"

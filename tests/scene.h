@@ -25,6 +25,10 @@ namespace isochor
     void
     set_parameters(ParameterHandler &prm, const std::string &settings);
 
+    /** The sections that these name, with @p n_materials at least. */
+    SceneSections
+    sections_of(const std::string &settings, unsigned int n_materials = 1);
+
     /** As get(), of three columns: of the x in @p column, and of y and z in its
      * place. */
     inline Tensor<1, 3>

@@ -124,12 +124,9 @@ namespace isochor
       delete problem;
     }
 
-    template <int dim>
-    ProblemPointer<dim>
-    run_scene(const std::string &settings)
+    SceneSections
+    sections_of(const std::string &settings, unsigned int n_materials)
     {
-      ParameterHandler prm;
-      unsigned int     n_materials = 1;
       while (settings.find("Material " + std::to_string(n_materials + 1) +
                            "/") != std::string::npos)
         ++n_materials;
@@ -147,7 +144,15 @@ namespace isochor
                 }))
               list->push_back({name, ""});
         }
-      MaterialPointMethod<dim>::declare_parameters(prm, sections);
+      return sections;
+    }
+
+    template <int dim>
+    ProblemPointer<dim>
+    run_scene(const std::string &settings)
+    {
+      ParameterHandler prm;
+      MaterialPointMethod<dim>::declare_parameters(prm, sections_of(settings));
       set_parameters(prm,
                      "Quadrature/Type = points\n"
                      "Output/Directory = .\nOutput/Terminal = quiet\n"

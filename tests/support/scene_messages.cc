@@ -14,7 +14,9 @@ messages(const std::string &settings,
          const unsigned int n_materials)
 {
   ParameterHandler prm;
-  MaterialPointMethod<dim>::declare_parameters(prm, n_materials);
+  MaterialPointMethod<dim>::declare_parameters(prm,
+                                               test::sections_of(settings,
+                                                                 n_materials));
   test::set_parameters(prm,
                        "Output/Directory = scene_checks\n"
                        "Output/Terminal = quiet\n"
