@@ -108,10 +108,6 @@ test_names_given_twice(const std::string &loads)
     {{loads, "Traction = left: 1, 0; left: 0, 1", "<left>"}},
     {{loads, pressures, "<s>"}},
     {{loads, "Walls = left: n = 0; left: n >= 0", "<left>"}},
-    {{loads, "Rigid sides = top: x = 0; top: y = 0", "<top>"}},
-    {{loads,
-      "Rigid sides = top: centre = (0, 0), x = 0, centre = (1, 1)",
-      "<centre>"}},
     {{loads, "Periodic sides = left: right; left: right, x = t", "<right>"}},
     {{"Postprocess", "Exact stress = xx: 0; xx: x", "<xx>"}},
     {{"Postprocess", "Reactions = left, right, left", "<left>"}},
@@ -123,6 +119,12 @@ test_names_given_twice(const std::string &loads)
                c[0],
                c[1],
                {c[0], c[2], "twice"});
+  test_entry("a parameter that is gone",
+             loads,
+             "Rigid sides = top: x = 0",
+             {"<" + loads + "/Rigid sides> is gone",
+              "subsection Rigid body: ",
+              "subsection Interaction: "});
   std::ofstream("groups.msh") << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
                                  "$PhysicalNames\n2\n1 1 \"base\"\n1 2 "
                                  "\"base\"\n$EndPhysicalNames\n$Nodes\n3\n"

@@ -159,7 +159,7 @@ test_kept_grid(const MPI_Comm comm)
 
 
 
-/** Walls, a rigid side and periodic sides remember where they are, and a bed of
+/** Walls, a rigid body and periodic sides remember where they are, and a bed of
  * springs which nodes it has, on a grid that is put back every third step. */
 void
 test_linear_equations(const MPI_Comm comm)
@@ -178,14 +178,19 @@ test_linear_equations(const MPI_Comm comm)
     {"Boundary conditions/Walls", "bottom: n >= -0.005"},
     {"Boundary conditions/Elastic bed/Boundary", "left"},
     {"Boundary conditions/Elastic bed/Stiffness", "1e4"},
-    {"Boundary conditions/Rigid sides",
-     "top: x = 0, force y = -200*t, moment = 20*t"}};
+    {"Quadrature/Type", "CPDI"},
+    {"Rigid body: lid/Shape", "half plane"},
+    {"Rigid body: lid/Point", "1.7, 2.4"},
+    {"Rigid body: lid/Free", "y, rotation"},
+    {"Rigid body: lid/Mass", "10"},
+    {"Rigid body: lid/Moment of inertia", "1"},
+    {"Rigid body: lid/Force", "y = -200*t"},
+    {"Rigid body: lid/Moment", "rotation = 20*t"},
+    {"Interaction: body - lid/Law", "tie"},
+    {"Interaction: body - lid/Surface", "y > 2.39"}};
   for (const std::string periodic : {"", "left: right"})
     {
       scene.emplace_back("Boundary conditions/Periodic sides", periodic);
-      if (!periodic.empty()) // which would hold the rotation
-        scene.emplace_back("Boundary conditions/Rigid sides",
-                           "top: x = 0, rotation = 0, force y = -200*t");
       const std::string a = "checkpoint-linear-a", b = "checkpoint-linear-b",
                         name =
                           "linear equations" +

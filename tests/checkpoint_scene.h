@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "scene.h"
+
 constexpr unsigned int dim = 2;
 
 using namespace isochor;
@@ -74,7 +76,10 @@ run(const MPI_Comm                                         &comm,
     const std::vector<std::pair<std::string, std::string>> &settings = {})
 {
   ParameterHandler prm;
-  MaterialPointMethod<dim>::declare_parameters(prm);
+  std::string      names;
+  for (const auto &setting : settings)
+    names += setting.first + '\n';
+  MaterialPointMethod<dim>::declare_parameters(prm, test::sections_of(names));
   prm.parse_input_from_string(scene);
   prm.enter_subsection("Output");
   prm.set("Directory", directory);

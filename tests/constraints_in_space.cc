@@ -4,8 +4,8 @@
  * --------------------------------------------------------------------- */
 
 // Linear equations in 3D: curved walls against the closed form of a hollow
-// sphere, rigid sides of which only some rotations are free, and a slab between
-// periodic sides against the same body in plane strain.
+// sphere, and a slab between periodic sides against the same body in plane
+// strain.
 
 #include <isochor/base/finite_rotation.h>
 #include <isochor/base/parameter_file.h>
@@ -187,99 +187,6 @@ test_sphere()
   test::check_error("turned, on a kept grid", relative(kept, coarse), 1e-4);
 }
 
-namespace
-{
-  test::ProblemPointer<3>
-  run_block(const std::string &top, const std::string &more = "")
-  {
-    return test::run_scene<3>(
-      "Grid/Subdivisions = 2, 2, 2\nMaterial/Young modulus = 1e4\n"
-      "Material/Poisson ratio = 0.3\nFormulation/Type = u\n"
-      "Newton/Tolerance = 1e-11\n" +
-      more +
-      "Boundary conditions/Displacement = bottom: x = 0, y = 0, z = 0\n"
-      "Boundary conditions/Rigid sides = top: " +
-      top + '\n');
-  }
-
-  std::string
-  text(const double value)
-  {
-    std::ostringstream out;
-    out.precision(17);
-    out << value << "*t";
-    return out.str();
-  }
-} // namespace
-
-/** A motion with all rotations given; then one or two of them are free, with
- * the moments that do the same work, and have to come back. */
-void
-test_some_rotations_free()
-{
-  const std::string translation = "x = 0.05*t, y = 0.03*t, z = -0.02*t, ";
-  const Vector3     theta({0.3, 0.25, -0.2});
-  const std::string rotation = "Rotation x of rigid side top (rad)";
-  const auto        moved    = run_block(
-    translation + "rotation x = 0.3*t, rotation y = 0.25*t, rotation z = "
-                            "-0.2*t");
-  const FiniteRotation R(theta);
-  const Vector3        Q =
-    R.pull_back(get_vector(*moved, "Moment x of rigid side top (N m)"));
-  const auto work = [&](const unsigned int axis, const unsigned int along) {
-    Vector3 e;
-    e[axis] = 1;
-    return R.pull_back(e)[along];
-  };
-  const auto one = run_block(translation +
-                             "rotation x = 0.3*t, rotation z = -0.2*t, moment "
-                             "y = " +
-                             text(Q[1] / work(1, 1)));
-  test::check_error("one rotation free",
-                    (get_vector(*one, rotation) - theta).norm(),
-                    1e-7);
-  // (Tᵀ (0, M_y, M_z)) has the components Q_y and Q_z
-  const double det = work(1, 1) * work(2, 2) - work(2, 1) * work(1, 2);
-  const auto   two = run_block(
-    translation + "rotation x = 0.3*t, moment y = " +
-    text((Q[1] * work(2, 2) - work(2, 1) * Q[2]) / det) +
-    ", moment z = " + text((work(1, 1) * Q[2] - work(1, 2) * Q[1]) / det));
-  test::check_error("two rotations free",
-                    (get_vector(*two, rotation) - theta).norm(),
-                    1e-7);
-  // about y nothing acts
-  const auto free =
-    run_block(translation + "rotation x = 0.3*t, rotation z = -0.2*t");
-  const Vector3 turned  = get_vector(*free, rotation),
-                moments = get_vector(*free, "Moment x of rigid side top (N m)");
-  test::check("a free rotation turns", std::abs(turned[1]) > 1e-3, "");
-  test::check_error("no moment does work on it",
-                    std::abs(FiniteRotation(turned).pull_back(moments)[1]) /
-                      moments.norm(),
-                    1e-8);
-  test::check_error("what is given, stays",
-                    std::abs(turned[0] - 0.3) + std::abs(turned[2] + 0.2),
-                    1e-12);
-}
-
-/** About one axis the same holds over several steps. */
-void
-test_one_axis(const std::string &settings)
-{
-  const std::string held =
-    "x = 0, y = 0, z = 0.1*t, rotation x = 0, rotation z "
-    "= 0, ";
-  const auto   moved = run_block(held + "rotation y = 0.6*t", settings);
-  const double M     = get(*moved, "Moment y of rigid side top (N m)");
-  // a load that grows with the moment of the motion is not known before; in
-  // statics only the last one counts
-  const auto loaded = run_block(held + "moment y = " + text(M), settings);
-  test::check_error("rotation about one axis by its moment",
-                    std::abs(
-                      get(*loaded, "Rotation y of rigid side top (rad)") - 0.6),
-                    1e-7);
-}
-
 /** Cook's membrane in plane strain, and as one layer of tetrahedra with
  * periodic sides and no displacement in z: triangles and tetrahedra have the
  * same displacements and pressures. A pressure that is linear over a triangle
@@ -369,9 +276,6 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_surface();
   test_sphere();
-  test_some_rotations_free();
-  test_one_axis("");
-  test_one_axis(test::keep_grid + "Time/Step size = 0.25\n");
   test_slab();
   test_slab_scenes();
 }

@@ -109,15 +109,17 @@ void
 test_rigid_floor()
 {
   compare<2>("2D, on a rigid floor",
-             sliding_block("cell-filled + boundary") +
+             sliding_block("CPDI") +
                "Dynamics/Initial velocity = 1, 0\n"
                "Boundary conditions/Displacement = \n"
-               "Boundary conditions/Rigid sides = bottom: x = t, y = 0, "
-               "rotation = 0\n",
+               "Rigid body: floor/Shape = half plane\n"
+               "Rigid body: floor/Motion = x=t\n"
+               "Interaction: body - floor/Law = tie\n"
+               "Interaction: body - floor/Surface = y < 0.01\n",
              {"Strain energy (J)",
               "External work (J)",
-              "Force y of rigid side bottom (N)",
-              "Moment of rigid side bottom (N m)"});
+              "Force y on body by floor (N)",
+              "Moment on body by floor (N m)"});
 }
 
 /** A run that is resumed in the middle goes on with the same division, bit by

@@ -186,16 +186,17 @@ namespace
   void
   test_hinge()
   {
-    expect("a rigid side that is a hinge, under a load",
-           messages<2>("Grid/Subdivisions = 4, 4\n"
-                       "Boundary conditions/Rigid sides = left: x=0, y=0\n"
-                       "Boundary conditions/Gravity = 0, -0.1\n"),
+    const std::string hinge =
+      "Grid/Subdivisions = 4, 4\nQuadrature/Type = CPDI\n"
+      "Boundary conditions/Gravity = 0, -0.1\n"
+      "Rigid body: hinge/Shape = half plane\nRigid body: hinge/Point = 0, "
+      "0.5\nRigid body: hinge/Normal = 1, 0\n"
+      "Interaction: body - hinge/Law = tie\n"
+      "Interaction: body - hinge/Surface = x < 0.01\n";
+    expect("a rigid body that is a hinge, under a load",
+           messages<2>(hinge + "Rigid body: hinge/Free = rotation\n"),
            {"against: rotation about (0, 0.5) (the one"});
-    expect("... that is held",
-           messages<2>("Grid/Subdivisions = 4, 4\n"
-                       "Boundary conditions/Rigid sides = left: x=0, y=0, "
-                       "rotation=0\nBoundary conditions/Gravity = 0, -0.1\n"),
-           {});
+    expect("... that is held", messages<2>(hinge), {});
   }
 
   void
@@ -293,27 +294,6 @@ namespace
     expect("a wall where no material is",
            messages<2>(low + "Walls = top: n = 0\n"),
            {"WARNING no material at <top>", "Boundary conditions/Walls"});
-    expect("a rigid side where no material is",
-           messages<2>(low + "Rigid sides = top: y = 0\n"),
-           {"WARNING no material at <top>", "Boundary conditions/Rigid sides"});
-    const std::string hinged =
-      "Grid/Subdivisions = 4, 4\nMaterial points/Region = y < 0.5\n"
-      "Boundary conditions/Displacement = right: x = 0, y = 0\n"
-      "Boundary conditions/Gravity = 0, -1\n"
-      "Boundary conditions/Rigid sides = left: x = 0";
-    expect("a rigid side that turns about a point beside the body",
-           messages<2>(hinged + "\n"),
-           {"WARNING a rigid side that turns about a point beside the body",
-            "(0, 0.5)",
-            "[0, 0] x [0, 0.5]",
-            "<centre = (0, 0.25)>"});
-    for (const std::string centre : {", centre = (0, 0.5)", ", rotation = 0"})
-      expect("a rigid side with" + centre,
-             messages<2>(hinged + centre + "\n"),
-             {});
-    expect("a formula of x in rigid sides",
-           messages<2>(good + "Boundary conditions/Rigid sides = top: y = x\n"),
-           {"ERROR", "Boundary conditions/Rigid sides", "depends on x"});
     const auto periodic = [](const std::string &region) {
       return messages<2>(
         "Grid/Subdivisions = 4, 4\n"

@@ -13,19 +13,6 @@ using namespace isochor;
 namespace
 {
   void
-  test_rigid_sides()
-  {
-    const std::string part =
-      good +
-      "Material points/Region = x < 0.5\nBoundary conditions/Rigid sides "
-      "= top: ";
-    expect("a rigid side that turns about a point beside the body",
-           messages<2>(part + "y = -1e-3*t\n"),
-           {"WARNING a rigid side that turns about a point beside the body"});
-    expect("... pushed along itself", messages<2>(part + "x = 1e-3*t\n"), {});
-  }
-
-  void
   test_periodic_sides()
   {
     const auto periodic = [](const std::string &region) {
@@ -186,7 +173,6 @@ int
 main(int argc, char **argv)
 {
   test::MPISession mpi(argc, argv);
-  test_rigid_sides();
   test_periodic_sides();
   test_planes();
   test_load_between_walls();

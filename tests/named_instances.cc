@@ -265,21 +265,19 @@ namespace
                            "set Displacement = left: y = 1\nend\n"),
            {"<Boundary conditions: side/Displacement> and <Boundary "
             "conditions/Displacement> prescribe 1 displacement components"});
-    const auto sides =
-      make(block + "subsection Boundary conditions\nset Rigid sides = top: x = "
-                   "0, y = -0.01*t, rotation = 0\nend\n"
-                   "subsection Boundary conditions: other\nset Type = Rigid "
-                   "sides\nset Rigid sides = right: x = 0, y = 0, rotation = "
-                   "0.01*t, centre = (1, 0)\nend\n",
-           "sides");
-    sides->run();
+    const auto walls =
+      make(block + "subsection Boundary conditions\nset Walls = top: n = 0\n"
+                   "end\nsubsection Boundary conditions: other\n"
+                   "set Type = Walls\nset Walls = top: n = 0.01*t\nend\n",
+           "walls");
+    walls->run();
     std::string apart;
-    for (const auto &warning : sides->all_warnings().all())
+    for (const auto &warning : walls->all_warnings().all())
       apart += one_line(warning.text) + "\n";
-    expect("two rigid sides of two sections",
+    expect("two walls of two sections",
            apart,
-           {"<Boundary conditions/Rigid sides = top> and <Boundary conditions: "
-            "other/Rigid sides = right> determine the same 2"});
+           {"<Boundary conditions/Walls = top> and <Boundary conditions: "
+            "other/Walls = top> determine the same 5"});
     const auto  idle = make(block + "subsection Boundary conditions: punch\n"
                                     "set Type = Surfaces of body\n"
                                     "set Boundary points per face = 2\n"

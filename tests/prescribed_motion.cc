@@ -242,8 +242,7 @@ test_pushed(const std::string  &what,
   test::check_error(what, worst, 1e-3);
 }
 
-/** What pushes otherwise than held nodes: sides of rigid bodies, and one-sided
- * walls. */
+/** What pushes otherwise than held nodes: one-sided walls. */
 template <int dim, typename Acceleration>
 void
 test_all_pushed(const std::string  &what,
@@ -251,15 +250,6 @@ test_all_pushed(const std::string  &what,
                 const Acceleration &acceleration,
                 const std::string  &settings)
 {
-  const std::string rigid =
-    "\nBoundary conditions/Rigid sides = right: y=0, x=" + u;
-  test_pushed<dim>(what + ", rigid side",
-                   "right",
-                   rigid + (dim == 2 ? ", rotation=0" :
-                                       ", z=0, rotation x=0, rotation y=0, "
-                                       "rotation z=0"),
-                   acceleration,
-                   settings);
   if (settings.find("CPDI") != std::string::npos)
     test_pushed<dim>(what + ", one-sided wall",
                      "left",
@@ -299,8 +289,6 @@ test_jumps()
   const std::string start = "\nBoundary conditions/";
   test_jump("; right: x=max(0,t-0.02)", 0.02);
   test_jump("; right: x=max(0,t-0.0223)", 0.0223);
-  test_jump(start + "Rigid sides = right: y=0, rotation=0, x=min(t,0.0301)",
-            0.0301);
   test_jump(start + "Surfaces of body = tip: right\nQuadrature/Type = CPDI"
                     "\nInteraction: tip - place/Displacement = "
                     "x=max(0,t-0.0211)",

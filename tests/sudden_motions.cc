@@ -86,7 +86,6 @@ namespace
   enum class Of
   {
     boundary,
-    rigid_side,
     body
   };
 
@@ -111,16 +110,9 @@ namespace
       body ? "Boundary conditions/Displacement = " + sides +
                "\nBoundary conditions/Surfaces of body = tip: x > 0.999\n"
                "Interaction: tip - place/Displacement = x=" :
-      of == Of::boundary ?
-             "Boundary conditions/Displacement = " + sides + "; right: x=" :
-             "Boundary conditions/Displacement = " + sides +
-               "\nBoundary conditions/Rigid sides = right: y=0, " +
-               (solid ? "z=0, rotation x=0, rotation y=0, rotation z=0" :
-                        "rotation=0") +
-               ", x=";
-    const std::string name = body               ? "surface of the body" :
-                             of == Of::boundary ? "boundary of the grid" :
-                                                  "rigid side";
+             "Boundary conditions/Displacement = " + sides + "; right: x=";
+    const std::string name =
+      body ? "surface of the body" : "boundary of the grid";
     const std::string column =
       body ? "Force x on tip by place (N)" : "Reaction x on right (N)";
     test::record_columns({column, "Energy lost by the scheme (J)"});
@@ -289,8 +281,7 @@ namespace
       for (const std::string condition :
            {"Displacement = left: x=",
             "Surfaces of body = end: left\nQuadrature/Type = CPDI\n"
-            "Interaction: end - place/Displacement = x=",
-            "Rigid sides = left: y=0, rotation=0, x="})
+            "Interaction: end - place/Displacement = x="})
         check("Boundary conditions/" + condition + place, is_told);
     check("Boundary conditions/Walls = left: n=0", false);
     check("Boundary conditions/Walls = left: n=0.01", true);
@@ -308,7 +299,7 @@ main(int argc, char **argv)
 {
   test::MPISession mpi(argc, argv);
   for (const Motion &motion : motions)
-    for (const Of of : {Of::boundary, Of::rigid_side, Of::body})
+    for (const Of of : {Of::boundary, Of::body})
       test_block<2>(motion, of, "");
   test_block<2>(motions[1],
                 Of::body,
@@ -318,7 +309,7 @@ main(int argc, char **argv)
                 Of::body,
                 "Boundary conditions/Surfaces of body = tip: x > 0.999; back: "
                 "left\nBoundary conditions/Pressure on body = back: 1e-9\n");
-  for (const Of of : {Of::boundary, Of::rigid_side, Of::body})
+  for (const Of of : {Of::boundary, Of::body})
     test_block<3>(motions[2], of, "");
   test_strained_body();
   test_other_body();

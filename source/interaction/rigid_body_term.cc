@@ -237,6 +237,22 @@ namespace isochor
 
 
   template <int dim>
+  bool
+  RigidBodyTerm<dim>::assembles_load(const StepContext<dim> &step) const
+  {
+    return std::any_of(bodies.begin(), bodies.end(), [&](const auto &one) {
+      typename RigidBody<dim>::Components R{};
+      typename RigidBody<dim>::Matrix     K{};
+      one->body.equations(step.time, RigidScheme(), {}, R, K);
+      return std::any_of(R.begin(), R.end(), [](const double load) {
+        return load != 0.;
+      });
+    });
+  }
+
+
+
+  template <int dim>
   void
   RigidBodyTerm<dim>::add_boundary_force(const StepContext<dim> &step,
                                          const NodalField & /*unknowns*/,

@@ -12,6 +12,7 @@
 #include <isochor/interaction/interaction_kernel.h>
 #include <isochor/interaction/slip_memory.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -126,9 +127,14 @@ namespace isochor
       return false;
     }
     bool
-    moves_body(const StepContext<dim> & /*step*/) const override
+    moves_body(const StepContext<dim> &step) const override
     {
-      return !faces.empty();
+      return !faces.empty() && std::any_of(interactions.begin(),
+                                           interactions.end(),
+                                           [&](const auto &one) {
+                                             return one->law->is_unilateral() ||
+                                                    one->partner->moves(step);
+                                           });
     }
     void
     evaluate(const StepContext<dim> &step,

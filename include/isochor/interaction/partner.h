@@ -44,6 +44,13 @@ namespace isochor
     update(const StepContext<dim> & /*step*/, const NodalField & /*unknowns*/)
     {}
 
+    /** Whether it is moved over the step, other than by forces. */
+    virtual bool
+    moves(const StepContext<dim> & /*step*/) const
+    {
+      return true;
+    }
+
     /** A trial step of dynamics begins or, if it has no size, is over. */
     virtual void
     set_trial(const TrialMotion & /*trial*/)

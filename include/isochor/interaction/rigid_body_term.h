@@ -106,6 +106,8 @@ namespace isochor
              const unsigned int      first_element,
              const bool              with_matrix,
              MixedSystem<dim>       &system) override;
+    bool
+    assembles_load(const StepContext<dim> &step) const override;
     void
     add_boundary_force(const StepContext<dim> &step,
                        const NodalField       &unknowns,

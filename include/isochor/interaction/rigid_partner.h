@@ -23,6 +23,11 @@ namespace isochor
 
     void
     update(const StepContext<dim> &step, const NodalField &unknowns) override;
+    bool
+    moves(const StepContext<dim> &step) const override
+    {
+      return rigid->body.is_moved(step.old_time, step.time);
+    }
     PartnerPlace<dim>
     nearest(const typename Partner<dim>::SurfacePlace &place) const override;
     PartnerPlace<dim>

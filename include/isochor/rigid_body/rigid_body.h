@@ -73,6 +73,12 @@ namespace isochor
     {
       return motion.has_free_components();
     }
+    /** Whether what is prescribed moves from @p start to @p end. */
+    bool
+    is_moved(const double start, const double end) const
+    {
+      return motion.prescribed(start) != motion.prescribed(end);
+    }
     /** @throws ExcMessage if what is free has no mass. In dynamics. */
     void
     check_inertia() const
