@@ -166,7 +166,6 @@ namespace isochor
                                                terms,
                                                increment(wall, i, step));
               equation.n_pivots = terms.size();
-              equation.how      = NodalConstraints::prescribed;
             }
         }
     }

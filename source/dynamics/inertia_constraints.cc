@@ -131,7 +131,6 @@ namespace isochor
       leave_out_unfelt_pressure(step, start);
     if (by_stresses && !prescribed)
       collect_boundary_forces(step, conditions);
-    add_convective_acceleration(step, conditions, start);
     project(
       step, force, followers, given_acceleration, acceleration, by_stresses);
   }
@@ -209,38 +208,6 @@ namespace isochor
                                        entry / (dim + 1) :
                                        numbers::invalid_unsigned_int;
                             });
-  }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::add_convective_acceleration(
-    const StepContext<dim>                                     &step,
-    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-    const NodalConstraints                                     &constraints)
-  {
-    bool changes = false;
-    for (const auto &condition : conditions)
-      changes = changes || condition->relinearises();
-    if (!changes || given_acceleration.empty())
-      return;
-    NodalConstraints convective = constraints;
-    for (auto &equation : convective.equations)
-      {
-        equation.value = 0;
-        for (const auto &condition : conditions)
-          if (equation.changes && equation.owner == condition.get())
-            equation.value = condition->convective_acceleration(step,
-                                                                velocity,
-                                                                convective,
-                                                                equation);
-      }
-    convective.resolve(step.n_components);
-    const Followers values =
-      displacement_followers(convective, step.n_components);
-    for (unsigned int k = 0; k < followers.size(); ++k)
-      given_acceleration[k] += values.value[k];
   }
 
 

@@ -41,7 +41,9 @@ namespace isochor
                          !(elements == elements_) || !fits(constraints);
     if (Utilities::MPI::max(static_cast<unsigned int>(changed), comm) == 0)
       {
-        update_followers(constraints);
+        tied.update(constraints.followers);
+        if (any_equations)
+          constraint_forces.reinit(constraints, n_components, true);
         return false;
       }
 
@@ -70,17 +72,6 @@ namespace isochor
     for (auto *list : {&neighbour, &neighbour_offset})
       std::vector<unsigned int>().swap(*list); // needed no more
     return true;
-  }
-
-
-
-  template <int dim>
-  void
-  MixedSystem<dim>::update_followers(const NodalConstraints &constraints)
-  {
-    tied.update(constraints.followers);
-    if (any_equations)
-      constraint_forces.reinit(constraints, n_components, true);
   }
 
 
@@ -384,24 +375,9 @@ namespace isochor
   {
     const Followers &followers = tied.followers();
     for (unsigned int k = 0; k < followers.size(); ++k)
-      if (followers.value[k] == 0. && !followers.has(k, Followers::changes))
+      if (followers.value[k] == 0.)
         field.local_element(followers.entry[k]) =
           followers.sum(k, [&](const unsigned int entry) {
-            return field.local_element(entry);
-          });
-  }
-
-
-
-  template <int dim>
-  void
-  MixedSystem<dim>::project_changing(NodalField &field) const
-  {
-    const Followers &followers = tied.followers();
-    for (unsigned int k = 0; k < followers.size(); ++k)
-      if (followers.has(k, Followers::changes))
-        field.local_element(followers.entry[k]) =
-          followers.value[k] + followers.sum(k, [&](const unsigned int entry) {
             return field.local_element(entry);
           });
   }

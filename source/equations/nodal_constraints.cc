@@ -62,9 +62,7 @@ namespace isochor
 
 
   void
-  NodalConstraints::constrain(const unsigned int  i,
-                              const double        value,
-                              const unsigned char how)
+  NodalConstraints::constrain(const unsigned int i, const double value)
   {
     const unsigned int number = source_number();
     if (number > 0)
@@ -75,15 +73,10 @@ namespace isochor
         if (constrained[i] != is_free && source_of_entry[i] != number &&
             difference > 1e-10 * (std::abs(value) + std::abs(increment[i])))
           conflicts.push_back(
-            {i,
-             source,
-             sources[source_of_entry[i]],
-             difference,
-             true,
-             constrained[i] == in_contact || how == in_contact});
+            {i, source, sources[source_of_entry[i]], difference, true});
         source_of_entry[i] = number;
       }
-    constrained[i] = how;
+    constrained[i] = prescribed;
     increment[i]   = value;
   }
 
@@ -108,26 +101,6 @@ namespace isochor
     equations.push_back(equation);
     source_of_equation.push_back(source_number());
     return equations.back();
-  }
-
-
-
-  void
-  NodalConstraints::drop_contact()
-  {
-    for (unsigned int i = 0; i < constrained.size(); ++i)
-      if (constrained[i] == in_contact)
-        constrained[i] = is_free;
-    std::vector<Equation>     kept;
-    std::vector<unsigned int> sources_of_kept;
-    for (unsigned int k = 0; k < equations.size(); ++k)
-      if (equations[k].how != in_contact)
-        {
-          kept.push_back(equations[k]);
-          sources_of_kept.push_back(source_of_equation[k]);
-        }
-    equations.swap(kept);
-    source_of_equation.swap(sources_of_kept);
   }
 
 
@@ -193,9 +166,20 @@ namespace isochor
              ++j)
           add_to_row(followers.master[j], a * followers.weight[j]);
         row_value -= a * followers.value[k];
-        row_changes = row_changes || followers.has(k, Followers::changes);
-        i           = 0;
+        i = 0;
       }
+  }
+
+
+
+  void
+  NodalConstraints::set_row(const Equation &equation)
+  {
+    row.clear();
+    row_value = equation.value;
+    for (std::size_t i = equation.first; i < equation.last; ++i)
+      add_to_row(entry[i], coefficient[i]);
+    substitute();
   }
 
 
@@ -247,9 +231,9 @@ namespace isochor
                 ExcMessage(
                   "<" + parameter_of(sources[source_of_equation[number]]) +
                   "> meets nodes of which other conditions determine all, so "
-                  "that it would determine the motion of a rigid side or a "
-                  "jump between periodic sides. Prescribe that motion or "
-                  "jump, or leave these nodes out of the other condition."));
+                  "that it would determine a jump between periodic sides. "
+                  "Prescribe that jump, or leave these nodes out of the other "
+                  "condition."));
   }
 
 
@@ -257,19 +241,12 @@ namespace isochor
   void
   NodalConstraints::eliminate(Equation &equation, const unsigned int number)
   {
-    if (equation.n_vector > 1)
-      project(equation, number);
-    combine(equation, number, equation.projection);
+    set_row(equation);
     const unsigned int i = find_pivot(equation);
     equation.pivot       = (i == none ? none : row[i].first);
     if (i == none)
       {
-        // what others hold must be what this one asks for, along what walls
-        // hold and along the rest of the vector
-        std::array<double, 3> whole{};
-        whole[equation.component] = 1;
-        if (equation.n_vector > 1)
-          combine(equation, number, whole);
+        // what others hold must be what this one asks for
         note_lost(equation, number);
         return;
       }
@@ -278,9 +255,7 @@ namespace isochor
     row.erase(row.begin() + i);
     for (auto &term : row)
       term.second /= -a;
-    append_follower(equation.pivot,
-                    row_changes ? Followers::changes : 0,
-                    row_value / a);
+    append_follower(equation.pivot, 0, row_value / a);
     equation_of_follower.push_back(number);
   }
 
@@ -317,8 +292,7 @@ namespace isochor
         if (constrained[e] != is_free)
           continue;
         row.clear();
-        row_value   = 0;
-        row_changes = false;
+        row_value = 0;
         for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
           row.emplace_back(ties.master[i] * n_components + a, ties.weight[i]);
         if (!equations.empty())
@@ -330,10 +304,7 @@ namespace isochor
                 }))
               continue;
           }
-        append_follower(e,
-                        Followers::is_tie |
-                          (row_changes ? Followers::changes : 0),
-                        -row_value);
+        append_follower(e, Followers::is_tie, -row_value);
         equation_of_follower.push_back(none);
       }
   }
@@ -350,8 +321,7 @@ namespace isochor
     for (unsigned int k = found.size(); k-- > 0;)
       {
         row.clear();
-        row_value   = 0;
-        row_changes = found.has(k, Followers::changes);
+        row_value = 0;
         for (std::size_t i = found.start[k]; i < found.start[k + 1]; ++i)
           {
             const unsigned int l = place[found.master[i]];
@@ -364,12 +334,9 @@ namespace isochor
             for (const auto &[master, weight] : masters[l])
               add_to_row(master, w * weight);
             row_value += w * followers.value[l];
-            row_changes = row_changes || followers.has(l, Followers::changes);
           }
         masters[k] = row;
         followers.value[k] += row_value;
-        if (row_changes)
-          followers.flags[k] |= Followers::changes;
       }
     followers.start.assign(1, 0);
     followers.master.clear();
@@ -407,12 +374,10 @@ namespace isochor
       return;
     std::string        winner = sources.front();
     const unsigned int e      = entry[equation.first];
-    bool contact = equation.how == in_contact || constrained[e] == in_contact;
     if (place[e] != none && equation_of_follower[place[e]] != none)
       {
         const unsigned int first = equation_of_follower[place[e]];
         winner                   = sources[source_of_equation[first]];
-        contact = contact || equations[first].how == in_contact;
       }
     else if (!source_of_entry.empty())
       winner = sources[source_of_entry[e]];
@@ -420,7 +385,6 @@ namespace isochor
                          winner,
                          sources[source_of_equation[number]],
                          known ? std::abs(rest) / size : 0.,
-                         false,
-                         contact});
+                         false});
   }
 } // namespace isochor

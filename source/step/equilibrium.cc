@@ -299,33 +299,6 @@ namespace isochor
 
 
   template <int dim>
-  void
-  Equilibrium<dim>::relinearise()
-  {
-    if (scene.inertia.in_trial())
-      return;
-    bool any = false;
-    for (const auto &condition : scene.boundary_conditions)
-      if (condition->relinearises())
-        {
-          condition->relinearise(setup.context(), unknowns, constraints);
-          any = true;
-        }
-    if (!any)
-      return;
-    constraints.conflicts.clear(); // were told at the start
-    constraints.resolve(scene.n_components);
-    // other coefficients may make another unknown follow
-    const bool fits = system.fits(constraints);
-    if (Utilities::MPI::min(fits ? 1 : 0, scene.grid.communicator()) == 1)
-      system.update_followers(constraints);
-    else
-      lay_out_system(false);
-  }
-
-
-
-  template <int dim>
   NewtonReport
   Equilibrium<dim>::find_root(const bool has_other_start)
   {
@@ -355,10 +328,7 @@ namespace isochor
     problem.advance = [this](const double s) {
       at_start = false;
       linear_step.advance(s, unknowns);
-      relinearise();
-      system.project_changing(unknowns);
     };
-    relinearise();
     system.interpolate_followers(unknowns); // wherever it starts from
     const NewtonReport report = newton_solver.solve(problem, terminal.log());
     last_try_converged        = report.converged;

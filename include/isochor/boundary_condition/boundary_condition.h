@@ -88,47 +88,6 @@ namespace isochor
       return {};
     }
 
-    /** Whether there are equations whose coefficients change with the unknowns
-     * (Equation::changes). */
-    virtual bool
-    relinearises() const
-    {
-      return false;
-    }
-    /** Linearise these equations at @p unknowns: change their coefficients,
-     * and their value such that they hold where what is prescribed has come in
-     * altogether. Not in trial steps of dynamics. */
-    virtual void
-    relinearise(const StepContext<dim> & /*step*/,
-                const NodalField & /*unknowns*/,
-                NodalConstraints & /*constraints*/) const
-    {}
-
-    /** After the assembly of a matrix: add what comes from the curvature of
-     * these equations, multiplier times second derivative, to elements that
-     * collect_elements() has named, from @p first_element on, by
-     * MixedSystem::add_matrix(). */
-    virtual void
-    add_constraint_stiffness(const StepContext<dim> & /*step*/,
-                             const NodalField & /*unknowns*/,
-                             const NodalConstraints & /*constraints*/,
-                             const unsigned int /*first_element*/,
-                             MixedSystem<dim> & /*system*/) const
-    {}
-
-    /** Of an equation of this condition that changes: what is added to its
-     * value for accelerations at the start of the step, given the nodal
-     * velocities (dim per node): for a rotation, that towards its axis. */
-    virtual double
-    convective_acceleration(
-      const StepContext<dim> & /*step*/,
-      const NodalField & /*velocity*/,
-      const NodalConstraints & /*constraints*/,
-      const NodalConstraints::Equation & /*equation*/) const
-    {
-      return 0.;
-    }
-
     /** Add the dead loads at the end of the step (N) from this rank's cells,
      * entry n_components * node + component. */
     virtual void

@@ -365,13 +365,6 @@ namespace isochor
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       const NodalTies                                            &ties,
       const double                                                part) const;
-    /** Add to given_acceleration what comes from the velocities of equations
-     * that change, see BoundaryCondition::convective_acceleration(). */
-    void
-    add_convective_acceleration(
-      const StepContext<dim>                                     &step,
-      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-      const NodalConstraints                                     &constraints);
     /** Velocities and accelerations that the followers of displacements start
      * with, by what they follow @p at the places of the step's motion. */
     std::vector<std::pair<double, double>>

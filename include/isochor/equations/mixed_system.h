@@ -54,11 +54,6 @@ namespace isochor
              tied.followers().same_structure(constraints.followers);
     }
 
-    /** The weights and values of the followers in @p constraints have changed,
-     * which are the same as in the last call of reinit(). */
-    void
-    update_followers(const NodalConstraints &constraints);
-
     /** Zero the residual, and matrix and lifting if @p with_matrix. */
     void
     start_assembly(const bool with_matrix);
@@ -102,24 +97,11 @@ namespace isochor
     }
 
     /** The part of a follower's increment that is prescribed for it (m), apart
-     * from what it follows; 0 for rigid sides, whose control nodes tell. */
+     * from what it follows. */
     double
     prescribed_value(const unsigned int entry) const
     {
-      const unsigned int k = tied.follower(entry);
-      return tied.followers().has(k, Followers::changes) ?
-               0. :
-               tied.followers().value[k];
-    }
-
-    /** Whether an entry follows with coefficients that change with the
-     * unknowns, as on rigid sides. */
-    bool
-    follows_changing(const unsigned int entry) const
-    {
-      const unsigned int k = tied.follower(entry);
-      return k != TiedElements::none &&
-             tied.followers().has(k, Followers::changes);
+      return tied.followers().value[tied.follower(entry)];
     }
 
     /** follower_force(), but of ties only (NodalTies). */
@@ -155,7 +137,7 @@ namespace isochor
       return constraint_forces.multiplier(equation);
     }
 
-    /** The force (N) of walls, rigid sides and prescribed displacements on the
+    /** The force (N) of walls and prescribed displacements on the
      * body; elsewhere the residual. Valid after finish_assembly() on owned
      * entries. */
     const NodalField &
@@ -197,11 +179,6 @@ namespace isochor
      * prescribed by those that they follow; ghosts too. */
     void
     interpolate_followers(NodalField &field) const;
-
-    /** Set the followers of @p field whose weights change with the unknowns.
-     */
-    void
-    project_changing(NodalField &field) const;
 
     /** Equation of an entry of a nodal field, local number, or invalid. */
     unsigned int

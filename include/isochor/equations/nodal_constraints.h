@@ -5,7 +5,6 @@
 #ifndef isochor_nodal_constraints_h
 #define isochor_nodal_constraints_h
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -51,8 +50,7 @@ namespace isochor
   {
     enum : unsigned char
     {
-      is_tie  = 1, ///< of NodalTies
-      changes = 2  ///< weights and value depend on the unknowns
+      is_tie = 1 ///< of NodalTies
     };
 
     std::vector<unsigned int>  entry;
@@ -105,9 +103,8 @@ namespace isochor
   {
     displacement, ///< NodalConstraints::constrain()
     wall,         ///< along normals
-    rigid_side,
-    periodic, ///< and other relations between nodes
-    tie       ///< NodalTies
+    periodic,     ///< and other relations between nodes
+    tie           ///< NodalTies
   };
 
   /**
@@ -131,9 +128,8 @@ namespace isochor
     enum : unsigned char
     {
       is_free    = 0,
-      prescribed = 1, ///< always
-      in_contact = 2, ///< as long as it presses on a one-sided wall
-      follows    = 3  ///< other unknowns, see Followers
+      prescribed = 1,
+      follows    = 2 ///< other unknowns, see Followers
     };
 
     /** Σ a_j x_j = b, j the entries from first to last of entry[]. */
@@ -144,29 +140,12 @@ namespace isochor
       double      value = 0;
       /** The pivot is one of this many of the first entries; 0: any. */
       unsigned int n_pivots = 1;
-      /** prescribed, or in_contact. */
-      unsigned char how = prescribed;
-      /** Whether the coefficients depend on the unknowns, see
-       * BoundaryCondition::relinearise(). */
-      bool changes = false;
       /** Whether all ranks have added it. */
-      bool known_to_all = false;
-      /** Whose it is, and which of its equations. */
-      const void  *owner = nullptr;
-      unsigned int label = 0;
-      /** This many equations, one after the other, determine a vector, of which
-       * this one has the component number @p component as its first entry.
-       * Along what walls and prescribed components hold of it the vector is
-       * then left alone: in the place of the equations E_b stand
-       *   Σ_b P_ab E_b,  P = 1 - Σ n n^T,  n orthonormal in what is held. */
-      unsigned int n_vector = 1, component = 0;
-
+      bool                          known_to_all = false;
       static constexpr unsigned int none = static_cast<unsigned int>(-1);
       /** By resolve(): what follows by this equation. None: all of it is
        * determined by others. */
       unsigned int pivot = none;
-      /** By resolve(): P_ab, a the component; {1} without a vector. */
-      std::array<double, 3> projection{{1., 0., 0.}};
     };
 
     /** An unknown that two conditions determine, and not alike. */
@@ -176,11 +155,10 @@ namespace isochor
       std::string  winner, loser;
       double       difference; ///< of what they prescribe; 0: not known
       bool         equal_rank; ///< both are of the same precedence
-      bool         in_contact; ///< one of them holds in contact only
     };
 
     std::vector<unsigned char> constrained;
-    /** Of unknowns that are prescribed or in_contact. */
+    /** Of unknowns that are prescribed. */
     std::vector<double> increment;
     NodalTies           ties;
 
@@ -201,9 +179,7 @@ namespace isochor
     /** Prescribe an unknown. Of several calls for it the last one counts; that
      * of another source with another value is a conflict. */
     void
-    constrain(const unsigned int  entry,
-              const double        value,
-              const unsigned char how = prescribed);
+    constrain(const unsigned int entry, const double value);
 
     /** Add Σ a_j x_j = @p value for @p terms (entry, a_j). The Equation
      * returned can be changed until the next call. */
@@ -212,10 +188,6 @@ namespace isochor
         const std::vector<std::pair<unsigned int, double>> &terms,
         const double                                        value);
 
-    /** Leave out what holds in contact only. To be called before resolve(). */
-    void
-    drop_contact();
-
     /** Whether an entry is of a control node. */
     bool
     is_of_control_node(const unsigned int entry) const
@@ -223,8 +195,7 @@ namespace isochor
       return !is_control.empty() && is_control[entry] != 0;
     }
 
-    /** Find the followers. Can be called again after coefficients and values
-     * have changed. */
+    /** Find the followers. */
     void
     resolve(const unsigned int n_components);
 
@@ -235,15 +206,9 @@ namespace isochor
     source_number();
     void
     eliminate(Equation &equation, const unsigned int number);
-    /** Let the row be Σ_b parts_b E_b over the equations of a vector, without
-     * what has been eliminated. */
+    /** Let the row be the equation without what has been eliminated. */
     void
-    combine(const Equation              &equation,
-            const unsigned int           number,
-            const std::array<double, 3> &parts);
-    /** Set the projection of an equation of a vector. */
-    void
-    project(Equation &equation, const unsigned int number) const;
+    set_row(const Equation &equation);
     void
     eliminate_tie(const unsigned int tie, const unsigned int n_components);
     void
@@ -277,8 +242,7 @@ namespace isochor
     std::vector<unsigned int>                    place;
     std::vector<unsigned int>                    equation_of_follower;
     std::vector<std::pair<unsigned int, double>> row;
-    double                                       row_value   = 0;
-    bool                                         row_changes = false;
+    double                                       row_value = 0;
   };
 } // namespace isochor
 

@@ -158,7 +158,7 @@ namespace isochor
     void
     set_weight();
     /** Whether a condition that holds now holds the body up against @p gravity:
-     * prescribed components, walls that it touches, held rigid sides, surfaces
+     * prescribed components, walls that it touches, surfaces
      * with a prescribed component or a load. Collective. */
     bool
     is_supported(const Tensor<1, dim> &gravity) const;
@@ -191,9 +191,6 @@ namespace isochor
     find_root(const bool has_other_start = false);
     ResidualNorms
     assemble(const bool with_matrix);
-    /** Equations between unknowns whose coefficients change with these. */
-    void
-    relinearise();
     /** Find what of the prescribed increments is still to come; whether there
      * is anything on this rank. */
     bool
