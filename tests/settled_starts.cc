@@ -40,6 +40,7 @@ namespace isochor
       row["time"] = result.step.time;
       for (const char *const column : {"Reaction x on left (N)",
                                        "Reaction y on bottom (N)",
+                                       "Force y on body by boundary bottom (N)",
                                        "Strain energy (J)",
                                        "Energy lost by the scheme (J)"})
         try

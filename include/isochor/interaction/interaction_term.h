@@ -11,7 +11,9 @@
 #include <isochor/interaction/interaction_kernel.h>
 #include <isochor/interaction/slip_memory.h>
 
+#include <limits>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -122,12 +124,19 @@ namespace isochor
     std::string
     save_state() const override
     {
-      return slips.save(grid->communicator());
+      std::ostringstream text;
+      text.precision(std::numeric_limits<double>::max_digits10);
+      text << Utilities::MPI::sum(acting, grid->communicator()) << '\n'
+           << slips.save(grid->communicator());
+      return text.str();
     }
     void
     load_state(const std::string &state) override
     {
-      slips.load(state);
+      std::istringstream text(state);
+      for (unsigned int d = 0; d < dim; ++d)
+        text >> acting[d];
+      slips.load(state.substr(state.find('\n') + 1));
     }
 
   private:
