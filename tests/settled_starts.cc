@@ -41,6 +41,7 @@ namespace isochor
       for (const char *const column : {"Reaction x on left (N)",
                                        "Reaction y on bottom (N)",
                                        "Force y on body by floor (N)",
+                                       "Force y on body by boundary bottom (N)",
                                        "Strain energy (J)",
                                        "Energy lost by the scheme (J)"})
         try

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <sstream>
 
 namespace isochor
 {
@@ -523,9 +524,13 @@ namespace isochor
   std::string
   InteractionTerm<dim>::save_state() const
   {
-    const std::string first = slips.save(grid->communicator());
-    return std::to_string(first.size()) + '\n' + first +
-           forces.save(grid->communicator());
+    const MPI_Comm     comm  = grid->communicator();
+    const std::string  first = slips.save(comm);
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    text << Utilities::MPI::sum(acting, comm) << ' ' << first.size() << '\n'
+         << first << forces.save(comm);
+    return text.str();
   }
 
 
@@ -537,7 +542,11 @@ namespace isochor
     const std::size_t line = state.find('\n');
     if (line == std::string::npos)
       return;
-    const std::size_t size = std::stoul(state);
+    std::istringstream text(state);
+    std::size_t        size = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      text >> acting[d];
+    text >> size;
     slips.load(state.substr(line + 1, size));
     forces.load(state.substr(line + 1 + size));
   }
