@@ -72,5 +72,5 @@ main(int argc, char **argv)
                        "Interaction: end - place/Displacement = y = -0.5*t\n" +
                        clamp,
                      false),
-         {"WARNING surface in part off the body"});
+         {});
 }

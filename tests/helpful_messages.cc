@@ -336,7 +336,7 @@ namespace
       "Material points/Region = x < 2 && y < 1\n"
       "Material points/Lattice spacing = 0.125\n"
       "Quadrature/Type = cell-filled\nMaterial/Young modulus = 1000\n"
-      "Material/Poisson ratio = 0\n"
+      "Material/Poisson ratio = 0\nTime/End time = 0.7\n"
       "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
       "Boundary conditions/Surfaces of body = end: x > 1.99\n"
       "Boundary conditions/Traction on body = end: 400*t, 0\n"

@@ -178,6 +178,9 @@ namespace
         set Type         = Point probes
         set Point probes = tip: 0, 1
       end
+      subsection Newton
+        set Tolerance = 1e-13
+      end
     )";
     const auto        whole = make(text, "run");
     whole->run();

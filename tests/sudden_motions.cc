@@ -120,7 +120,8 @@ namespace
       size + is_moved + motion.place +
       "\nMaterial/Young modulus = 1e10\nMaterial/Density = 1\n"
       "Dynamics/Inertia = true\nTime/Step size = 0.005\n"
-      "Time/End time = 0.08\n" +
+      // of forces that the first iterations have
+      "Newton/Tolerance = 1e-11\nTime/End time = 0.08\n" +
       settings);
     const std::vector<Row> rows = recorded_rows(column);
 
