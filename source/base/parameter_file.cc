@@ -6,6 +6,7 @@
 #include <isochor/base/edit_distance.h>
 #include <isochor/base/parameter_file.h>
 #include <isochor/base/parameter_list.h>
+#include <isochor/base/replaced_parameters.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -291,39 +292,19 @@ namespace isochor
     void
     check_replaced(const ParameterStatement &statement)
     {
-      static const std::map<std::string, std::string> replacements = {
-        {"Ghost penalty",
-         "nodes of cut cells are tied to well filled cells instead, see "
-         "<Cut cells/Extension> (auto, always or never, as <Ghost penalty/Use> "
-         "was); there are no coefficients any more"},
-        {"Rigid sides",
-         "tie the body's surface to a rigid body instead. <right: y = 0, "
-         "rotation = t> of a body that ends at x = 8 is now\n"
-         "subsection Rigid body: end\n"
-         "  set Shape = half plane\n"
-         "  set Point = 8, 0.5    # on the side; set Reference point, too, if "
-         "it turns\n"
-         "  set Normal = -1, 0    # towards the body\n"
-         "  set Motion = y=0, rotation=t\n"
-         "  set Free = x          # what was not named; Force, Moment\n"
-         "end\n"
-         "subsection Interaction: body - end\n"
-         "  set Law = tie\n"
-         "  set Surface = x > 7.99\n"
-         "end"}};
       Path so_far;
       for (const std::string &name : statement.path)
         {
           so_far.push_back(name);
-          const auto replacement = replacements.find(name);
-          if (replacement != replacements.end())
+          const std::string replacement = replacement_of(name);
+          if (!replacement.empty())
             throw ParameterError(statement.origin + ": the " +
                                  (statement.is_subsection ||
                                       so_far.size() < statement.path.size() ?
                                     "subsection" :
                                     "parameter") +
                                  " <" + join_path(so_far) +
-                                 "> is gone: " + replacement->second);
+                                 "> is gone: " + replacement);
         }
     }
 
