@@ -40,7 +40,6 @@ namespace isochor
       row["time"] = result.step.time;
       for (const char *const column : {"Reaction x on left (N)",
                                        "Reaction y on bottom (N)",
-                                       "Force y on body by floor (N)",
                                        "Force y on body by boundary bottom (N)",
                                        "Strain energy (J)",
                                        "Energy lost by the scheme (J)"})
@@ -118,12 +117,6 @@ test_changing_grids()
                               "Boundary conditions/Walls = bottom: n >= 0\n"
                               "Boundary conditions/Gravity = 0, -10" +
                               slowly + '\n';
-  const std::string on_floor = "Boundary conditions/Displacement = left: x=0\n"
-                               "Rigid body: floor/Shape = half plane\n"
-                               "Interaction: body - floor/Law = tie\n"
-                               "Interaction: body - floor/Surface = y < 0.01\n"
-                               "Boundary conditions/Gravity = 0, -10" +
-                               slowly + '\n';
   const std::string finer   = changing("0.5", "0.25"),
                     coarser = changing("0.25", "0.5");
   const std::string y       = "Reaction y on bottom (N)",
@@ -134,10 +127,6 @@ test_changing_grids()
   test_weight<2>("finer, on a wall",
                  plane + E + on_wall + finer,
                  "Force y on body by boundary bottom (N)",
-                 1e-3);
-  test_weight<2>("finer, on a rigid body",
-                 plane + E + on_floor + finer,
-                 "Force y on body by floor (N)",
                  1e-3);
   test_weight<2>("finer, nearly incompressible",
                  plane + E + along_y + finer +

@@ -223,15 +223,14 @@ def supports(scene, random, pick, chance):
         set_["Quadrature/Type"] = "CPDI"
         scene.held = ""
     elif kind == "rigid" and not axis:
-        fixed = "rotation=0"
-        if scene.dim == 3:
-            fixed = "z=0, rotation x=0, rotation y=0, rotation z=0"
-        set_["Boundary conditions/Rigid sides"] = "top: " + pick(
-            f"x=0, y=-0.1*t, {fixed}",
-            f"x=0, y=0.1*t, {fixed.replace('=0', '=0.2*t')}",
-            f"force x=0.1*t, force y=-0.2*t, {fixed}",
-            "force x=0.1*t, force y=-0.2*t",
-        )
+        held = ""
+        turn = "rotation" if scene.dim == 2 else "rz"
+        set_["Quadrature/Type"] = "CPDI"
+        set_["Rigid body: foot/Shape"] = "half plane"
+        set_["Material points/Bodies"] = "one"
+        set_["Rigid body: foot/Motion"] = pick("y=-0.1*t", f"x=0.1*t, {turn}=0.2*t", "")
+        set_["Interaction: body - foot/Law"] = "tie"
+        set_["Interaction: body - foot/Surface"] = "y < 0.01"
         scene.held = ""
     elif kind == "periodic" and not axis and set_["Grid/Type"] != "trapezoid":
         set_["Boundary conditions/Periodic sides"] = "left: right, " + pick(

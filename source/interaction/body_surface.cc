@@ -110,11 +110,13 @@ namespace isochor
     Tensor<1, dim> R;
     for (unsigned int i = 0; i < dim; ++i)
       R += lambda[i] * face.corners[i];
-    Place place;
+    Place            place;
+    const Point<dim> x =
+      step.points.location(step.grid.geometry(), face.k, face.q);
     place.r = step.points.F[face.q] * R;
-    place.X = face.reference + R;
-    place.x =
-      step.points.location(step.grid.geometry(), face.k, face.q) + place.r;
+    // not face.reference, which rounds otherwise in a run that is resumed
+    place.X            = Point<dim>(x - step.points.displacement[face.q]) + R;
+    place.x            = x + place.r;
     place.displacement = step.points.displacement[face.q] + place.r - R;
     place.weight       = 1. / n_gauss;
     return place;

@@ -122,8 +122,7 @@ namespace isochor
       find_faces();
     NodalField rest;
     step.nodes.initialize(rest, step.n_components);
-    for (const auto &interaction : interactions)
-      interaction->partner->update(step, rest);
+    update_partners(step, rest);
     for (FaceElement &element : faces)
       {
         const auto &face   = surface.faces()[element.face];
@@ -175,8 +174,7 @@ namespace isochor
                                    const NodalField       &unknowns,
                                    const NodalField & /*forces*/)
   {
-    for (const auto &interaction : interactions)
-      interaction->partner->update(start, unknowns);
+    update_partners(start, unknowns);
     InteractionKernel<dim> kernel;
     std::vector<Action>    actions;
     for (FaceElement &element : faces)
@@ -356,8 +354,7 @@ namespace isochor
                                  const bool              with_matrix,
                                  MixedSystem<dim>       &system)
   {
-    for (const auto &interaction : interactions)
-      interaction->partner->update(step, unknowns);
+    update_partners(step, unknowns);
     InteractionKernel<dim> kernel;
     std::vector<Action>    actions;
     acting = Tensor<1, dim>();
@@ -411,8 +408,7 @@ namespace isochor
                                            const NodalField       &unknowns,
                                            NodalField             &force) const
   {
-    for (const auto &interaction : interactions)
-      interaction->partner->update(step, unknowns);
+    update_partners(step, unknowns);
     InteractionKernel<dim>    kernel;
     std::vector<unsigned int> nodes;
     for (const FaceElement &element : faces)
@@ -441,6 +437,7 @@ namespace isochor
     std::vector<Action>                      actions;
     slips.start_noting();
     forces.start_noting();
+    update_partners(step, unknowns);
     for (const FaceElement &element : faces)
       {
         actions.clear();
@@ -451,20 +448,11 @@ namespace isochor
             auto &sum = sums[action.interaction];
             for (unsigned int a = 0; a < dim; ++a)
               sum[a] += action.force[a];
-            const auto lever = interactions[action.interaction]->partner->lever(
-              action.y, step.has_inertia);
-            if (lever)
-              {
-                Tensor<1, 3> arm, force;
-                for (unsigned int a = 0; a < dim; ++a)
-                  {
-                    arm[a]   = (*lever)[a];
-                    force[a] = action.force[a];
-                  }
-                const Tensor<1, 3> moment = cross_product_3d(arm, force);
-                for (unsigned int a = 0; a < 3; ++a)
-                  sum[dim + a] += moment[a];
-              }
+            const Tensor<1, 3> moment =
+              interactions[action.interaction]->partner->moment(
+                action.y, action.force, step.has_inertia);
+            for (unsigned int a = 0; a < 3; ++a)
+              sum[dim + a] += moment[a];
             forces.set_next(key, action.gauss_point, action.force);
             if (action.slip.norm_square() > 0)
               slips.set_next(key, action.gauss_point, action.slip);
@@ -487,8 +475,6 @@ namespace isochor
   {
     if (interactions.empty())
       return;
-    for (const auto &interaction : interactions)
-      interaction->partner->update(step, unknowns);
     const auto sums = resultants(step, unknowns);
     for (unsigned int i = 0; i < interactions.size(); ++i)
       {
@@ -496,13 +482,12 @@ namespace isochor
                                interactions[i]->partner_name;
         for (unsigned int a = 0; a < dim; ++a)
           statistics.set(interactions[i]->force_column(a), sums[i][a]);
-        if (!interactions[i]->partner->lever({}, false) ||
-            step.kernel.axisymmetric)
-          continue;
-        for (unsigned int a = (dim == 2 ? 2 : 0); a < 3; ++a)
-          statistics.set("Moment" +
-                           (dim == 2 ? "" : std::string(" ") + "xyz"[a]) + of +
-                           " (N m)",
+        const bool turns =
+          interactions[i]->partner->has_moments() && !step.kernel.axisymmetric;
+        for (unsigned int a = (dim == 2 ? 2 : 0); a < 3 && turns; ++a)
+          statistics.set((dim == 2 ? std::string("Moment") :
+                                     std::string("Moment ") + "xyz"[a]) +
+                           of + " (N m)",
                          sums[i][dim + a]);
       }
   }

@@ -83,12 +83,21 @@ namespace isochor
 
 
   template <int dim>
-  std::optional<Tensor<1, dim>>
-  RigidPartner<dim>::lever(const Point<dim> &y, const bool mean) const
+  Tensor<1, 3>
+  RigidPartner<dim>::moment(const Point<dim>     &y,
+                            const Tensor<1, dim> &force,
+                            const bool            mean) const
   {
-    const Tensor<1, dim> arm =
-      y - move->pose().reference - move->pose().displacement;
-    return mean ? arm - turned() * arm / 2 : arm;
+    Tensor<1, dim> arm = y - move->pose().reference - move->pose().displacement;
+    if (mean)
+      arm -= turned() * arm / 2;
+    Tensor<1, 3> lever, f;
+    for (unsigned int a = 0; a < dim; ++a)
+      {
+        lever[a] = arm[a];
+        f[a]     = force[a];
+      }
+    return cross_product_3d(lever, f);
   }
 
 

@@ -179,6 +179,13 @@ namespace isochor
       StartOfStep<dim> end; ///< InteractionKernel::at_end()
     };
 
+    void
+    update_partners(const StepContext<dim> &step,
+                    const NodalField       &unknowns) const
+    {
+      for (const auto &interaction : interactions)
+        interaction->partner->update(step, unknowns);
+    }
     /** The faces that take part, as they are at the start of the step.
      * Collective. */
     void

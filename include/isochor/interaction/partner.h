@@ -9,7 +9,6 @@
 #include <isochor/interaction/body_surface.h>
 #include <isochor/interaction/interaction_kernel.h>
 
-#include <optional>
 #include <vector>
 
 namespace isochor
@@ -65,13 +64,21 @@ namespace isochor
     virtual PartnerPlace<dim>
     original(const SurfacePlace &place) const = 0;
 
-    /** The lever of a force at the place @p y, from what moments are about to
-     * it (m), at the pose that update() has found or as the mean over the step;
-     * nothing if there are no moments. */
-    virtual std::optional<Tensor<1, dim>>
-    lever(const Point<dim> & /*y*/, const bool /*mean*/) const
+    /** Whether moments are about anything. */
+    virtual bool
+    has_moments() const
     {
-      return {};
+      return false;
+    }
+    /** The moment of @p force (N) at the place @p y, with the lever at the pose
+     * that update() has found or, if @p mean, its mean over the step (N m; in
+     * 2D the third component counts). */
+    virtual Tensor<1, 3>
+    moment(const Point<dim> & /*y*/,
+           const Tensor<1, dim> & /*force*/,
+           const bool /*mean*/) const
+    {
+      return Tensor<1, 3>();
     }
 
     /** Append the displacements (m) that are prescribed at @p place at the time

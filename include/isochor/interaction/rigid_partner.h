@@ -32,9 +32,16 @@ namespace isochor
     nearest(const typename Partner<dim>::SurfacePlace &place) const override;
     PartnerPlace<dim>
     original(const typename Partner<dim>::SurfacePlace &place) const override;
-    /** From the reference point. */
-    std::optional<Tensor<1, dim>>
-    lever(const Point<dim> &y, const bool mean) const override;
+    bool
+    has_moments() const override
+    {
+      return true;
+    }
+    /** About the reference point. */
+    Tensor<1, 3>
+    moment(const Point<dim>     &y,
+           const Tensor<1, dim> &force,
+           const bool            mean) const override;
     std::vector<unsigned int>
     control_vertices(const ActiveNodes<dim> &nodes) const override;
     void
