@@ -89,8 +89,8 @@ lid(const std::string &settings)
   return "\nQuadrature/Type = CPDI\nRigid body: lid/Shape = half plane\n"
          "Rigid body: lid/Point = 0.5, 1\n" +
          settings +
-         "\nInteraction: body - lid/Law = tie\n"
-         "Interaction: body - lid/Surface = y > 0.999\n";
+         "\nBoundary conditions/Surfaces of body = top: y > 0.999\n"
+         "Interaction: top - lid/Law = tie\n";
 }
 
 /** A lid that moves without a rotation, and the same by formulas for the
@@ -107,9 +107,8 @@ test_lid_on_adaptive_grid(const std::string &settings)
   const auto by_lid = test::run_scene<2>(
     block + lid("Rigid body: lid/Motion = x=0.05*t, y=-0.04*t"));
   const auto by_formulas = test::run_scene<2>(
-    block + "Interaction: body - place/Law = tie\n"
-            "Interaction: body - place/Surface = y > 0.999\n"
-            "Interaction: body - place/Displacement = x=0.05*t, y=-0.04*t\n");
+    block + "Boundary conditions/Surfaces of body = top: y > 0.999\n"
+            "Interaction: top - place/Displacement = x=0.05*t, y=-0.04*t\n");
   for (const std::string a : {"x", "y"})
     {
       const double reaction =
@@ -120,7 +119,7 @@ test_lid_on_adaptive_grid(const std::string &settings)
         1e-7);
       test::check_error(
         "its force, " + a,
-        relative(get(*by_lid, "Force " + a + " on body by lid (N)"), -reaction),
+        relative(get(*by_lid, "Force " + a + " on top by lid (N)"), -reaction),
         1e-7);
     }
 }
@@ -220,8 +219,7 @@ test_lid_between_periodic(const std::string &settings)
         const double force = a == "x" ? 50 : -300;
         test::add_error(
           worst,
-          std::abs(get(*problem, "Force " + a + " on body by lid (N)") -
-                   force) +
+          std::abs(get(*problem, "Force " + a + " on top by lid (N)") - force) +
             std::abs(get(*problem, "Reaction " + a + " on bottom (N)") +
                      force));
         const std::string u = "Translation " + a + " of rigid body lid (m)";
@@ -319,8 +317,7 @@ test_reactions()
               none + open);
   const std::string error = message(cell + "Postprocess/Reactions = roof\n");
   test::check("reaction of a surface of the body",
-              error.find("<Force x on roof by place (N)>") !=
-                std::string::npos,
+              error.find("<Force x on roof by place (N)>") != std::string::npos,
               error);
 }
 
@@ -370,8 +367,8 @@ test_guided_plate(const double degrees, const std::string &form)
        << "\nRigid body: top/Free = x, y, rotation\n"
           "Rigid body: top/Force = x = "
        << 3e6 * s << "*t, y = " << -3e6 * c
-       << "*t\nInteraction: body - top/Law = tie\n"
-          "Interaction: body - top/Surface = "
+       << "*t\nInteraction: end - top/Law = tie\n"
+          "Boundary conditions/Surfaces of body = end: "
        << c << "*y - " << s << "*x > 1.999\n";
   const auto problem = test::run_scene<2>(
     text.str() + test::keep_grid + form +
@@ -391,8 +388,8 @@ test_guided_plate(const double degrees, const std::string &form)
                slip      = along("Translation", top, c, s),
                side      = along("Reaction", "on left (N)", c, s) +
                       along("Reaction", "on right (N)", c, s),
-               force = along("Force", "on body by top (N)", s, -c),
-               shear = along("Force", "on body by top (N)", c, s);
+               force = along("Force", "on end by top (N)", s, -c),
+               shear = along("Force", "on end by top (N)", c, s);
   test::check("a plate between walls doesn't turn" + what,
               std::abs(turn) < 1e-9 && std::abs(slip) < 1e-9,
               std::to_string(turn) + ", " + std::to_string(slip));

@@ -114,12 +114,12 @@ test_rigid_floor()
                "Boundary conditions/Displacement = \n"
                "Rigid body: floor/Shape = half plane\n"
                "Rigid body: floor/Motion = x=t\n"
-               "Interaction: body - floor/Law = tie\n"
-               "Interaction: body - floor/Surface = y < 0.01\n",
+               "Boundary conditions/Surfaces of body = base: y < 0.01\n"
+               "Interaction: base - floor/Law = tie\n",
              {"Strain energy (J)",
               "External work (J)",
-              "Force y on body by floor (N)",
-              "Moment on body by floor (N m)"});
+              "Force y on base by floor (N)",
+              "Moment on base by floor (N m)"});
 }
 
 /** A run that is resumed in the middle goes on with the same division, bit by

@@ -338,8 +338,8 @@ namespace
       "Quadrature/Type = CPDI\n"
       "Rigid body: top/Shape = half plane\nRigid body: top/Point = 0.5, 1, "
       "0.5\nRigid body: top/Free = ry\nRigid body: top/Moment = ry=1e4*t\n"
-      "Interaction: body - top/Law = tie\n"
-      "Interaction: body - top/Surface = y > 0.99\n"
+      "Boundary conditions/Surfaces of body = end: y > 0.99\n"
+      "Interaction: end - top/Law = tie\n"
       "Time/Step size = 0.02\nTime/Minimum step size = 0.002\n");
     expect("the moment of a rigid body is a load",
            twisted,

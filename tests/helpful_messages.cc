@@ -191,8 +191,8 @@ namespace
       "Boundary conditions/Gravity = 0, -0.1\n"
       "Rigid body: hinge/Shape = half plane\nRigid body: hinge/Point = 0, "
       "0.5\nRigid body: hinge/Normal = 1, 0\n"
-      "Interaction: body - hinge/Law = tie\n"
-      "Interaction: body - hinge/Surface = x < 0.01\n";
+      "Boundary conditions/Surfaces of body = side: x < 0.01\n"
+      "Interaction: side - hinge/Law = tie\n";
     expect("a rigid body that is a hinge, under a load",
            messages<2>(hinge + "Rigid body: hinge/Free = rotation\n"),
            {"against: rotation about (0, 0.5) (the one"});

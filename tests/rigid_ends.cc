@@ -22,10 +22,9 @@ namespace
   using Vector3 = Tensor<1, 3>;
 
   /** A rigid body NAME whose reference point is @p centre, with @p settings,
-   * that the body's faces in @p surface are tied to. */
+   * that the surface "NAME side" is tied to. */
   std::string
   end(const std::string &name,
-      const std::string &surface,
       const std::string &centre,
       const std::string &settings = "")
   {
@@ -35,10 +34,13 @@ namespace
       text += "Rigid body: " + name + "/" + line + '\n';
     return "Quadrature/Type = CPDI\nRigid body: " + name +
            "/Shape = half plane\nRigid body: " + name + "/Point = " + centre +
-           '\n' + text + "Interaction: body - " + name +
-           "/Law = tie\nInteraction: body - " + name + "/Surface = " + surface +
-           '\n';
+           '\n' + text + "Interaction: " + name + " side - " + name +
+           "/Law = tie\n";
   }
+
+  const std::string sides = "Boundary conditions/Surfaces of body = ",
+                    up_and_down =
+                      sides + "bottom side: y < 0.001; top side: y > 0.999\n";
 
   /** A unit block with room in the grid; its lower end is fixed. */
   template <int dim>
@@ -56,17 +58,14 @@ namespace
            "Material/Young modulus = 1e4\nMaterial/Poisson ratio = 0.3\n"
            "Formulation/Type = u\nNewton/Tolerance = 1e-11\n"
            "Newton/Reuse factorisation = 0\n" +
-           end("bottom", "y < 0.01", dim == 2 ? "0.5, 0" : "0.5, 0, 0.5");
+           up_and_down + end("bottom", dim == 2 ? "0.5, 0" : "0.5, 0, 0.5");
   }
 
   template <int dim>
   std::string
   top(const std::string &settings)
   {
-    return end("top",
-               "y > 0.99",
-               dim == 2 ? "0.5, 1" : "0.5, 1, 0.5",
-               settings);
+    return end("top", dim == 2 ? "0.5, 1" : "0.5, 1, 0.5", settings);
   }
 
   /** The force on the body by @p end, and the moment about its reference
@@ -77,13 +76,13 @@ namespace
   {
     Vector3 force, moment;
     for (unsigned int a = 0; a < dim; ++a)
-      force[a] =
-        get(problem,
-            std::string("Force ") + "xyz"[a] + " on body by " + end + " (N)");
+      force[a] = get(problem,
+                     std::string("Force ") + "xyz"[a] + " on " + end +
+                       " side by " + end + " (N)");
     for (unsigned int a = (dim == 2 ? 2 : 0); a < 3; ++a)
       moment[a] = get(problem,
                       "Moment" + (dim == 2 ? "" : std::string(" ") + "xyz"[a]) +
-                        " on body by " + end + " (N m)");
+                        " on " + end + " side by " + end + " (N m)");
     return {force, moment};
   }
 
@@ -140,28 +139,24 @@ namespace
 void
 test_prescribed(const std::string &name, const std::string &settings)
 {
-  const auto by_body =
-    test::run_scene<2>(block<2>() + settings +
-                       end("top",
-                           "y > 0.99",
-                           "0.3, 0.8",
-                           "Motion = x=0.1*t, y=0.05*t, rotation=0.4*t"));
+  const auto by_body = test::run_scene<2>(
+    block<2>() + settings +
+    end("top", "0.3, 0.8", "Motion = x=0.1*t, y=0.05*t, rotation=0.4*t"));
   check_order(name);
   const auto by_formulas = test::run_scene<2>(
     block<2>() + settings +
-    "Interaction: body - place/Law = tie\n"
-    "Interaction: body - place/Surface = y > 0.99\n"
-    "Interaction: body - place/Displacement = "
+    "Interaction: top side - place/Displacement = "
     "x = 0.1*t + (cos(0.4*t)-1)*(x-0.3) - sin(0.4*t)*(y-0.8), "
     "y = 0.05*t + sin(0.4*t)*(x-0.3) + (cos(0.4*t)-1)*(y-0.8)\n");
   const Vector3 force = resultant(*by_body, "top").first;
   for (unsigned int a = 0; a < 2; ++a)
-    test::check_error(
-      std::string("by a rigid body and formulas, ") + name + ", " + "xy"[a],
-      relative(force[a],
-               get(*by_formulas,
-                   std::string("Force ") + "xy"[a] + " on body by place (N)")),
-      1e-9);
+    test::check_error(std::string("by a rigid body and formulas, ") + name +
+                        ", " + "xy"[a],
+                      relative(force[a],
+                               get(*by_formulas,
+                                   std::string("Force ") + "xy"[a] +
+                                     " on top side by place (N)")),
+                      1e-9);
 }
 
 /** Equilibrium of both ends of a block; then the loads that have been found are
@@ -275,9 +270,9 @@ test_bending()
     "Grid/Upper corner = 8, 1\nGrid/Subdivisions = 96, 16\nGrid/Diagonals = "
     "alternating\nMaterial/Young modulus = 1e4\nMaterial/Poisson ratio = "
     "0\nFormulation/Type = u\nNewton/Tolerance = 1e-9\n" +
-    std::string(test::keep_grid) + end("left", "x < 0.01", "0, 0.5") +
-    end(
-      "right", "x > 7.99", "8, 0.5", "Motion = rotation=0.01*t\nFree = x, y"));
+    std::string(test::keep_grid) + sides +
+    "left side: x < 0.01; right side: x > 7.99\n" + end("left", "0, 0.5") +
+    end("right", "8, 0.5", "Motion = rotation=0.01*t\nFree = x, y"));
   const auto [force, moment] = resultant(*bent, "right");
   test::check_error("bending moment",
                     relative(moment[2], 1e4 / 12. * 0.01 / 8),
@@ -307,11 +302,9 @@ test_ring()
       "Formulation/Stabilisation = PPP\nFormulation/PPP coefficient = 1\n"
       "Material/Young modulus = 3000\nMaterial/Poisson ratio = 0.5\n"
       "Time/Step size = 0.05\n" +
-      end("left", "x < 0.01", "0, 0.25") +
-      end("right",
-          "x > 7.99",
-          "8, 0.25",
-          "Motion = rotation=2*pi*t\nFree = x, y"));
+      sides + "left side: x < 0.01; right side: x > 7.99\n" +
+      end("left", "0, 0.25") +
+      end("right", "8, 0.25", "Motion = rotation=2*pi*t\nFree = x, y"));
   };
   // ω² r_1 r_2 = 1, r_2² - r_1² = 2h/ω; σ_θ r by Simpson's rule, the constant
   // of σ_r = μ/2 (ω² r² + 1/(ω² r²)) + C such that σ_r = 0 at r_1 and r_2
@@ -360,8 +353,8 @@ test_torsion()
         "Formulation/Type = u-p\nFormulation/Stabilisation = PPP\n"
         "Formulation/PPP coefficient = 1\nNewton/Tolerance = 1e-8\n"
         "Newton/Reuse factorisation = 0\nTime/Step size = " +
-        std::to_string(step) + '\n' + end("bottom", "y < 0.001", "0, 0, 0") +
-        end("top", "y > 0.999", "0, 1, 0", "Motion = ry=" + angle));
+        std::to_string(step) + '\n' + up_and_down + end("bottom", "0, 0, 0") +
+        end("top", "0, 1, 0", "Motion = ry=" + angle));
     };
   const double M            = numbers::PI * G * std::pow(a, 4) / 2;
   const auto   extrapolated = [](const double coarse, const double fine) {
@@ -407,9 +400,8 @@ test_spin()
       "Material/Density = 1000\nMaterial/Young modulus = 1e7\n"
       "Time/Step size = 0.02\n"
       "Dynamics/Initial velocity = -(y-0.5), x-0.5\nTime/End time = " +
-      end_time + '\n' +
+      end_time + '\n' + sides + "top side: y > 0.99\n" +
       end("top",
-          "y > 0.99",
           "0.5, 1",
           "Free = x, y, rotation\nMass = 1e-3\nMoment of inertia = 1e-4\n"
           "Initial velocity = x=-0.5, rotation=1"));
@@ -443,8 +435,8 @@ test_mass()
     "Dynamics/Inertia = true\nDynamics/Spectral radius = 1\n"
        "Material/Density = 1e-3\nMaterial/Young modulus = 1e4\n"
        "Time/End time = 0.5\nTime/Step size = 0.0025\n" +
-    end("bottom", "y < 0.01", "0.5, 0") +
-    end("top", "y > 0.99", "0.5, 1", "Free = y\nForce = y=-1\nMass = 100"));
+    up_and_down + end("bottom", "0.5, 0") +
+    end("top", "0.5, 1", "Free = y\nForce = y=-1\nMass = 100"));
   test::check_error("a mass on a spring",
                     relative(get(*problem,
                                  "Translation y of rigid body top (m)"),

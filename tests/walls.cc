@@ -129,8 +129,8 @@ test_walls()
   // the body comes down by 0.0102 m onto a wall 0.01 m below: it touches in the
   // third of four steps
   const std::string fall =
-    "Interaction: body - place/Surface = y - 0.999\nInteraction: body - "
-    "place/Law = tie\nInteraction: body - place/Displacement = x=0, y = "
+    "Boundary conditions/Surfaces of body = up: y > 0.999\nInteraction: up - "
+    "place/Displacement = x=0, y = "
     "-0.0196*t*(t<0.6) - (0.01+0.0004*(t-0.5))*(t>0.6)\nBoundary conditions/Walls = bottom: n >= "
     "-0.01\nTime/Step size = 0.25\nQuadrature/Type = CPDI\n";
   const double expected =

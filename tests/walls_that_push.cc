@@ -163,10 +163,14 @@ namespace
                       std::abs(slides("Coulomb\nInteraction: body - boundary "
                                       "bottom/Friction coefficient = 0.6\n")),
                       2e-4);
-    test::check_error("is tied",
-                      std::abs(slides("tie\nInteraction: body - boundary "
-                                      "bottom/Surface = 0.001 - y\n")),
-                      2e-4);
+    test::check_error(
+      "is tied",
+      std::abs(get(*test::run_scene<2>(
+                     slope + "Boundary conditions/Surfaces of body = "
+                             "base: y < 0.001\nInteraction: base - boundary "
+                             "bottom/Law = tie\n"),
+                   "Displacement x of P (m)")),
+      2e-4);
   }
 } // namespace
 

@@ -10,7 +10,7 @@
 namespace isochor
 {
   /** The path of the parameter that NodalConstraints::source names, "Walls" or
-   * "Walls: name of the section"; with " = item", such as "Rigid sides = top",
+   * "Walls: name of the section"; with " = item", such as "Walls = top",
    * an item of it. */
   std::string
   parameter_of(const std::string &source);
