@@ -90,7 +90,7 @@ namespace isochor
     , partner(std::make_unique<GridBoundaryPartner<dim>>(walls, which))
   {
     ParameterHandler prm;
-    InteractionLaw<dim>::declare_laws(prm);
+    InteractionLaw<dim>::declare_laws(prm, "unilateral");
     law = InteractionLaw<dim>::create(prm);
   }
 
