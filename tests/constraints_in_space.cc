@@ -183,8 +183,9 @@ test_sphere()
   test::check_error("extrapolated",
                     relative((4 * fine - coarse) / 3, expected),
                     0.01);
-  test::check_error("turned, one-sided", relative(turned, coarse), 1e-7);
-  test::check_error("turned, on a kept grid", relative(kept, coarse), 1e-4);
+  // what lies between the nodes is pushed, too: cells of 0.4 of the radius
+  test::check_error("turned, one-sided", relative(turned, coarse), 0.07);
+  test::check_error("turned, on a kept grid", relative(kept, turned), 1e-3);
 }
 
 /** Cook's membrane in plane strain, and as one layer of tetrahedra with

@@ -46,7 +46,10 @@ namespace
     for (const char axis : {'x', 'y'})
       result.values.push_back(
         statistics.get("Displacement " + std::string(1, axis) + " of A (m)"));
-    result.values.push_back(statistics.get("Reaction y on bottom (N)"));
+    result.values.push_back(
+      statistics.get(settings.find("n >=") == std::string::npos ?
+                       "Reaction y on bottom (N)" :
+                       "Force y on body by boundary bottom (N)"));
     for (const NewtonReport &newton : test::recorded().newton)
       result.linear_iterations += newton.n_linear_iterations();
     try

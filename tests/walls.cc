@@ -116,6 +116,7 @@ test_walls()
               "0.02\nQuadrature/Type = CPDI\n",
               "bottom")
       .back();
+  // strains vary, as the top is held
   test::check_error(
     "a wall that stands in the body pushes it out",
     relative(values("Boundary conditions/Displacement = top: x=0, y=0\n"
@@ -124,7 +125,7 @@ test_walls()
                     of_wall)
                .back(),
              pushed),
-    1e-9);
+    1e-5);
 
   // the body comes down by 0.0102 m onto a wall 0.01 m below: it touches in the
   // third of four steps

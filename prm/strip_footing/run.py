@@ -30,7 +30,11 @@ CASES = {
     },
     "smooth base": {
         "Boundary conditions/Displacement": HELD
-        + "shaft: x=0; footing: y=-t"
+        + "footing: y=-t"
+    },
+    "shaft that holds": {
+        "Boundary conditions/Displacement": HELD
+        + "shaft: x=0; footing: x=0, y=-t"
     },
     # the method of the paper, without a remedy
     "plain": {

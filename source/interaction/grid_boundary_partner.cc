@@ -261,10 +261,12 @@ namespace isochor
     Point<dim>  p;
     for (unsigned int v = 0; v < dim; ++v)
       p += place.weights[v] * facet.corners[v];
-    return X.distance(p) <=
-               rounding * facet.corners[0].distance(facet.corners[1]) ?
-             place.distance :
-             0.;
+    const bool is_on_facet =
+                 X.distance(p) <=
+                 rounding * facet.corners[0].distance(facet.corners[1]),
+               is_behind_chord =
+                 place.distance < 0 && (X - p) * facet.normal > 0;
+    return is_on_facet || is_behind_chord ? place.distance : 0.;
   }
 
 

@@ -7,6 +7,7 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/equations/pressure_groups.h>
+#include <isochor/interaction/interaction_term.h>
 #include <isochor/step/free_motions.h>
 #include <isochor/step/scene.h>
 #include <isochor/step/scene_checks.h>
@@ -226,7 +227,12 @@ namespace isochor
           "is then too soft (a beam with 4 cells over its height bends too "
           "much by 20 % with 8 and by 48 % with 20), and finer grids cure it "
           "slowly. Take 1, unless this is what you want to see.");
-    if (scene.mixed() && has_free_pressure(matrix))
+    bool may_let_go = false;
+    for (const auto &condition : scene.boundary_conditions)
+      if (const auto *const interactions =
+            dynamic_cast<const InteractionTerm<dim> *>(condition.get()))
+        may_let_go = may_let_go || interactions->may_let_go();
+    if (scene.mixed() && !may_let_go && has_free_pressure(matrix))
       step.warnings.add(
         "a pressure that nothing determines",
         "The material is incompressible (<Material/Poisson ratio> = 0.5) and "

@@ -84,9 +84,9 @@ namespace isochor
            std::vector<unsigned int> &smooth) const;
     void
     find_rims();
-    /** Where a body's face at t = 0 is one of the boundary's, what it is away
-     * from the smooth surface at @p X (m): an error of the body's surface,
-     * which fits the wall. Else 0. */
+    /** Where a place @p X of the body at t = 0 is on a face of the boundary, or
+     * between this chord and the smooth surface, its distance from that (m): an
+     * error of the body's surface, which fits the wall. Else 0. */
     double
     distance_of_chord(const Point<dim> &X) const;
     /** n(x, t) (m) at the end of the step, or of a trial. */

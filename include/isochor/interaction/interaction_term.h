@@ -46,6 +46,16 @@ namespace isochor
         interaction->find_bodies(names);
     }
 
+    /** Whether surfaces may leave what they touch. */
+    bool
+    may_let_go() const
+    {
+      for (const auto &interaction : interactions)
+        if (interaction->law->is_unilateral())
+          return true;
+      return false;
+    }
+
     void
     initialize(const BackgroundGrid<dim> &grid) override
     {
