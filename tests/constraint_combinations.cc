@@ -317,8 +317,7 @@ test_reactions()
               none + open);
   const std::string error = message(cell + "Postprocess/Reactions = roof\n");
   test::check("reaction of a surface of the body",
-              error.find("<Force x on roof by place (N)>") !=
-                std::string::npos,
+              error.find("<Force x on roof by place (N)>") != std::string::npos,
               error);
 }
 
