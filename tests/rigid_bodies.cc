@@ -8,9 +8,6 @@
 // closed forms.
 
 #include <isochor/rigid_body/rigid_body.h>
-#include <isochor/rigid_body/rigid_surface_output.h>
-
-#include <fstream>
 
 #include "rigid_shape_tools.h"
 
@@ -326,7 +323,7 @@ namespace
   }
 
   void
-  test_state_and_output()
+  test_state()
   {
     test::Random random;
     const auto   scheme = RigidScheme::newmark(0.25, 0.5, 0.1);
@@ -347,25 +344,6 @@ namespace
     test::expect_error("a state that is cut off",
                        {"<Rigid body: tool> in the checkpoint is incomplete"},
                        [&]() { copy->load_state("0.1 2 3"); });
-    const auto plane = make_body<2>(box2);
-    write_rigid_surface<2>("tool.vtu",
-                           plane->surface(plane->old_pose(), 1),
-                           0.5);
-    write_rigid_surface<3>("solid.vtu",
-                           body->surface(body->old_pose(), 1),
-                           0.5);
-    for (const auto &[name, words] :
-         {std::make_pair("tool.vtu",
-                         "NumberOfPoints=\"8\" NumberOfCells=\"4\""),
-          {"solid.vtu", "NumberOfCells="}})
-      {
-        std::ifstream     file(name);
-        const std::string text{std::istreambuf_iterator<char>(file),
-                               std::istreambuf_iterator<char>()};
-        test::report(std::string("picture ") + name,
-                     text.find(words) != std::string::npos,
-                     text.substr(0, 1000));
-      }
   }
 
   template <int dim>
@@ -436,6 +414,6 @@ main()
   test_derivatives<3>();
   test_dynamics_in_the_plane();
   test_dynamics_in_space();
-  test_state_and_output();
+  test_state();
   test_errors();
 }

@@ -8,7 +8,9 @@
 // carries the force, in a homogeneous state with a closed form. The block lies
 // anywhere in the grid's cells.
 
+#include <fstream>
 #include <functional>
+#include <iterator>
 
 #include "run_scene.h"
 
@@ -91,6 +93,27 @@ namespace
                1),
       1e-6);
   }
+
+  /** The pictures of the last scene: in one file, whatever the number of ranks,
+   * of @p n_facets facets. */
+  void
+  check_picture(const std::string &what, const unsigned int n_facets)
+  {
+    const auto contents = [](const std::string &name) {
+      std::ifstream file(name);
+      return std::string{std::istreambuf_iterator<char>(file),
+                         std::istreambuf_iterator<char>()};
+    };
+    const std::string list   = contents("rigid_bodies-00001.pvtu"),
+                      facets = contents("rigid_bodies-00001.0000.vtu");
+    const auto piece         = list.find("<Piece");
+    test::check("picture of " + what,
+                piece != std::string::npos && piece == list.rfind("<Piece") &&
+                  facets.find("NumberOfCells=\"" + std::to_string(n_facets) +
+                              "\"") != std::string::npos &&
+                  !contents("rigid_bodies.pvd").empty(),
+                list);
+  }
 } // namespace
 
 int
@@ -100,4 +123,12 @@ main(int argc, char **argv)
   test_lid("u", 0.3, "Formulation/Type = u\n");
   test_lid("u-p", 0.3, "");
   test_lid("u-p, nearly incompressible", 0.4999, "");
+  check_picture("a floor and a lid", 1 + 4);
+  test::run_scene<3>("Quadrature/Type = CPDI\nGrid/Subdivisions = 2, 2, 2\n"
+                     "Rigid body: lid/Shape = box\n"
+                     "Rigid body: lid/Lower corner = 0, 1, 0\n"
+                     "Rigid body: lid/Upper corner = 1, 1.2, 1\n"
+                     "Interaction: body - lid/Law = tie\n"
+                     "Interaction: body - lid/Surface = y > 0.99\n");
+  check_picture("a box in space", 12);
 }

@@ -236,8 +236,9 @@ def read_grid(directory, step=-1):
 
 def read_output(directory, kind, step=-1):
     """Time, positions, cells (m, vertices of a cell) and fields of an output,
-    those of all pieces together. @p kind: "grid", "points", or, of a run that
-    has failed, "failure-grid" and "failure-points"."""
+    those of all pieces together. @p kind: "grid", "points", "rigid_bodies" (its
+    cells are the facets), or, of a run that has failed, "failure-grid" and
+    "failure-points"."""
     records = read_times(directory, kind)
     if not -len(records) <= step < len(records):
         raise OutputError(

@@ -86,17 +86,16 @@ namespace isochor
       for (const auto &one : term.all_bodies())
         {
           const RigidPose<dim> &pose = one->body.old_pose();
-          for (const auto &facet : one->body.shape().surface(reach))
+          for (const auto &facet : one->body.surface(pose, reach))
             {
-              std::array<Point<dim>, dim> corners;
-              for (unsigned int v = 0; v < dim; ++v)
-                corners[v] = pose.place(facet[v]);
-              auto &patch = patches.add_patch({corners.data(), corners.size()});
+              auto &patch = patches.add_patch({facet.data(), facet.size()});
               for (unsigned int v = 0; v < dim; ++v)
                 {
+                  const Tensor<1, dim> moved =
+                    facet[v] - pose.original(facet[v]);
                   patch.data(0, v) = number;
                   for (unsigned int d = 0; d < dim; ++d)
-                    patch.data(1 + d, v) = corners[v][d] - facet[v][d];
+                    patch.data(1 + d, v) = moved[d];
                 }
             }
           ++number;
