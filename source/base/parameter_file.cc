@@ -285,7 +285,8 @@ namespace isochor
 
 
 
-    /** Say what took the place of a subsection of earlier versions. */
+    /** Say what took the place of a subsection or a parameter of earlier
+     * versions. */
     void
     check_replaced(const ParameterStatement &statement)
     {
@@ -294,6 +295,15 @@ namespace isochor
          "nodes of cut cells are tied to well filled cells instead, see "
          "<Cut cells/Extension> (auto, always or never, as <Ghost penalty/Use> "
          "was); there are no coefficients any more"}};
+      static const std::map<Path, std::string> gone = {
+        {{"Formulation", "Project volume change"},
+         "volumes of points don't drift any more, whatever the "
+         "<Quadrature/Type>; leave it out"}};
+      const auto parameter = gone.find(statement.path);
+      if (parameter != gone.end())
+        throw ParameterError(statement.origin + ": the parameter <" +
+                             join_path(statement.path) +
+                             "> is gone: " + parameter->second);
       const auto replacement = replacements.find(statement.path.front());
       if (replacement != replacements.end())
         throw ParameterError(statement.origin + ": the subsection <" +

@@ -25,8 +25,7 @@ namespace isochor
    * leave and come to again elsewhere. Contact of bodies, and boundaries that
    * the body comes to later, are not in the list, since ApproachWatch finds
    * them. Rigid and periodic sides are not, since they take the body along,
-   * which a grid that is put back can't follow. `Project volume change` is not,
-   * since no volumes drift on a grid that is kept.
+   * which a grid that is put back can't follow.
    *
    * After the parameters of the scene were read. From them alone, so that a run
    * that continues decides alike.
