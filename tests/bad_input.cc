@@ -201,17 +201,11 @@ main(int argc, char **argv)
              1,
              {"Material/Poisson ratio", "0.5", "Formulation/Type = u-p"});
 
-  test_scene("projection in the u form",
-             scene("subsection Formulation\nset Type = u\n"
+  test_scene("a parameter of earlier versions",
+             scene("subsection Formulation\n"
                    "set Project volume change = true\nend\n"),
              1,
-             {"Formulation/Project volume change", "u-p"});
-  test_scene("projection with domains",
-             scene("subsection Formulation\n"
-                   "set Project volume change = true\nend\n"
-                   "subsection Quadrature\nset Type = CPDI\nend\n"),
-             1,
-             {"Formulation/Project volume change", "CPDI"});
+             {"Formulation/Project volume change", "is gone"});
   test_scene("levels in the wrong order",
              scene("subsection Adaptive grid\nset Minimum level = 3\n"
                    "set Maximum level = 2\nend\n"),

@@ -178,7 +178,7 @@ namespace
       "Grid/Upper corner = 16, 7\nGrid/Subdivisions = 32, 14\n"
       "Material points/Region = y < 2 || (y < 6 && x < 6)\n"
       "Material points/Points per cell = 4\nQuadrature/Type = cell-filled\n"
-      "Formulation/Type = u-p\nFormulation/Project volume change = true\n"
+      "Formulation/Type = u-p\n"
       "Material/Model = Mohr-Coulomb\nMaterial/Young modulus = 1e7\n"
       "Material/Poisson ratio = 0.49\nMaterial/Density = 2000\n"
       "Material/Mohr-Coulomb/Cohesion = 1e4\n"

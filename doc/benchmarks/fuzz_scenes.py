@@ -145,8 +145,6 @@ def body(scene, random, pick, chance):
     set_["Material points/Points per cell"] = (
         pick(1, 3, 4, 6, 9, 12) if scene.dim == 2 else pick(1, 4, 8)
     )
-    if set_["Formulation/Type"] == "u-p" and set_["Quadrature/Type"] != "CPDI":
-        set_["Formulation/Project volume change"] = pick("false", "false", "true")
     if chance(0.2):
         set_["Material points/Split at share of cell"] = pick(0.2, 0.5)
     if chance(0.1):

@@ -36,6 +36,9 @@ namespace isochor
                          const std::string &value)
     {
       const std::string interaction = "Interaction: ";
+      if (section == "Formulation" && name == "Project volume change")
+        return "leave it out; the volumes of points don't drift any more, "
+               "whatever the <Quadrature/Type>";
       if (section.rfind("Boundary conditions", 0) == 0)
         {
           if (name == "Displacement of body")

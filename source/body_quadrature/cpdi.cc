@@ -57,13 +57,6 @@ namespace isochor
       return false;
     }
 
-    /** The domains would no longer tile the body. */
-    bool
-    allows_change_of_F() const override
-    {
-      return false;
-    }
-
     void
     start_step(PointArrays<dim>        &points,
                const PointLocator<dim> &locator,

@@ -43,19 +43,6 @@ namespace isochor
 
 
 
-  Tensor<2, 3>
-  AxisymmetricMaterial::in_3d(const Tensor<2, 2> &F,
-                              const double        hoop,
-                              const double       *history) const
-  {
-    if (!rescales)
-      return extended(F, hoop);
-    const double a = std::cbrt(history[1]);
-    return extended(F / std::sqrt(a), hoop * a);
-  }
-
-
-
   StressStatus
   AxisymmetricMaterial::evaluate(const Kinematics<2> &kinematics,
                                  const double        *history_n,
@@ -63,12 +50,10 @@ namespace isochor
                                  StressResponse<3>   &response) const
   {
     history[0] = kinematics.hoop_increment * history_n[0];
-    if (rescales)
-      history[1] = history_n[1];
     Kinematics<3> in_space;
     in_space.set_increment(
       extended(kinematics.F_increment, kinematics.hoop_increment));
-    in_space.F            = in_3d(kinematics.F, history[0], history_n);
+    in_space.F            = extended(kinematics.F, history[0]);
     in_space.J            = determinant(in_space.F);
     in_space.pressure     = kinematics.pressure;
     in_space.with_tangent = kinematics.with_tangent;
@@ -112,8 +97,6 @@ namespace isochor
   AxisymmetricMaterial::history_names() const
   {
     std::vector<std::string> names = {"hoop_stretch"};
-    if (rescales)
-      names.push_back("volume_rescaling");
     for (const std::string &name : law->history_names())
       names.push_back(name);
     return names;
@@ -124,29 +107,8 @@ namespace isochor
   void
   AxisymmetricMaterial::initialize_history(double *history) const
   {
-    std::fill_n(history, n_own, 1.);
+    history[0] = 1.;
     law->initialize_history(history + n_own);
-  }
-
-
-
-  void
-  AxisymmetricMaterial::prepare_rescaling()
-  {
-    rescales = true;
-    n_own    = 2;
-    law->prepare_rescaling();
-  }
-
-
-
-  void
-  AxisymmetricMaterial::rescale_volume(const double factor,
-                                       double      *history) const
-  {
-    if (rescales)
-      history[1] *= factor;
-    law->rescale_volume(factor, history + n_own);
   }
 
 
@@ -171,8 +133,7 @@ namespace isochor
   AxisymmetricMaterial::deviatoric_energy(const Tensor<2, 2> &F,
                                           const double       *history) const
   {
-    return law->deviatoric_energy(in_3d(F, history[0], history),
-                                  history + n_own);
+    return law->deviatoric_energy(extended(F, history[0]), history + n_own);
   }
 
 

@@ -95,14 +95,6 @@ namespace isochor
       return elasticity.shear_modulus * (square - sum * sum / 3);
     }
 
-    void
-    rescale_volume(const double factor, double *history) const override
-    {
-      const double stretch = std::cbrt(factor);
-      for (unsigned int i = 0; i < n_symmetric_components<dim>; ++i)
-        history[i] *= stretch * stretch;
-    }
-
     /** ln b^e instead of b^e: τ is linear in it, and the elastic domain is
      * convex, so that the mean of admissible states is admissible. */
     void

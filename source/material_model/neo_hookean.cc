@@ -16,11 +16,6 @@ namespace isochor
    * Compressible Neo-Hookean law with the stored energy
    *   W = K (J-1)²/2 + G/2 (tr b̄ - 3),  b̄ = J^{-2/3} F F^T,
    * hence dev τ = G dev b̄ (Iaconeta et al. 2019, eqs. 27-30).
-   *
-   * A change of volume by the factor a (rescale_volume()) is a^{1/3} F in all
-   * directions, which b̄ doesn't feel. In plane strain F_33 = 1 isn't stored and
-   * the plane takes the whole of a; the history then keeps a, so that
-   *   b̄ = J^{-2/3} (a^{-1/3} F F^T + a^{2/3} e_3 ⊗ e_3).
    */
   template <int dim>
   class NeoHookean : public MaterialModel<dim>
@@ -47,40 +42,13 @@ namespace isochor
     bool
     evaluates_packs() const override
     {
-      return !keeps_factor;
+      return true;
     }
 
     StressStatus
     evaluate_pack(const PackKinematics<dim>                         &kinematics,
                   const std::array<const double *, PointPack::size> &history_n,
                   PackResponse<dim> &response) const override;
-
-    void
-    prepare_rescaling() override
-    {
-      keeps_factor = (dim == 2);
-    }
-
-    std::vector<std::string>
-    history_names() const override
-    {
-      return keeps_factor ? std::vector<std::string>{"volume_rescaling"} :
-                            std::vector<std::string>();
-    }
-
-    void
-    initialize_history(double *history) const override
-    {
-      if (keeps_factor)
-        history[0] = 1.;
-    }
-
-    void
-    rescale_volume(const double factor, double *history) const override
-    {
-      if (keeps_factor)
-        history[0] *= factor;
-    }
 
     double
     deviatoric_energy(const Tensor<2, dim> &F,
@@ -111,7 +79,6 @@ namespace isochor
 
   private:
     IsotropicElasticity elasticity;
-    bool                keeps_factor = false;
 
     /** F F^T. @tparam Number double, or PointPack with a TensorPack. */
     template <typename Number, typename Matrix>
@@ -135,21 +102,13 @@ namespace isochor
   template <int dim>
   StressStatus
   NeoHookean<dim>::evaluate(const Kinematics<dim> &kinematics,
-                            const double          *history_n,
-                            double                *history,
-                            StressResponse<dim>   &response) const
+                            const double * /*history_n*/,
+                            double * /*history*/,
+                            StressResponse<dim> &response) const
   {
-    const double             J = kinematics.J;
-    SymmetricComponents<dim> G_b_bar =
+    const double                   J = kinematics.J;
+    const SymmetricComponents<dim> G_b_bar =
       isochoric_stiffness(J) * left_cauchy_green<double>(kinematics.F);
-    if (keeps_factor)
-      {
-        const double a = history[0] = history_n[0];
-        const double out_of_plane   = G_b_bar.entry[2];
-        G_b_bar                     = (1 / std::cbrt(a)) * G_b_bar;
-        G_b_bar.entry[2]            = out_of_plane * std::cbrt(a * a);
-      }
-
     const SymmetricComponents<dim> dev_stress = G_b_bar.deviator();
     dev_stress.copy_to(response.deviatoric_stress);
     if (kinematics.with_tangent)

@@ -23,8 +23,10 @@ namespace isochor
                            const bool         with_cell_size,
                            const bool         with_ancestry,
                            const bool         with_excess,
-                           const bool         with_surface)
-    : with_excess(with_excess)
+                           const bool         with_surface,
+                           const bool         mixed)
+    : mixed(mixed)
+    , with_excess(with_excess)
     , n_history(n_history)
     , dynamic(dynamic)
     , with_domains(with_domains)
@@ -42,6 +44,11 @@ namespace isochor
     place(displacement, dim);
     place(F, dim * dim);
     place(pressure, 1);
+    if (mixed)
+      {
+        place(volume_offset, 1);
+        place(memory, 1);
+      }
     place(stress, dim == 2 ? 4 : 6);
     if (dynamic)
       {
@@ -130,6 +137,7 @@ namespace isochor
     const std::string                                      &initial_velocity,
     const bool                                              with_domains,
     const bool                                              axisymmetric,
+    const bool                                              mixed,
     const bool                                              with_excess,
     const std::function<void(const unsigned int)>          &make_layers)
   {
@@ -151,7 +159,8 @@ namespace isochor
                                grid.is_adaptive(),
                                grid.is_adaptive() || keeps_ancestry,
                                with_excess,
-                               with_surface);
+                               with_surface,
+                               mixed);
     point_layout.axisymmetric = axisymmetric;
     forget_order();
     particles->initialize(grid.triangulation(),
@@ -332,6 +341,8 @@ namespace isochor
     arrays.volume.clear();
     arrays.mass.clear();
     arrays.pressure.clear();
+    arrays.volume_offset.clear();
+    arrays.memory.clear();
     arrays.F.clear();
     arrays.shape.resize(n);
     arrays.weight.resize(n);
@@ -411,6 +422,10 @@ namespace isochor
     arrays.mass.attach(slots, l.mass);
     arrays.pressure.attach(slots, l.pressure);
     arrays.F.attach(slots, l.F, fields_are_copied);
+    if (!l.mixed)
+      return;
+    arrays.volume_offset.attach(slots, l.volume_offset, fields_are_copied);
+    arrays.memory.attach(slots, l.memory, fields_are_copied);
   }
 
 
@@ -427,6 +442,11 @@ namespace isochor
       {
         arrays.volume.refresh(q, properties[l.volume]);
         arrays.F.refresh(q, deformation_gradient<dim>(properties.data(), l));
+        if (l.mixed)
+          {
+            arrays.volume_offset.refresh(q, properties[l.volume_offset]);
+            arrays.memory.refresh(q, properties[l.memory]);
+          }
       }
     if (l.axisymmetric)
       arrays.radius[q] = location[0];

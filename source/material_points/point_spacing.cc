@@ -333,9 +333,8 @@ namespace isochor
          << " resets of the grid: the volumes differ by " << 100 * difference
          << " %. The points have been drawn apart or together. Seed more "
             "points (<Material points/Points per cell>), let them be split "
-            "(<Material points/Split at share of cell>), control their volume "
-            "(<Formulation/Project volume change>), or use <Quadrature/Type = "
-            "CPDI>.";
+            "(<Material points/Split at share of cell>), or use "
+            "<Quadrature/Type = CPDI>.";
     warnings.add("volume in the grid differs from the material's", text.str());
   }
 

@@ -339,9 +339,8 @@ namespace isochor
       for (auto &condition : scene.boundary_conditions)
         condition->advance(step, unknowns);
       setup.advance(step, unknowns);
-      // on a grid that is kept nothing drifts
       if (setup.reset().due())
-        grid_to_points.project_volume(step, scene.points, setup.point_arrays());
+        grid_to_points.forget_unseen_volume(step, scene.points);
       warn_if_nothing_moves(scene, newton, unknowns);
       warn_of_rounding(scene, newton, equilibrium.zero_force());
       scene.time.accept(newton.n_factorisations);

@@ -40,7 +40,6 @@ namespace isochor
     Scene<dim>::declare_parameters(prm, sections);
     StepSetup<dim>::declare_parameters(prm);
     Equilibrium<dim>::declare_parameters(prm);
-    GridToPoints<dim>::declare_parameters(prm);
     Checkpoint<dim>::declare_parameters(prm);
     prm.enter_subsection("Output");
     prm.declare_entry("Directory",
@@ -60,7 +59,7 @@ namespace isochor
     scene.parse_parameters(prm);
     setup.parse_parameters(prm);
     equilibrium.parse_parameters(prm);
-    grid_to_points.parse_parameters(prm, *scene.quadrature, setup.ties_nodes());
+    grid_to_points.measure_energy(setup.ties_nodes());
 
     std::vector<std::string> changeable = {"Output/"};
     for (const auto &paths : {Checkpoint<dim>::changeable_parameters(),

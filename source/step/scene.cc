@@ -10,7 +10,6 @@
 #include <isochor/interaction/rigid_partner.h>
 #include <isochor/material_model/axisymmetric_material.h>
 #include <isochor/step/scene.h>
-#include <isochor/transfer/volume_projection.h>
 
 #include <algorithm>
 #include <string>
@@ -256,7 +255,6 @@ namespace isochor
   void
   Scene<dim>::parse_materials(ParameterHandler &prm)
   {
-    const bool rescales = VolumeProjection<dim>::is_asked_for(prm);
     for (unsigned int m = 0;
          m == 0 || prm.subsection_path_exists({material_section(m)});
          ++m)
@@ -267,8 +265,6 @@ namespace isochor
         laws.push_back(model);
         MaterialModel<dim> &material = *kernel.materials.back();
         material.parse_parameters(prm);
-        if (rescales)
-          material.prepare_rescaling();
         prm.leave_subsection();
         check_material(material, model, m);
         symmetric = symmetric && material.has_symmetric_tangent();
@@ -423,6 +419,7 @@ namespace isochor
                 inertia.initial_velocity,
                 points_have_domains(),
                 kernel.axisymmetric,
+                mixed(),
                 inertia.is_from_stresses(),
                 [this](const unsigned int n_bodies) {
                   grid.set_layers(n_bodies);

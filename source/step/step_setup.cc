@@ -365,6 +365,7 @@ namespace isochor
                       scene.inertia.initial_velocity,
                       scene.points_have_domains(),
                       scene.kernel.axisymmetric,
+                      scene.mixed(),
                       scene.inertia.is_from_stresses());
     grid_changed();
     is_current = false;

@@ -54,9 +54,8 @@ namespace isochor
         "beside it has jumped through these cells while they were empty and "
         "resisted nothing. That happens to points at the surface of a body "
         "with strains that no cell feels: use <Quadrature/Type = CPDI> or "
-        "'cell-filled + boundary' if it isn't set, smaller steps, more "
-        "<Material points/Points per cell>, or <Formulation/Project volume "
-        "change> in plastic flow.";
+        "'cell-filled + boundary' if it isn't set, smaller steps, or "
+        "more <Material points/Points per cell>.";
     if (scene.time.step <= 1)
       text += std::string(text.empty() ? "" : " ") +
               "That it does so in the first step may be a matter of units: "

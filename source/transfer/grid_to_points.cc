@@ -119,8 +119,8 @@ namespace isochor
           "one reset of the grid to the next. Loads may still look right, "
           "displacements and stresses are not. Keep the grid for several steps "
           "or all (<Grid reset/Steps between resets>), let it follow the body "
-          "(<Grid/Stretch>), use more <Material points/Points per cell>, "
-          "another <Quadrature/Type>, or <Formulation/Project volume change>.";
+          "(<Grid/Stretch>), use more <Material points/Points per cell>, or "
+          "another <Quadrature/Type>.";
       step.warnings.add(
         "volumes of the points wander",
         "At t = " + rounded(step.time) +
@@ -133,27 +133,6 @@ namespace isochor
           (step.grid_is_kept ? "as volumes" : "while the cells") + cause);
     }
   } // namespace
-
-
-
-  template <int dim>
-  void
-  GridToPoints<dim>::declare_parameters(ParameterHandler &prm)
-  {
-    VolumeProjection<dim>::declare_parameters(prm);
-  }
-
-
-
-  template <int dim>
-  void
-  GridToPoints<dim>::parse_parameters(ParameterHandler          &prm,
-                                      const BodyQuadrature<dim> &quadrature,
-                                      const bool                 measure_energy)
-  {
-    projects_volume = volume_projection.parse_parameters(prm, quadrature);
-    measures_energy = measure_energy;
-  }
 
 
 
@@ -172,8 +151,8 @@ namespace isochor
     Kinematics<dim>                 increment;
     SymmetricTensor<2, dim>         strain_increment;
     unsigned int                    last_cell = numbers::invalid_unsigned_int;
-    if (projects_volume)
-      volume_projection.start(step);
+    if (step.mixed())
+      volume_offset.start(step);
     step_energy = 0;
     VolumeErrors        volume_errors(step.mixed() ? arrays.volume.size() : 0);
     StressIntegral<dim> stress_integral;
@@ -200,6 +179,21 @@ namespace isochor
                                                  step.mixed(),
                                                  nodal.pressure_at(stencil),
                                                  history.data());
+      if (step.mixed())
+        {
+          const double excess =
+            state.volumetric_strain -
+            state.pressure *
+              step.kernel.materials[arrays.material[q]]->inverse_bulk_modulus();
+          volume_errors.add(excess);
+          volume_offset.set(step,
+                            q,
+                            excess - properties[l.volume_offset],
+                            increment,
+                            state,
+                            l,
+                            properties);
+        }
       location += displacement;
       properties[l.pressure] = state.pressure;
       for (unsigned int a = 0; a < dim; ++a)
@@ -228,16 +222,6 @@ namespace isochor
         }
       for (unsigned int i = 0; i < l.n_history; ++i)
         properties[l.history + i] = history[i];
-      if (step.mixed())
-        {
-          const double excess =
-            state.volumetric_strain -
-            state.pressure *
-              step.kernel.materials[arrays.material[q]]->inverse_bulk_modulus();
-          volume_errors.add(excess);
-          if (projects_volume)
-            volume_projection.set_excess(q, excess);
-        }
       const double kinetic_energy =
         inertia.move_point(step, stencil, q, l, properties);
       if (measures_energy)
@@ -256,14 +240,11 @@ namespace isochor
 
   template <int dim>
   void
-  GridToPoints<dim>::project_volume(const StepContext<dim> &step,
-                                    MaterialPoints<dim>    &points,
-                                    PointArrays<dim>       &of_step)
+  GridToPoints<dim>::forget_unseen_volume(const StepContext<dim> &step,
+                                          MaterialPoints<dim>    &points)
   {
-    if (!projects_volume)
-      return;
-    volume_projection.apply(step, points);
-    of_step.F.refresh();
+    if (step.mixed())
+      volume_offset.apply(step, points);
   }
 
 

@@ -98,13 +98,6 @@ namespace isochor
       return true;
     }
 
-    /** Whether F of the points may be changed at will, see VolumeProjection. */
-    virtual bool
-    allows_change_of_F() const
-    {
-      return true;
-    }
-
     /**
      * Call start_step(), and let all points have stencils if the grid's shape
      * functions need them. Collective.

@@ -5,6 +5,7 @@
 #ifndef isochor_mixed_kernel_h
 #define isochor_mixed_kernel_h
 
+#include <isochor/equations/element_sums.h>
 #include <isochor/material_model/material_model.h>
 #include <isochor/material_points/material_points.h>
 
@@ -68,12 +69,16 @@ namespace isochor
    * Kirchhoff stress, g_I = ΔF^{-T} ∇_n N_I the spatial gradient of N_I:
    *
    *   R_u,I = Σ_p V_p τ g_I                                (P(12), P(18))
-   *   R_p,I = Σ_p V_p N_I (θ^e - p/K)                      (doc/method.md)
+   *   R_p,I = Σ_p V_p N_I (θ^e - b - p/K)                  (doc/method.md)
    *
    * u: p = K θ^e at the point. u-p: p = Σ_I N_I p_I. Tension is positive.
+   * b is what earlier steps have left in the volume of the point that no node
+   * has seen (VolumeOffset), a constant of the step. What this step would add
+   * is resisted by κ = unseen_stiffness() on a grid that is put back: p in τ is
+   * p + κ e with e = θ^e - b - p/K, and R_p has e (1 - κ/K).
    * In u-p a law whose strength depends on p is evaluated at that p, so that τ
    * is on its yield surface. Without such laws both are the derivatives of
-   *   Π = Σ_p V_p [ W_dev(ΔF F_n) + p θ - p²/(2K) ],
+   *   Π = Σ_p V_p [ W_dev(ΔF F_n) + p (θ - b) - p²/(2K) + κ e²/2 ],
    * so that the matrix is symmetric and 1/K = 0 allowed.
    */
   template <int dim>
@@ -269,15 +274,25 @@ namespace isochor
       return axisymmetric ? history[0] : 1.;
     }
 
-    /** Add @p correction to θ^e of point @p q: rescale its F, its @p history
-     * and the Cauchy stress, at unchanged p and dev τ. */
-    void
-    change_volume(const PointArrays<dim> &points,
-                  const unsigned int      q,
-                  const double            correction,
-                  Tensor<2, dim>         &F,
-                  SymmetricTensor<2, 3>  &cauchy_stress,
-                  double                 *history) const;
+    /** Whether the step starts with an undeformed grid. */
+    static bool
+    is_reset(const PointArrays<dim> &points)
+    {
+      return points.deformed_cell.empty();
+    }
+
+    /** internal::unseen_stiffness() of point @p q. */
+    static double
+    unseen_stiffness(const PointArrays<dim> &points,
+                     const unsigned int      q,
+                     const double            inverse_G,
+                     const double            inverse_K)
+    {
+      return is_reset(points) ? internal::unseen_stiffness(points.memory[q],
+                                                           inverse_G,
+                                                           inverse_K) :
+                                0.;
+    }
 
   private:
     /** α/G V (M_IJ - 1/(d+1)²) of a cell. */

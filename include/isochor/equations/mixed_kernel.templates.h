@@ -151,8 +151,15 @@ namespace isochor
               {
                 if (!packs)
                   packs.emplace(kinematics);
-                const EvaluationStatus status = packs->template add<mixed>(
-                  points, q, last, law, n, element.pressure, shape);
+                const EvaluationStatus status =
+                  packs->template add<mixed>(points,
+                                             q,
+                                             last,
+                                             law,
+                                             is_reset(points),
+                                             n,
+                                             element.pressure,
+                                             shape);
                 if (status != EvaluationStatus::success)
                   return status;
                 element.compliance.add(V * law.inverse_G, law.density);
@@ -185,14 +192,24 @@ namespace isochor
         const internal::PressureFactor factor(law.measure, kinematics.J);
         if (!mixed)
           p = response.volumetric_strain / inverse_K;
-        sums.add_stress(response, V, p, factor, with_matrix);
-        if (!mixed && with_matrix)
-          sums.add_bulk_stiffness(response, V * factor.s / inverse_K);
+        double excess = 0, kappa = 0;
+        if (mixed)
+          {
+            excess = response.volumetric_strain - points.volume_offset[q] -
+                     p * inverse_K;
+            if (!law.depends_on_pressure)
+              kappa = unseen_stiffness(points, q, law.inverse_G, inverse_K);
+          }
+        sums.add_stress(response, V, p + kappa * excess, factor, with_matrix);
+        if ((!mixed || kappa > 0) && with_matrix)
+          sums.add_bulk_stiffness(response,
+                                  V * factor.s *
+                                    (mixed ? kappa : 1 / inverse_K));
         if (mixed)
           sums.add_constraint(
             response,
-            V,
-            p,
+            V * (1 - kappa * inverse_K),
+            excess,
             inverse_K,
             factor,
             law.depends_on_pressure,
@@ -353,30 +370,6 @@ namespace isochor
     return state;
   }
 
-
-
-  template <int dim>
-  void
-  MixedKernel<dim>::change_volume(const PointArrays<dim> &points,
-                                  const unsigned int      q,
-                                  const double            correction,
-                                  Tensor<2, dim>         &F,
-                                  SymmetricTensor<2, 3>  &cauchy_stress,
-                                  double                 *history) const
-  {
-    const MaterialModel<dim> &material = *materials[points.material[q]];
-    const double              J        = determinant(F) * hoop_stretch(history);
-    const bool                logarithmic =
-      material.volumetric_measure() == VolumetricMeasure::logarithmic;
-    const double factor =
-      logarithmic ? std::exp(correction) : 1 + correction / J;
-    F *= dim == 2 ? std::sqrt(factor) : std::cbrt(factor);
-    material.rescale_volume(factor, history);
-    const SymmetricTensor<2, 3> one  = unit_symmetric_tensor<3>();
-    const double                mean = trace(cauchy_stress) / 3;
-    cauchy_stress                    = (cauchy_stress - mean * one) / factor +
-                    (logarithmic ? mean / factor : mean) * one;
-  }
 } // namespace isochor
 
 #endif

@@ -20,9 +20,7 @@ namespace isochor
    *
    * F_θθ is the first of the history variables. F_θθ = r/R holds to rounding,
    * since r changes by the increment that Kinematics::hoop_increment is made
-   * of. If volumes are rescaled (MaterialModel::rescale_volume()), the plane
-   * takes the whole factor a, and the second variable keeps it: the law gets
-   * what it would be in all directions, a^{-1/6} F_plane and a^{1/3} F_θθ.
+   * of.
    */
   class AxisymmetricMaterial : public MaterialModel<2>
   {
@@ -50,10 +48,6 @@ namespace isochor
     history_names() const override;
     void
     initialize_history(double *history) const override;
-    void
-    prepare_rescaling() override;
-    void
-    rescale_volume(const double factor, double *history) const override;
     void
     to_mean_values(double *history) const override;
     void
@@ -83,16 +77,9 @@ namespace isochor
     describe_strength() const override;
 
   private:
-    /** F of the law, with @p hoop = F_θθ. */
-    Tensor<2, 3>
-    in_3d(const Tensor<2, 2> &F,
-          const double        hoop,
-          const double       *history) const;
-
     std::unique_ptr<MaterialModel<3>> law;
-    bool                              rescales = false;
     /** History variables in front of those of the law. */
-    unsigned int n_own = 1;
+    static constexpr unsigned int n_own = 1;
   };
 } // namespace isochor
 

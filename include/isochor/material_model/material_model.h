@@ -167,18 +167,6 @@ namespace isochor
     initialize_history(double * /*history*/) const
     {}
 
-    /** rescale_volume() will be called: a law may need history for it. Called
-     * before any function that tells of the history. */
-    virtual void
-    prepare_rescaling()
-    {}
-
-    /** The elastic volume of a point is multiplied by @p factor, in all
-     * directions alike: change what @p history says of it. dev τ stays. */
-    virtual void
-    rescale_volume(const double /*factor*/, double * /*history*/) const
-    {}
-
     /**
      * The mean state of several points is formed from sums of their history
      * variables. A variable whose mean would not be a state of the material

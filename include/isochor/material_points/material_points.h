@@ -40,9 +40,14 @@ namespace isochor
     unsigned int displacement = 0; ///< total displacement (m), dim components
     unsigned int F            = 0; ///< deformation gradient, dim x dim by rows
     unsigned int pressure = 0; ///< p, conjugate to θ (Pa), tension positive
-    unsigned int stress   = 0; ///< Cauchy: xx, yy, zz, xy(, xz, yz) (Pa)
-    unsigned int velocity = 0; ///< m/s, only in dynamics
-    unsigned int acceleration = 0; ///< m/s^2, only in dynamics
+    /** What the pressure equation leaves out of θ^e, and what the point
+     * remembers of its shear (VolumeOffset); only if mixed. */
+    unsigned int volume_offset = 0;
+    unsigned int memory        = 0;
+    bool         mixed         = false;
+    unsigned int stress        = 0; ///< Cauchy: xx, yy, zz, xy(, xz, yz) (Pa)
+    unsigned int velocity      = 0; ///< m/s, only in dynamics
+    unsigned int acceleration  = 0; ///< m/s^2, only in dynamics
     /** What the acceleration exceeds that of the forces in the last step by
      * (m/s^2), see InertiaTerm; only if with_excess. */
     unsigned int excess      = 0;
@@ -80,7 +85,8 @@ namespace isochor
                 const bool         with_cell_size = false,
                 const bool         with_ancestry  = false,
                 const bool         with_excess    = false,
-                const bool         with_surface   = false);
+                const bool         with_surface   = false,
+                const bool         mixed          = false);
   };
 
   /** F of a point from its @p properties. */
@@ -131,13 +137,15 @@ namespace isochor
       seeding.check_numbers(with_domains);
     }
 
-    /** Fill the body with points. Throws if none lies in the grid. */
+    /** Fill the body with points. Throws if none lies in the grid. @p mixed:
+     * the form is u-p. */
     void
     seed(const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials,
          const bool                                              dynamic,
          const std::string                             &initial_velocity,
          const bool                                     with_domains = false,
          const bool                                     axisymmetric = false,
+         const bool                                     mixed        = false,
          const bool                                     with_excess  = false,
          const std::function<void(const unsigned int)> &make_layers  = {});
 

@@ -21,9 +21,8 @@ namespace isochor
    * jump when points change cells. In statics, and with CPDI, resets have no
    * such price. What needs them all the same is what happens at a reset only:
    * an adaptive grid changes, `Grid/Stretch` moves the grid, points are split.
-   * Rigid and periodic sides are not in the list, since they take the body
-   * along, which a grid that is put back can't follow. `Project volume change`
-   * is not, since no volumes drift on a grid that is kept.
+   * Periodic sides are not in the list, since they take the body along, which a
+   * grid that is put back can't follow.
    *
    * After the parameters of the scene were read. From them alone, so that a run
    * that continues decides alike.

@@ -6,7 +6,7 @@
 #define isochor_grid_to_points_h
 
 #include <isochor/dynamics/inertia_term.h>
-#include <isochor/transfer/volume_projection.h>
+#include <isochor/transfer/volume_offset.h>
 
 namespace isochor
 {
@@ -19,13 +19,12 @@ namespace isochor
   class GridToPoints
   {
   public:
-    static void
-    declare_parameters(ParameterHandler &prm);
-    /** @p measure_energy: whether energy() will be asked for. */
+    /** @p is_measured: energy() will be asked for. */
     void
-    parse_parameters(ParameterHandler          &prm,
-                     const BodyQuadrature<dim> &quadrature,
-                     const bool                 measure_energy);
+    measure_energy(const bool is_measured)
+    {
+      measures_energy = is_measured;
+    }
 
     /**
      * The points move with Σ N_I Δu_I and get F, stress, history, the pressure
@@ -39,13 +38,10 @@ namespace isochor
              MaterialPoints<dim>    &points,
              PointArrays<dim>       &of_step);
 
-    /** Bring the volume change of the @p points, which have moved, near that
-     * of the pressure field, if asked for. @p of_step: see transfer().
-     * Collective. */
+    /** The grid will be put back: see VolumeOffset::apply(). Collective. */
     void
-    project_volume(const StepContext<dim> &step,
-                   MaterialPoints<dim>    &points,
-                   PointArrays<dim>       &of_step);
+    forget_unseen_volume(const StepContext<dim> &step,
+                         MaterialPoints<dim>    &points);
 
     /** This rank's Σ_p |V_p τ:Δε| of the step, in dynamics plus the kinetic
      * energy (J). */
@@ -56,10 +52,9 @@ namespace isochor
     }
 
   private:
-    VolumeProjection<dim> volume_projection;
-    bool                  projects_volume = false;
-    bool                  measures_energy = false;
-    double                step_energy     = 0;
+    VolumeOffset<dim> volume_offset;
+    bool              measures_energy = false;
+    double            step_energy     = 0;
   };
 } // namespace isochor
 
