@@ -307,7 +307,7 @@ namespace isochor
     if (extends)
       {
         extension.exempt(
-          find_periodic_vertices<dim>(scene.boundary_conditions));
+          find_periodic_vertices(scene.boundary_conditions));
         extension.update(arrays, touched_vertices);
       }
     touch_masters();
