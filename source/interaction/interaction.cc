@@ -23,7 +23,7 @@ namespace isochor
       Patterns::Anything(),
       "Which part of the body's surface takes part: where this "
       "formula in x, y(, z) is positive at the centre of a face "
-      "at t = 0. Empty: all of it.");
+      "at t = 0. Empty: all of it. A tie to a boundary of the grid needs it.");
     prm.declare_entry("Displacement",
                       "",
                       Patterns::Anything(),
@@ -59,7 +59,8 @@ namespace isochor
       partner =
         std::make_unique<PrescribedPlace<dim>>(prm.get("Displacement"),
                                                section + "/Displacement");
-    AssertThrow(!partner || law->acts(),
+    AssertThrow((!partner && partner_name.rfind(of_boundary(""), 0) != 0) ||
+                  law->acts(),
                 ExcMessage("<" + section +
                            "/Law = none> is for two bodies only. Leave the "
                            "section out."));
