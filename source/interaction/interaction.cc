@@ -76,6 +76,10 @@ namespace isochor
                 ExcMessage("<" + section +
                            "/Law> must be 'tie': a place is no surface that "
                            "could be left."));
+    AssertThrow(partner_name.rfind(of_boundary(""), 0) != 0 || law->acts(),
+                ExcMessage("<" + section +
+                           "/Law = none> is for two bodies only. Leave the "
+                           "section out."));
   }
 
 
