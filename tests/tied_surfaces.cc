@@ -167,6 +167,30 @@ namespace
                         1e-12);
   }
 
+  /** Faces between bodies belong to no surface that has a name. */
+  void
+  test_layers()
+  {
+    std::ostringstream    printed;
+    std::streambuf *const original = std::cout.rdbuf(printed.rdbuf());
+    test::run_scene<2>(
+      "Grid/Upper corner = 1, 1.25\nGrid/Subdivisions = 8, 10\n"
+      "Material points/Region = y < 1\n"
+      "Material points/Points per cell = 1\n"
+      "Material points/Materials in zones = 2: y > 0.5\n"
+      "Material/Young modulus = 1e6\nMaterial 2/Young modulus = 1e8\n" +
+      held + "bottom: y=0\n" + surfaces +
+      "rest: y > 0.01\nInteraction: rest - place/Displacement = x=0\n"
+      "Output/Terminal = progress\n");
+    std::cout.rdbuf(original);
+    test::check("faces between bodies belong to no surface",
+                test::this_rank() != 0 ||
+                  printed.str().find(
+                    "<Interaction: rest - place>: 24 faces, 3 m\n") !=
+                    std::string::npos,
+                printed.str());
+  }
+
   /** Two blocks, one on the other: apart from the left half, which may part,
    * they are tied; their surfaces are tied to a rigid body and to places. */
   void
@@ -271,6 +295,7 @@ main(int argc, char **argv)
   test_pressed<3>("plane strain");
   test_held();
   test_places_of_surfaces();
+  test_layers();
   test_partners();
   test_messages();
 }

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/interaction/body_surface.h>
+#include <isochor/material_points/outer_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,10 +59,13 @@ namespace isochor
               if (((points.domain_corners.outer_faces[q] >> c) & 1) == 0)
                 continue;
               Face face;
-              face.k         = k;
-              face.q         = q;
-              face.id        = points.domain_corners.id[q];
-              face.opposite  = c;
+              face.k        = k;
+              face.q        = q;
+              face.id       = points.domain_corners.id[q];
+              face.opposite = c;
+              face.meets_other_body =
+                (points.domain_corners.outer_faces[q] >> c &
+                 meets_other_body) != 0;
               face.area      = A.norm();
               face.normal    = A / face.area;
               face.reference = Point<dim>(points.location(geometry, k, q) -

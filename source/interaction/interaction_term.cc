@@ -52,7 +52,9 @@ namespace isochor
           grid->layer_of_cell(points->cell[surface.faces()[f].k]);
         element.face = f;
         for (unsigned int i = 0; i < interactions.size(); ++i)
-          if (interactions[i]->has(body, X))
+          // what is between bodies belongs to no named surface
+          if (interactions[i]->has(body, X) &&
+              !(interactions[i]->region && surface.faces()[f].meets_other_body))
             element.partners.push_back(i);
         if (!element.partners.empty())
           faces.push_back(element);

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
 #include <isochor/material_points/domain_bisection.h>
+#include <isochor/material_points/outer_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -311,12 +312,14 @@ namespace isochor
         ++part.n_halvings;
         part.ancestry = Ancestry<dim>::of_part(domain.ancestry, kept, lost);
         // what is opposite to the end of the edge is between the parts
-        part.outer_faces = ((domain.outer_faces >> lost) & 1) << dim;
-        unsigned int c   = 0;
+        part.outer_faces = ((domain.outer_faces >> lost) & flags_of_face)
+                           << dim;
+        unsigned int c = 0;
         for (unsigned int other = 0; other <= dim; ++other)
           if (other != kept && other != lost)
             {
-              part.outer_faces |= ((domain.outer_faces >> other) & 1) << c;
+              part.outer_faces |=
+                ((domain.outer_faces >> other) & flags_of_face) << c;
               part.reference[c] = domain.reference[other];
               part.current[c++] = domain.current[other];
             }

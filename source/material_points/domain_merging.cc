@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/material_points/outer_faces.h>
 #include <isochor/material_points/place_filter.h>
 #include <isochor/material_points/point_merging.h>
 
@@ -270,7 +271,7 @@ namespace isochor
           c == kept ? (second.domain.outer_faces >> middle<dim>) :
           c == lost ? (first.domain.outer_faces >> middle<dim>) :
                       (first.domain.outer_faces >> from);
-        whole.outer_faces |= (face & 1) << c;
+        whole.outer_faces |= (face & flags_of_face) << c;
         whole.reference[c] = part.domain.reference[from];
         whole.current[c]   = part.domain.current[from];
       }

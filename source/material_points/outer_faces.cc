@@ -133,14 +133,14 @@ namespace isochor
         const Point<dim> x = place_behind(seeds[s], c);
         near.clear();
         tree.query(bgi::intersects(x), std::back_inserter(near));
-        const bool is_between =
-          std::any_of(near.begin(), near.end(), [&, s = s](const Entry &entry) {
-            return entry.second != s &&
-                   (body.empty() || body[entry.second] == body[s]) &&
-                   is_inside(seeds[entry.second], x);
-          });
+        bool is_between = false, is_between_bodies = false;
+        for (const Entry &entry : near)
+          if (entry.second != s && is_inside(seeds[entry.second], x))
+            (body.empty() || body[entry.second] == body[s] ?
+               is_between :
+               is_between_bodies) = true;
         if (!is_between)
-          seeds[s].outer_faces |= 1u << c;
+          seeds[s].outer_faces |= (is_between_bodies ? flags_of_face : 1u) << c;
       }
   }
 

@@ -36,7 +36,8 @@ namespace isochor
       unsigned int          k, q;     ///< cell of the list and point
       types::particle_index id;       ///< number of the point
       unsigned int          opposite; ///< the corner that the face doesn't have
-      Tensor<1, dim>        normal;   ///< outward, at t = 0
+      bool meets_other_body; ///< whether one is behind the face at t = 0
+      Tensor<1, dim> normal; ///< outward, at t = 0
       double area; ///< at t = 0 (m^(dim-1), of the plane in axisymmetry)
       /** Areas of all outer faces of the subdomain over its volume (1/m): the
        * constant of the trace inequality for functions linear on it. */
