@@ -136,7 +136,7 @@ test_general_way()
 
 /** Laws in a body of revolution, and the residual of one of them as the
  * gradient of its energy in the ring,
- *   Π = Σ V 2πR [ G/2 (tr b̄ - 3) + p (J - 1) - p²/(2K) ]. */
+ *   Π = Σ V 2πR [ G/2 (tr b̄ - 3) + p (J - 1 - b) - p²/(2K) ]. */
 void
 test_axisymmetry()
 {
@@ -195,7 +195,7 @@ test_axisymmetry()
               2 * numbers::PI * R * e.points.weight[q] *
               (G / 2 *
                  (std::pow(J, -2. / 3.) * (F.norm_square() + hoop * hoop) - 3) +
-               p * (J - 1) - p * p * iK / 2);
+               p * (J - 1 - e.points.volume_offset[q]) - p * p * iK / 2);
           }
         return energy;
       };

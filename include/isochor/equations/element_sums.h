@@ -31,16 +31,6 @@ namespace isochor
       {}
     };
 
-    /**
-     * κ (Pa), what a point resists to a change of volume that its nodes don't
-     * see: the shear modulus that it still has, G m, by the part 1 - m of which
-     * it forgets, in series with K. @p memory is m (VolumeOffset).
-     */
-    double
-    unseen_stiffness(const double memory,
-                     const double inverse_G,
-                     const double inverse_K);
-
     /** The law of the point that a loop has come to, and what it answers for
      * all of its points alike: most neighbours have the same. */
     template <int dim>
@@ -123,8 +113,7 @@ namespace isochor
         spherical_change += V * p * factor.Js_prime;
       }
 
-      /** Of a pressure that changes with θ^e: in the u form p = K θ^e, in u-p
-       * what unseen_stiffness() adds. */
+      /** In the u form p = K θ^e changes with the displacement. */
       void
       add_bulk_stiffness(const StressResponse<dim> &response,
                          const double               V_K_s)
@@ -135,13 +124,14 @@ namespace isochor
               V_K_s * response.volumetric_tangent.access_raw_entry(j);
       }
 
-      /** A point's share of the pressure equation, with its @p excess
-       * θ^e - b - p/K. @p N: its shape values. */
+      /** A point's share of the pressure equation. @p offset: that of its
+       * volume (VolumeOffset), @p N: its shape values. */
       template <typename Shape>
       void
       add_constraint(const StressResponse<dim> &response,
                      const double               V,
-                     const double               excess,
+                     const double               p,
+                     const double               offset,
                      const double               inverse_K,
                      const PressureFactor      &factor,
                      const bool                 depends_on_pressure,
@@ -149,6 +139,8 @@ namespace isochor
                      const Shape               &N,
                      const bool                 with_matrix)
       {
+        const double excess =
+          response.volumetric_strain - offset - p * inverse_K;
         const double compliance =
           inverse_K -
           (depends_on_pressure ? response.volumetric_pressure_tangent : 0.);

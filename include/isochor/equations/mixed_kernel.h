@@ -5,7 +5,6 @@
 #ifndef isochor_mixed_kernel_h
 #define isochor_mixed_kernel_h
 
-#include <isochor/equations/element_sums.h>
 #include <isochor/material_model/material_model.h>
 #include <isochor/material_points/material_points.h>
 
@@ -73,12 +72,10 @@ namespace isochor
    *
    * u: p = K θ^e at the point. u-p: p = Σ_I N_I p_I. Tension is positive.
    * b is what earlier steps have left in the volume of the point that no node
-   * has seen (VolumeOffset), a constant of the step. What this step would add
-   * is resisted by κ = unseen_stiffness() on a grid that is put back: p in τ is
-   * p + κ e with e = θ^e - b - p/K, and R_p has e (1 - κ/K).
+   * has seen (VolumeOffset), a constant of the step.
    * In u-p a law whose strength depends on p is evaluated at that p, so that τ
    * is on its yield surface. Without such laws both are the derivatives of
-   *   Π = Σ_p V_p [ W_dev(ΔF F_n) + p (θ - b) - p²/(2K) + κ e²/2 ],
+   *   Π = Σ_p V_p [ W_dev(ΔF F_n) + p (θ - b) - p²/(2K) ],
    * so that the matrix is symmetric and 1/K = 0 allowed.
    */
   template <int dim>
@@ -272,26 +269,6 @@ namespace isochor
     hoop_stretch(const double *history) const
     {
       return axisymmetric ? history[0] : 1.;
-    }
-
-    /** Whether the step starts with an undeformed grid. */
-    static bool
-    is_reset(const PointArrays<dim> &points)
-    {
-      return points.deformed_cell.empty();
-    }
-
-    /** internal::unseen_stiffness() of point @p q. */
-    static double
-    unseen_stiffness(const PointArrays<dim> &points,
-                     const unsigned int      q,
-                     const double            inverse_G,
-                     const double            inverse_K)
-    {
-      return is_reset(points) ? internal::unseen_stiffness(points.memory[q],
-                                                           inverse_G,
-                                                           inverse_K) :
-                                0.;
     }
 
   private:

@@ -151,15 +151,8 @@ namespace isochor
               {
                 if (!packs)
                   packs.emplace(kinematics);
-                const EvaluationStatus status =
-                  packs->template add<mixed>(points,
-                                             q,
-                                             last,
-                                             law,
-                                             is_reset(points),
-                                             n,
-                                             element.pressure,
-                                             shape);
+                const EvaluationStatus status = packs->template add<mixed>(
+                  points, q, last, law, n, element.pressure, shape);
                 if (status != EvaluationStatus::success)
                   return status;
                 element.compliance.add(V * law.inverse_G, law.density);
@@ -192,24 +185,15 @@ namespace isochor
         const internal::PressureFactor factor(law.measure, kinematics.J);
         if (!mixed)
           p = response.volumetric_strain / inverse_K;
-        double excess = 0, kappa = 0;
-        if (mixed)
-          {
-            excess = response.volumetric_strain - points.volume_offset[q] -
-                     p * inverse_K;
-            if (!law.depends_on_pressure)
-              kappa = unseen_stiffness(points, q, law.inverse_G, inverse_K);
-          }
-        sums.add_stress(response, V, p + kappa * excess, factor, with_matrix);
-        if ((!mixed || kappa > 0) && with_matrix)
-          sums.add_bulk_stiffness(response,
-                                  V * factor.s *
-                                    (mixed ? kappa : 1 / inverse_K));
+        sums.add_stress(response, V, p, factor, with_matrix);
+        if (!mixed && with_matrix)
+          sums.add_bulk_stiffness(response, V * factor.s / inverse_K);
         if (mixed)
           sums.add_constraint(
             response,
-            V * (1 - kappa * inverse_K),
-            excess,
+            V,
+            p,
+            points.volume_offset[q],
             inverse_K,
             factor,
             law.depends_on_pressure,

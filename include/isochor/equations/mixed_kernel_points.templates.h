@@ -241,50 +241,37 @@ namespace isochor
             }
           sum.set_strains();
 
-          const auto one    = unit_symmetric_tensor<strain_dim>();
-          double     excess = 0, kappa = 0;
-          if (mixed)
-            {
-              excess = response.volumetric_strain - points.volume_offset[q] -
-                       p * inverse_K;
-              if (!pressure_dependent)
-                kappa = kernel.unseen_stiffness(points,
-                                                q,
-                                                1 / material.shear_modulus(),
-                                                inverse_K);
-              p += kappa * excess;
-            }
-          const double                   seen   = 1 - kappa * inverse_K;
+          const auto one = unit_symmetric_tensor<strain_dim>();
           SymmetricTensor<2, strain_dim> stress = (V * p * factor.s) * one;
           for (unsigned int i = 0; i < strain_dim; ++i)
             for (unsigned int j = i; j < strain_dim; ++j)
               stress[i][j] += V * response.deviatoric_stress[i][j];
-          sum.add_residual(stress, V * seen * excess);
+          sum.add_residual(stress,
+                           mixed ?
+                             V * (response.volumetric_strain -
+                                  points.volume_offset[q] - p * inverse_K) :
+                             0.);
           if (!with_matrix)
             continue;
           SymmetricTensor<4, strain_dim> modulus =
             V * response.tangent +
             (V * p * factor.Js_prime) * outer_product(one, one) -
             (2 * V * p * factor.s) * identity_tensor<strain_dim>();
-          // p = K θ^e, or κ e, changes with the displacement
-          if (!mixed || kappa > 0)
-            modulus +=
-              outer_product((V * factor.s * (mixed ? kappa : 1 / inverse_K)) *
-                              one,
-                            response.volumetric_tangent);
+          if (!mixed) // p = K θ^e changes with the displacement
+            modulus += outer_product((V * factor.s / inverse_K) * one,
+                                     response.volumetric_tangent);
           sum.add_stiffness(stress, modulus);
           if constexpr (mixed)
             {
-              SymmetricTensor<2, strain_dim> force =
-                (V * seen * factor.s) * one;
-              double compressibility = V * seen * inverse_K;
+              SymmetricTensor<2, strain_dim> force = (V * factor.s) * one;
+              double                         compressibility = V * inverse_K;
               if (pressure_dependent)
                 {
                   force += V * response.deviatoric_pressure_tangent;
                   compressibility -= V * response.volumetric_pressure_tangent;
                 }
               sum.add_coupling(force,
-                               V * seen * response.volumetric_tangent,
+                               V * response.volumetric_tangent,
                                compressibility);
             }
         }

@@ -33,8 +33,7 @@ namespace isochor
         of_pack.with_tangent    = kinematics.with_tangent;
       }
 
-      /** Add the points [@p begin, @p end) of @p law. @p grid_is_reset: see
-       * MixedKernel::unseen_stiffness(). @p mixed and @p pressure,
+      /** Add the points [@p begin, @p end) of @p law. @p mixed and @p pressure,
        * the nodal values of p, are those of the element, @p shape(q, I) is N_I
        * at point q. */
       template <bool mixed, typename Shape>
@@ -43,7 +42,6 @@ namespace isochor
           const unsigned int                   begin,
           const unsigned int                   end,
           const LawOfPoints<dim>              &law,
-          const bool                           grid_is_reset,
           const unsigned int                   n_nodes,
           const std::array<double, max_nodes> &pressure,
           const Shape                         &shape)
@@ -71,24 +69,12 @@ namespace isochor
                     N[I] = PointPack(shape(q, I), shape(r, I));
                     p += N[I] * pressure[I];
                   }
-                const PointPack excess =
-                  of_pack.J - 1. -
-                  PointPack(points.volume_offset[q], points.volume_offset[r]) -
-                  p * law.inverse_K;
-                PointPack kappa = 0.;
-                if (grid_is_reset)
-                  kappa = PointPack(unseen_stiffness(points.memory[q],
-                                                     law.inverse_G,
-                                                     law.inverse_K),
-                                    unseen_stiffness(points.memory[r],
-                                                     law.inverse_G,
-                                                     law.inverse_K));
-                add_stress(V, V * (p + kappa * excess) * of_pack.J);
-                if (of_pack.with_tangent)
-                  bulk += V * kappa * of_pack.J * of_pack.J;
+                add_stress(V, V * p * of_pack.J);
                 add_constraint(N,
-                               V * (1. - kappa * law.inverse_K),
-                               excess,
+                               V,
+                               p,
+                               PointPack(points.volume_offset[q],
+                                         points.volume_offset[r]),
                                law.inverse_K,
                                n_nodes);
               }
@@ -188,10 +174,12 @@ namespace isochor
       inline DEAL_II_ALWAYS_INLINE void
       add_constraint(const std::array<PointPack, max_nodes> &N,
                      const PointPack                        &V,
-                     const PointPack                        &excess,
+                     const PointPack                        &p,
+                     const PointPack                        &offset,
                      const double                            inverse_K,
                      const unsigned int                      n_nodes)
       {
+        const PointPack excess = of_pack.J - 1. - offset - p * inverse_K;
         for (unsigned int I = 0; I < n_nodes; ++I)
           {
             const PointPack VN = V * N[I];
