@@ -40,7 +40,7 @@ namespace isochor
     bool walls = false;
     for (const auto &equation : contact[0].equations)
       walls = walls || equation.how == NodalConstraints::in_contact;
-    // what a wall along an axis holds may also follow a rigid side, a periodic
+    // what a wall along an axis holds may also follow a periodic
     // partner or a tie, or be followed
     if (!contact[0].equations.empty() || !constraints.ties.node.empty())
       for (const auto how : contact[0].constrained)
@@ -55,8 +55,7 @@ namespace isochor
         all[k].ties = constraints.ties;
         all[k].resolve(nc);
       }
-    pressed.constraints = all[0];
-    pressed.followers   = displacement_followers(all[0], nc);
+    pressed.followers = displacement_followers(all[0], nc);
     for (const auto &[v, a] : starts_of_followers(all, nc, step.step_size()))
       {
         pressed.velocity.push_back(v);

@@ -27,7 +27,7 @@ namespace isochor
             continue;
           result.entry.push_back(place(all.entry[k]));
           result.value.push_back(all.value[k]);
-          result.flags.push_back(all.flags[k]);
+          result.is_tie.push_back(all.is_tie[k]);
           for (std::size_t i = all.start[k]; i < all.start[k + 1]; ++i)
             {
               result.master.push_back(place(all.master[i]));
@@ -159,9 +159,6 @@ namespace isochor
         followers          = pressed.followers;
         given_acceleration = pressed.acceleration;
       }
-    add_convective_acceleration(step,
-                                conditions,
-                                from_walls ? pressed.constraints : start);
     const std::vector<unsigned char> held_now = held;
     if (by_stresses)
       hold_pressed(step, &WallMotion::acceleration_at_start, acceleration);
@@ -251,38 +248,6 @@ namespace isochor
                                        entry / (dim + 1) :
                                        numbers::invalid_unsigned_int;
                             });
-  }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::add_convective_acceleration(
-    const StepContext<dim>                                     &step,
-    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-    const NodalConstraints                                     &constraints)
-  {
-    bool changes = false;
-    for (const auto &condition : conditions)
-      changes = changes || condition->relinearises();
-    if (!changes || given_acceleration.empty())
-      return;
-    NodalConstraints convective = constraints;
-    for (auto &equation : convective.equations)
-      {
-        equation.value = 0;
-        for (const auto &condition : conditions)
-          if (equation.changes && equation.owner == condition.get())
-            equation.value = condition->convective_acceleration(step,
-                                                                velocity,
-                                                                convective,
-                                                                equation);
-      }
-    convective.resolve(step.n_components);
-    const Followers values =
-      displacement_followers(convective, step.n_components);
-    for (unsigned int k = 0; k < followers.size(); ++k)
-      given_acceleration[k] += values.value[k];
   }
 
 

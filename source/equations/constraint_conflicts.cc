@@ -136,12 +136,12 @@ namespace isochor
             (group.difference > 0 ?
                ", otherwise" + by :
                std::string(", and for the second one they depend on what is "
-                           "free to move, such as a rigid side: it can part "
-                           "from these nodes there")) +
+                           "free to move, such as a jump between periodic "
+                           "sides: it can part from these nodes there")) +
             ". The first one counts there. If that isn't meant, let both "
             "prescribe the same, or leave these nodes out of one of them (the "
-            "order is that of doc/method.md: displacements, walls, rigid "
-            "sides, periodic sides; of the same kind the one named first).");
+            "order is that of doc/method.md: displacements, walls, "
+            "periodic sides; of the same kind the one named first).");
       }
   }
 

@@ -59,7 +59,7 @@ namespace isochor
       tie_of_node[ties.node[k]] = k;
     const Followers &followers = constraints.followers;
     for (unsigned int k = 0; k < followers.size() && with_ties; ++k)
-      if (followers.has(k, Followers::is_tie))
+      if (followers.is_tie[k] != 0)
         {
           const unsigned int node = followers.entry[k] / n_components;
           by_node[node].kind      = tie;
@@ -82,13 +82,9 @@ namespace isochor
       return e == row.pivot ? 1. : 0.;
     const NodalConstraints::Equation &equation = equations[row.equation];
     double                            a        = 0;
-    for (unsigned int b = 0; b < equation.n_vector; ++b)
-      {
-        const auto &of_b = equations[row.equation - equation.component + b];
-        for (std::size_t i = of_b.first; i < of_b.last; ++i)
-          if (entry[i] == e)
-            a += equation.projection[b] * coefficient[i];
-      }
+    for (std::size_t i = equation.first; i < equation.last; ++i)
+      if (entry[i] == e)
+        a += coefficient[i];
     return a;
   }
 
@@ -144,16 +140,6 @@ namespace isochor
 
 
   void
-  ConstraintForces::add_multiplier(const unsigned int k, const double value)
-  {
-    const NodalConstraints::Equation &equation = equations[k];
-    for (unsigned int b = 0; b < equation.n_vector; ++b)
-      multipliers[k - equation.component + b] += equation.projection[b] * value;
-  }
-
-
-
-  void
   ConstraintForces::find(const unsigned int n_owned_nodes, NodalField &force)
   {
     std::fill(multipliers.begin(), multipliers.end(), 0.);
@@ -171,7 +157,7 @@ namespace isochor
                   if (hands_on(row) == (kind == none_of_them))
                     continue;
                   if (row.equation != none)
-                    add_multiplier(row.equation, solution[k]);
+                    multipliers[row.equation] = solution[k];
                   if (hands_on(row))
                     take_away(row, solution[k], force);
                 }

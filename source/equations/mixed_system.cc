@@ -384,24 +384,9 @@ namespace isochor
   {
     const Followers &followers = tied.followers();
     for (unsigned int k = 0; k < followers.size(); ++k)
-      if (followers.value[k] == 0. && !followers.has(k, Followers::changes))
+      if (followers.value[k] == 0.)
         field.local_element(followers.entry[k]) =
           followers.sum(k, [&](const unsigned int entry) {
-            return field.local_element(entry);
-          });
-  }
-
-
-
-  template <int dim>
-  void
-  MixedSystem<dim>::project_changing(NodalField &field) const
-  {
-    const Followers &followers = tied.followers();
-    for (unsigned int k = 0; k < followers.size(); ++k)
-      if (followers.has(k, Followers::changes))
-        field.local_element(followers.entry[k]) =
-          followers.value[k] + followers.sum(k, [&](const unsigned int entry) {
             return field.local_element(entry);
           });
   }

@@ -21,7 +21,7 @@ namespace isochor
     master.clear();
     weight.clear();
     value.clear();
-    flags.clear();
+    is_tie.clear();
   }
 
 
@@ -193,8 +193,7 @@ namespace isochor
              ++j)
           add_to_row(followers.master[j], a * followers.weight[j]);
         row_value -= a * followers.value[k];
-        row_changes = row_changes || followers.has(k, Followers::changes);
-        i           = 0;
+        i = 0;
       }
   }
 
@@ -247,9 +246,9 @@ namespace isochor
                 ExcMessage(
                   "<" + parameter_of(sources[source_of_equation[number]]) +
                   "> meets nodes of which other conditions determine all, so "
-                  "that it would determine the motion of a rigid side or a "
-                  "jump between periodic sides. Prescribe that motion or "
-                  "jump, or leave these nodes out of the other condition."));
+                  "that it would determine a jump between periodic sides. "
+                  "Prescribe that jump, or leave these nodes out of the other "
+                  "condition."));
   }
 
 
@@ -257,19 +256,16 @@ namespace isochor
   void
   NodalConstraints::eliminate(Equation &equation, const unsigned int number)
   {
-    if (equation.n_vector > 1)
-      project(equation, number);
-    combine(equation, number, equation.projection);
+    row.clear();
+    row_value = equation.value;
+    for (std::size_t j = equation.first; j < equation.last; ++j)
+      add_to_row(entry[j], coefficient[j]);
+    substitute();
     const unsigned int i = find_pivot(equation);
     equation.pivot       = (i == none ? none : row[i].first);
     if (i == none)
       {
-        // what others hold must be what this one asks for, along what walls
-        // hold and along the rest of the vector
-        std::array<double, 3> whole{};
-        whole[equation.component] = 1;
-        if (equation.n_vector > 1)
-          combine(equation, number, whole);
+        // what others hold must be what this one asks for
         note_lost(equation, number);
         return;
       }
@@ -278,24 +274,22 @@ namespace isochor
     row.erase(row.begin() + i);
     for (auto &term : row)
       term.second /= -a;
-    append_follower(equation.pivot,
-                    row_changes ? Followers::changes : 0,
-                    row_value / a);
+    append_follower(equation.pivot, false, row_value / a);
     equation_of_follower.push_back(number);
   }
 
 
 
   void
-  NodalConstraints::append_follower(const unsigned int  e,
-                                    const unsigned char flags,
-                                    const double        value)
+  NodalConstraints::append_follower(const unsigned int e,
+                                    const bool         is_tie,
+                                    const double       value)
   {
     if (!equations.empty())
       place[e] = followers.size();
     constrained[e] = follows;
     followers.entry.push_back(e);
-    followers.flags.push_back(flags);
+    followers.is_tie.push_back(is_tie);
     followers.value.push_back(value);
     for (const auto &[master, weight] : row)
       {
@@ -317,8 +311,7 @@ namespace isochor
         if (constrained[e] != is_free)
           continue;
         row.clear();
-        row_value   = 0;
-        row_changes = false;
+        row_value = 0;
         for (std::size_t i = ties.start[k]; i < ties.start[k + 1]; ++i)
           row.emplace_back(ties.master[i] * n_components + a, ties.weight[i]);
         if (!equations.empty())
@@ -330,10 +323,7 @@ namespace isochor
                 }))
               continue;
           }
-        append_follower(e,
-                        Followers::is_tie |
-                          (row_changes ? Followers::changes : 0),
-                        -row_value);
+        append_follower(e, true, -row_value);
         equation_of_follower.push_back(none);
       }
   }
@@ -350,8 +340,7 @@ namespace isochor
     for (unsigned int k = found.size(); k-- > 0;)
       {
         row.clear();
-        row_value   = 0;
-        row_changes = found.has(k, Followers::changes);
+        row_value = 0;
         for (std::size_t i = found.start[k]; i < found.start[k + 1]; ++i)
           {
             const unsigned int l = place[found.master[i]];
@@ -364,12 +353,9 @@ namespace isochor
             for (const auto &[master, weight] : masters[l])
               add_to_row(master, w * weight);
             row_value += w * followers.value[l];
-            row_changes = row_changes || followers.has(l, Followers::changes);
           }
         masters[k] = row;
         followers.value[k] += row_value;
-        if (row_changes)
-          followers.flags[k] |= Followers::changes;
       }
     followers.start.assign(1, 0);
     followers.master.clear();

@@ -366,7 +366,6 @@ namespace isochor
       force.compress(VectorOperation::add);
 
       double work = 0;
-      add_walls_at_sides(result);
       for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
         for (unsigned int a = 0; a < dim; ++a)
           {
@@ -377,8 +376,6 @@ namespace isochor
               continue;
             // of what follows others: of the motion that is prescribed for it
             const bool follows = result.system.follows(i);
-            if (follows && is_on_side(result, node))
-              continue;
             add_held(step,
                      i,
                      follows ? result.system.follower_force(i) :
@@ -437,44 +434,6 @@ namespace isochor
       const unsigned int nc = step.n_components;
       held.push_back(
         {step.nodes.vertex(entry / nc) * dim + entry % nc, reaction, moved});
-    }
-
-    /** Whether a node follows a rigid side, or what does. */
-    static bool
-    is_on_side(const StepResult<dim> &result, const unsigned int node)
-    {
-      bool follows = false;
-      for (unsigned int a = 0; a < dim; ++a)
-        follows = follows || result.system.follows_changing(
-                               node * result.step.n_components + a);
-      return follows;
-    }
-
-    /** Of the walls at nodes that follow rigid sides along them: the way is
-     * that of the wall, not what of it stands in an equation which changes
-     * with the rotation of the side. */
-    void
-    add_walls_at_sides(const StepResult<dim> &result)
-    {
-      const MixedSystem<dim> &system    = result.system;
-      const auto             &equations = system.constraint_equations();
-      for (unsigned int k = 0; k < equations.size(); ++k)
-        {
-          const auto &equation = equations[k];
-          if (equation.pivot == NodalConstraints::Equation::none ||
-              equation.precedence >= Precedence::periodic || equation.changes)
-            continue;
-          const unsigned int nc      = result.step.n_components;
-          const unsigned int node    = equation.pivot / nc;
-          bool               on_side = false;
-          for (unsigned int a = 0; a < dim; ++a)
-            on_side = on_side || system.follows_changing(node * nc + a);
-          if (on_side && node < result.step.nodes.n_owned())
-            add_held(result.step,
-                     equation.pivot,
-                     system.multiplier(k),
-                     equation.value);
-        }
     }
 
     bool   in_statics = false, in_dynamics = true, watches = true;

@@ -352,7 +352,6 @@ namespace isochor
     if (!change.any || !constrain_nodes())
       return false;
     lay_out_system(false);
-    relinearise();
     system.interpolate_followers(unknowns);
     return true;
   }
@@ -394,33 +393,6 @@ namespace isochor
 
 
   template <int dim>
-  void
-  Equilibrium<dim>::relinearise()
-  {
-    if (scene.inertia.in_trial())
-      return;
-    bool any = false;
-    for (const auto &condition : scene.boundary_conditions)
-      if (condition->relinearises())
-        {
-          condition->relinearise(setup.context(), unknowns, constraints);
-          any = true;
-        }
-    if (!any)
-      return;
-    constraints.conflicts.clear(); // were told at the start
-    constraints.resolve(scene.n_components);
-    // other coefficients may make another unknown follow
-    const bool fits = system.fits(constraints);
-    if (Utilities::MPI::min(fits ? 1 : 0, scene.grid.communicator()) == 1)
-      system.update_followers(constraints);
-    else
-      lay_out_system(false);
-  }
-
-
-
-  template <int dim>
   NewtonReport
   Equilibrium<dim>::find_root(const bool with_contact,
                               const bool has_other_start)
@@ -451,8 +423,6 @@ namespace isochor
     problem.advance = [this](const double s) {
       at_start = false;
       linear_step.advance(s, unknowns);
-      relinearise();
-      system.project_changing(unknowns);
     };
     // a few times: the set that holds at the end is found by the outer search
     constexpr unsigned int most_looks = 8;
@@ -462,7 +432,6 @@ namespace isochor
         return ++n_looks <= most_looks &&
                change_contact_on_the_way(force_scale);
       };
-    relinearise();
     system.interpolate_followers(unknowns); // wherever it starts from
     const NewtonReport report = newton_solver.solve(problem, terminal.log());
     last_try_converged        = report.converged;

@@ -29,17 +29,9 @@ namespace isochor
     if (with_matrix && !scene_checked)
       {
         scene_checked = true;
-        // what loads add for curved constraints would hide free rotations
         if (scene.time.step == 0) // resumed: said when it started
           check_first_step(scene, step, system.matrix(), may_let_go());
       }
-    if (with_matrix && !scene.inertia.in_trial())
-      for (unsigned int t = 0; t < terms.size(); ++t)
-        if (const auto *condition =
-              dynamic_cast<const BoundaryCondition<dim> *>(terms[t]);
-            condition && condition->relinearises())
-          condition->add_constraint_stiffness(
-            step, unknowns, constraints, setup.first_of_term()[t], system);
     return norms;
   }
 
@@ -227,7 +219,7 @@ namespace isochor
           external_force.local_element(i) + boundary_force.local_element(i);
         const bool pressure = (i % n_components == dim);
         squares[constraints.constrained[i] ? 2 : (pressure ? 1 : 0)] += r * r;
-        // what walls and rigid sides do, apart from prescribed unknowns
+        // what walls do, apart from prescribed unknowns
         const unsigned char how = constraints.constrained[i];
         if (system.has_equations() && system.is_held(i) &&
             how != NodalConstraints::prescribed &&

@@ -48,7 +48,6 @@ namespace isochor
     std::vector<StoppedAtWall> components;
     Followers                  followers;
     std::vector<double>        velocity, acceleration;
-    NodalConstraints           constraints;
   };
 } // namespace isochor
 

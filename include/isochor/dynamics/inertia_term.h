@@ -409,13 +409,6 @@ namespace isochor
       const NodalTies                                            &ties,
       const double                                                part,
       NodalConstraints &contact) const;
-    /** Add to given_acceleration what comes from the velocities of equations
-     * that change, see BoundaryCondition::convective_acceleration(). */
-    void
-    add_convective_acceleration(
-      const StepContext<dim>                                     &step,
-      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-      const NodalConstraints                                     &constraints);
     /** Note the walls that equations of @p constraints stand for, at the places
      * of the step's motion. */
     void

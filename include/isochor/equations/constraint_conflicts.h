@@ -10,8 +10,8 @@
 namespace isochor
 {
   /** The path of the parameter that NodalConstraints::source names, "Walls" or
-   * "Walls: name of the section"; with " = item", such as "Rigid sides = top",
-   * an item of it. */
+   * "Walls: name of the section"; with " = item", such as "Walls = top", an
+   * item of it. */
   std::string
   parameter_of(const std::string &source);
 

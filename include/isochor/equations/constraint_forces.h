@@ -41,7 +41,7 @@ namespace isochor
      * Find the multipliers from the residual @p force of all nodes, before
      * anything is handed on, and take away from it what belongs to ties and to
      * relations between nodes (Precedence::periodic): what is left is what
-     * walls, rigid sides and prescribed displacements do to the body (N).
+     * walls and prescribed displacements do to the body (N).
      * Collective.
      */
     void
@@ -55,15 +55,7 @@ namespace isochor
       return multipliers[equation];
     }
 
-    /** Those of the constraints. */
-    const std::vector<NodalConstraints::Equation> &
-    all_equations() const
-    {
-      return equations;
-    }
-
-    /** Whether a wall, a rigid side or a prescribed displacement acts on this
-     * entry. */
+    /** Whether a wall or a prescribed displacement acts on this entry. */
     bool
     is_held(const unsigned int entry) const
     {
@@ -109,10 +101,6 @@ namespace isochor
     solve(const Node &node, const NodalField &force);
     void
     take_away(const Row &row, const double multiplier, NodalField &force) const;
-    /** Of what stands in the place of equation @p k, which is a combination of
-     * several. */
-    void
-    add_multiplier(const unsigned int k, const double value);
 
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
 

@@ -45,20 +45,6 @@ namespace isochor
            const NodalConstraints &constraints,
            const bool              symmetric);
 
-    /** Whether the same unknowns are free, held, or follow the same others as
-     * in the last call of reinit(), on this rank. */
-    bool
-    fits(const NodalConstraints &constraints) const
-    {
-      return constrained == constraints.constrained &&
-             tied.followers().same_structure(constraints.followers);
-    }
-
-    /** The weights and values of the followers in @p constraints have changed,
-     * which are the same as in the last call of reinit(). */
-    void
-    update_followers(const NodalConstraints &constraints);
-
     /** Zero the residual, and matrix and lifting if @p with_matrix. */
     void
     start_assembly(const bool with_matrix);
@@ -74,11 +60,6 @@ namespace isochor
                 const double      *element_residual,
                 const double      *element_matrix,
                 const NodalField  &pending);
-
-    /** Add an element's matrix alone, with nothing to come. Also after
-     * finish_assembly(). */
-    void
-    add_matrix(const unsigned int e, const double *element_matrix);
 
     /** Sum the residual over ranks, subtract the dead loads @p external_force
      * (summed up), and move what acts on followers to those they follow. */
@@ -102,24 +83,11 @@ namespace isochor
     }
 
     /** The part of a follower's increment that is prescribed for it (m), apart
-     * from what it follows; 0 for rigid sides, whose control nodes tell. */
+     * from what it follows. */
     double
     prescribed_value(const unsigned int entry) const
     {
-      const unsigned int k = tied.follower(entry);
-      return tied.followers().has(k, Followers::changes) ?
-               0. :
-               tied.followers().value[k];
-    }
-
-    /** Whether an entry follows with coefficients that change with the
-     * unknowns, as on rigid sides. */
-    bool
-    follows_changing(const unsigned int entry) const
-    {
-      const unsigned int k = tied.follower(entry);
-      return k != TiedElements::none &&
-             tied.followers().has(k, Followers::changes);
+      return tied.followers().value[tied.follower(entry)];
     }
 
     /** follower_force(), but of ties only (NodalTies). */
@@ -127,8 +95,7 @@ namespace isochor
     tie_force(const unsigned int entry) const
     {
       const unsigned int k = tied.follower(entry);
-      return k == TiedElements::none ||
-                 !tied.followers().has(k, Followers::is_tie) ?
+      return k == TiedElements::none || !tied.followers().is_tie[k] ?
                0. :
                tied.force(k);
     }
@@ -140,13 +107,6 @@ namespace isochor
       return tied.followers();
     }
 
-    /** Those of the constraints, with the entries that follow by them. */
-    const std::vector<NodalConstraints::Equation> &
-    constraint_equations() const
-    {
-      return constraint_forces.all_equations();
-    }
-
     /** λ of an equation of the constraints, see ConstraintForces. Valid after
      * finish_assembly() on the rank that owns the pivot. */
     double
@@ -155,7 +115,7 @@ namespace isochor
       return constraint_forces.multiplier(equation);
     }
 
-    /** The force (N) of walls, rigid sides and prescribed displacements on the
+    /** The force (N) of walls and prescribed displacements on the
      * body; elsewhere the residual. Valid after finish_assembly() on owned
      * entries. */
     const NodalField &
@@ -198,11 +158,6 @@ namespace isochor
     void
     interpolate_followers(NodalField &field) const;
 
-    /** Set the followers of @p field whose weights change with the unknowns.
-     */
-    void
-    project_changing(NodalField &field) const;
-
     /** Equation of an entry of a nodal field, local number, or invalid. */
     unsigned int
     equation(const unsigned int entry) const
@@ -229,6 +184,21 @@ namespace isochor
     NodalField residual;
 
   private:
+    /** Whether the same unknowns are free, held, or follow the same others as
+     * in the last call of reinit(), on this rank. */
+    bool
+    fits(const NodalConstraints &constraints) const
+    {
+      return constrained == constraints.constrained &&
+             tied.followers().same_structure(constraints.followers);
+    }
+    /** The weights and values of the followers in @p constraints have changed,
+     * which are the same as in the last call of reinit(). */
+    void
+    update_followers(const NodalConstraints &constraints);
+    /** The matrix of add_element(). */
+    void
+    add_matrix(const unsigned int e, const double *element_matrix);
     void
     number_equations();
     void

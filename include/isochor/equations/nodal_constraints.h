@@ -5,7 +5,6 @@
 #ifndef isochor_nodal_constraints_h
 #define isochor_nodal_constraints_h
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -49,17 +48,12 @@ namespace isochor
    */
   struct Followers
   {
-    enum : unsigned char
-    {
-      is_tie  = 1, ///< of NodalTies
-      changes = 2  ///< weights and value depend on the unknowns
-    };
-
-    std::vector<unsigned int>  entry;
-    std::vector<std::size_t>   start = {0};
-    std::vector<unsigned int>  master;
-    std::vector<double>        weight, value;
-    std::vector<unsigned char> flags;
+    std::vector<unsigned int> entry;
+    std::vector<std::size_t>  start = {0};
+    std::vector<unsigned int> master;
+    std::vector<double>       weight, value;
+    /** Whether each is of NodalTies. */
+    std::vector<unsigned char> is_tie;
 
     unsigned int
     size() const
@@ -69,12 +63,6 @@ namespace isochor
 
     void
     clear();
-
-    bool
-    has(const unsigned int k, const unsigned char flag) const
-    {
-      return (flags[k] & flag) != 0;
-    }
 
     /** Σ_i weight[i] x[master[i]], with @p x a function of an entry. */
     template <typename Field>
@@ -105,9 +93,8 @@ namespace isochor
   {
     displacement, ///< NodalConstraints::constrain()
     wall,         ///< along normals
-    rigid_side,
-    periodic, ///< and other relations between nodes
-    tie       ///< NodalTies
+    periodic,     ///< and other relations between nodes
+    tie           ///< NodalTies
   };
 
   /**
@@ -146,27 +133,16 @@ namespace isochor
       unsigned int n_pivots = 1;
       /** prescribed, or in_contact. */
       unsigned char how = prescribed;
-      /** Whether the coefficients depend on the unknowns, see
-       * BoundaryCondition::relinearise(). */
-      bool changes = false;
       /** Whether all ranks have added it. */
       bool known_to_all = false;
       /** Whose it is, and which of its equations. */
       const void  *owner = nullptr;
       unsigned int label = 0;
-      /** This many equations, one after the other, determine a vector, of which
-       * this one has the component number @p component as its first entry.
-       * Along what walls and prescribed components hold of it the vector is
-       * then left alone: in the place of the equations E_b stand
-       *   Σ_b P_ab E_b,  P = 1 - Σ n n^T,  n orthonormal in what is held. */
-      unsigned int n_vector = 1, component = 0;
 
       static constexpr unsigned int none = static_cast<unsigned int>(-1);
       /** By resolve(): what follows by this equation. None: all of it is
        * determined by others. */
       unsigned int pivot = none;
-      /** By resolve(): P_ab, a the component; {1} without a vector. */
-      std::array<double, 3> projection{{1., 0., 0.}};
     };
 
     /** An unknown that two conditions determine, and not alike. */
@@ -223,8 +199,7 @@ namespace isochor
       return !is_control.empty() && is_control[entry] != 0;
     }
 
-    /** Find the followers. Can be called again after coefficients and values
-     * have changed. */
+    /** Find the followers. */
     void
     resolve(const unsigned int n_components);
 
@@ -235,15 +210,6 @@ namespace isochor
     source_number();
     void
     eliminate(Equation &equation, const unsigned int number);
-    /** Let the row be Σ_b parts_b E_b over the equations of a vector, without
-     * what has been eliminated. */
-    void
-    combine(const Equation              &equation,
-            const unsigned int           number,
-            const std::array<double, 3> &parts);
-    /** Set the projection of an equation of a vector. */
-    void
-    project(Equation &equation, const unsigned int number) const;
     void
     eliminate_tie(const unsigned int tie, const unsigned int n_components);
     void
@@ -258,9 +224,9 @@ namespace isochor
     void
     note_lost(const Equation &equation, const unsigned int number);
     void
-    append_follower(const unsigned int  entry,
-                    const unsigned char flags,
-                    const double        value);
+    append_follower(const unsigned int entry,
+                    const bool         is_tie,
+                    const double       value);
     /** Insert followers that were found after those that depend on them. */
     void
     resolve_chains();
@@ -277,8 +243,7 @@ namespace isochor
     std::vector<unsigned int>                    place;
     std::vector<unsigned int>                    equation_of_follower;
     std::vector<std::pair<unsigned int, double>> row;
-    double                                       row_value   = 0;
-    bool                                         row_changes = false;
+    double                                       row_value = 0;
   };
 } // namespace isochor
 

@@ -159,7 +159,7 @@ namespace isochor
     void
     set_weight();
     /** Whether a condition that holds now holds the body up against @p gravity:
-     * prescribed components, walls that it touches, held rigid sides, surfaces
+     * prescribed components, walls that it touches, surfaces
      * with a prescribed component or a load. Collective. */
     bool
     is_supported(const Tensor<1, dim> &gravity) const;
@@ -217,9 +217,6 @@ namespace isochor
     /** Whether one-sided walls hold nodes, on any rank. */
     bool
     may_let_go() const;
-    /** Equations between unknowns whose coefficients change with these. */
-    void
-    relinearise();
     /** Find what of the prescribed increments is still to come; whether there
      * is anything on this rank. */
     bool
