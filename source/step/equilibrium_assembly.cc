@@ -29,7 +29,6 @@ namespace isochor
     if (with_matrix && !scene_checked)
       {
         scene_checked = true;
-        // what loads add for curved constraints would hide free rotations
         if (scene.time.step == 0) // resumed: said when it started
           check_first_step(scene, step, system.matrix());
       }

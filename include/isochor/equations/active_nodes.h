@@ -23,7 +23,7 @@ namespace isochor
 
   /**
    * A node that is no vertex of the grid and has no material, but unknowns that
-   * others follow: the translation or the rotation of a rigid side, a mean
+   * others follow: the translation or the rotation of a rigid body, a mean
    * strain. Its displacement components are these unknowns, its pressure is
    * prescribed.
    */
