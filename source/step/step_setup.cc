@@ -306,8 +306,7 @@ namespace isochor
     touched_vertices.shrink_to_fit(); // each cell has named its own
     if (extends)
       {
-        extension.exempt(
-          find_periodic_vertices(scene.boundary_conditions));
+        extension.exempt(find_periodic_vertices(scene.boundary_conditions));
         extension.update(arrays, touched_vertices);
       }
     touch_masters();
