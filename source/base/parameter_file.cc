@@ -290,25 +290,20 @@ namespace isochor
     void
     check_replaced(const ParameterStatement &statement)
     {
-      static const std::map<std::string, std::string> replacements = {
-        {"Ghost penalty",
+      static const std::map<Path, std::string> replacements = {
+        {{"Formulation", "Project volume change"},
+         "volumes of points don't drift any more; leave it out"},
+        {{"Ghost penalty"},
          "nodes of cut cells are tied to well filled cells instead, see "
          "<Cut cells/Extension> (auto, always or never, as <Ghost penalty/Use> "
          "was); there are no coefficients any more"}};
-      static const std::map<Path, std::string> gone = {
-        {{"Formulation", "Project volume change"},
-         "volumes of points don't drift any more, whatever the "
-         "<Quadrature/Type>; leave it out"}};
-      const auto parameter = gone.find(statement.path);
-      if (parameter != gone.end())
-        throw ParameterError(statement.origin + ": the parameter <" +
-                             join_path(statement.path) +
-                             "> is gone: " + parameter->second);
-      const auto replacement = replacements.find(statement.path.front());
-      if (replacement != replacements.end())
-        throw ParameterError(statement.origin + ": the subsection <" +
-                             replacement->first +
-                             "> is gone: " + replacement->second);
+      for (const auto &[path, replacement] : replacements)
+        if (path.size() <= statement.path.size() &&
+            std::equal(path.begin(), path.end(), statement.path.begin()))
+          throw ParameterError(statement.origin + ": the " +
+                               (path.size() == 1 ? "subsection" : "parameter") +
+                               " <" + join_path(path) +
+                               "> is gone: " + replacement);
     }
 
 

@@ -342,7 +342,6 @@ namespace isochor
     arrays.mass.clear();
     arrays.pressure.clear();
     arrays.volume_offset.clear();
-    arrays.memory.clear();
     arrays.F.clear();
     arrays.shape.resize(n);
     arrays.weight.resize(n);
@@ -422,10 +421,8 @@ namespace isochor
     arrays.mass.attach(slots, l.mass);
     arrays.pressure.attach(slots, l.pressure);
     arrays.F.attach(slots, l.F, fields_are_copied);
-    if (!l.mixed)
-      return;
-    arrays.volume_offset.attach(slots, l.volume_offset, fields_are_copied);
-    arrays.memory.attach(slots, l.memory, fields_are_copied);
+    if (l.mixed)
+      arrays.volume_offset.attach(slots, l.volume_offset, fields_are_copied);
   }
 
 
@@ -443,10 +440,7 @@ namespace isochor
         arrays.volume.refresh(q, properties[l.volume]);
         arrays.F.refresh(q, deformation_gradient<dim>(properties.data(), l));
         if (l.mixed)
-          {
-            arrays.volume_offset.refresh(q, properties[l.volume_offset]);
-            arrays.memory.refresh(q, properties[l.memory]);
-          }
+          arrays.volume_offset.refresh(q, properties[l.volume_offset]);
       }
     if (l.axisymmetric)
       arrays.radius[q] = location[0];

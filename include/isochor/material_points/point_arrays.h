@@ -103,9 +103,9 @@ namespace isochor
     PointField<double>                       mass;
     std::vector<double>                      weight; ///< volume of integration
     PointField<double>                       pressure;
-    /** What the pressure equation leaves out of θ^e, and the part of its shear
-     * stress that the point remembers: VolumeOffset. In u-p only. */
-    PointField<double>         volume_offset, memory;
+    /** What the pressure equation leaves out of θ^e: VolumeOffset. In u-p only.
+     */
+    PointField<double>         volume_offset;
     PointField<Tensor<2, dim>> F;
     std::vector<unsigned char> material; ///< its index
     /** In axisymmetry, the distance from the axis (m) at the start of the step;
@@ -364,8 +364,8 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
-        &pressure &volume_offset &memory &F &material &history &velocity
-          &acceleration &domain &stencil_start &stencil_vertex &stencil_shape
+        &pressure &volume_offset &F &material &history &velocity &acceleration
+          &domain &stencil_start &stencil_vertex &stencil_shape
             &stencil_gradient &domain_corners &overlapped_cells &deformed_cell
               &n_history &radius &displacement;
     }
