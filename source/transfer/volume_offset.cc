@@ -71,7 +71,7 @@ namespace isochor
                          const ArrayView<double> &properties)
   {
     unseen[q]      = excess;
-    double &memory = properties[layout.memory];
+    double &memory = properties[layout.memory()];
     memory =
       (step.grid_is_kept ? memory : 1.) *
       memory_of_step<dim>(*step.kernel.materials[step.points.material[q]],
@@ -161,7 +161,7 @@ namespace isochor
                         const unsigned int q,
                         Point<dim> & /*location*/,
                         ArrayView<double> properties) {
-      properties[l.volume_offset] += (1 - properties[l.memory]) * unseen[q];
+      properties[l.volume_offset] += (1 - properties[l.memory()]) * unseen[q];
     });
   }
 

@@ -71,6 +71,10 @@ namespace isochor
     std::vector<unsigned char>         outer_faces;
     std::vector<types::particle_index> id;
 
+    /** V_0 of what the point was part of as it was seeded, before it was split;
+     * empty on grids that don't adapt. */
+    std::vector<double> seeded_volume;
+
     /** Pairs (point, cell) for the corners, at least dim + 1 a point: the cells
      * whose nodes corners touch. */
     std::vector<std::pair<unsigned int, unsigned int>> cells;
@@ -113,9 +117,6 @@ namespace isochor
     std::vector<double>         radius;
     std::vector<double>         history; ///< n_history values a point
     std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
-    /** V_0 of what the point was part of as it was seeded, before it was split;
-     * empty on grids that don't adapt. */
-    std::vector<double> seeded_volume;
     /** Domains at t = 0, relative to the points, if the layout has them. */
     std::vector<CornerVectors<dim>> domain;
     /** Of the points since t = 0: at the last reset of the grid or, if the
