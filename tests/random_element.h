@@ -135,7 +135,6 @@ struct RandomElement
       }
     points.F.push_back(point.F);
     points.volume_offset.push_back(amplitude * random());
-    points.memory.push_back(std::abs(random()));
     point.history_n.resize(points.n_history);
     points.history.insert(points.history.end(),
                           point.history_n.begin(),

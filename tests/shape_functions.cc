@@ -168,7 +168,6 @@ namespace
         points.weight.push_back(1 + 0.5 * random());
         points.material.push_back(0);
         points.volume_offset.push_back(0);
-        points.memory.push_back(1);
         points.F.push_back(unit_symmetric_tensor<dim>() +
                            random.template gradient<dim>(0.1));
       }

@@ -118,7 +118,7 @@ FLOWS = (
     Flow(
         "rigid footing to w/B = 0.5",
         ROOT / "prm/footing_rigid/footing_rigid.prm",
-        (("q/c_u", last("Force y of footing (N)", -2e-3), "5.94"),),
+        (("q/c_u", last("Force y on body by footing (N)", -2e-3), "5.94"),),
         ("Time/End time=0.5",),
         full=True,
     ),

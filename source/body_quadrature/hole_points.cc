@@ -351,10 +351,7 @@ namespace isochor
         points.weight.push_back(cells.at(cell) / determinant(F));
         points.pressure.push_back(0);
         if (kernel.has_pressures)
-          {
-            points.volume_offset.push_back(state.second.mean_offset());
-            points.memory.push_back(1);
-          }
+          points.volume_offset.push_back(state.second.mean_offset());
         points.F.push_back(F);
         points.material.push_back(state.first);
         points.history.insert(points.history.end(),

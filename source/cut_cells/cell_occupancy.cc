@@ -242,8 +242,9 @@ namespace isochor
             const double V0 = points.volume[q];
             const double J  = determinant(points.F[q]);
             content.volume += J * V0;
-            const double seeded =
-              points.seeded_volume.empty() ? V0 : points.seeded_volume[q];
+            const double seeded = points.domain_corners.seeded_volume.empty() ?
+                                    V0 :
+                                    points.domain_corners.seeded_volume[q];
             content.volume_times_seeded += J * V0 * J * seeded;
             content.reference_volume += V0;
             const double G =

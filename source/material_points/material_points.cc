@@ -25,8 +25,7 @@ namespace isochor
                            const bool         with_excess,
                            const bool         with_surface,
                            const bool         mixed)
-    : mixed(mixed)
-    , with_excess(with_excess)
+    : with_excess(with_excess)
     , n_history(n_history)
     , dynamic(dynamic)
     , with_domains(with_domains)
@@ -45,10 +44,7 @@ namespace isochor
     place(F, dim * dim);
     place(pressure, 1);
     if (mixed)
-      {
-        place(volume_offset, 1);
-        place(memory, 1);
-      }
+      place(volume_offset, 2);
     place(stress, dim == 2 ? 4 : 6);
     if (dynamic)
       {
@@ -342,7 +338,6 @@ namespace isochor
     arrays.mass.clear();
     arrays.pressure.clear();
     arrays.volume_offset.clear();
-    arrays.memory.clear();
     arrays.F.clear();
     arrays.shape.resize(n);
     arrays.weight.resize(n);
@@ -353,7 +348,8 @@ namespace isochor
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
     arrays.displacement.resize(point_layout.with_domains ? n : 0);
-    arrays.seeded_volume.resize(point_layout.with_ancestry ? n : 0);
+    arrays.domain_corners.seeded_volume.resize(point_layout.with_ancestry ? n :
+                                                                            0);
     arrays.domain_corners.outer_faces.resize(point_layout.with_surface ? n : 0);
     arrays.domain_corners.id.resize(point_layout.with_surface ? n : 0);
 
@@ -367,7 +363,8 @@ namespace isochor
       arrays.weight[q] = properties[l.volume];
       arrays.material[q] = static_cast<unsigned char>(properties[l.material]);
       if (l.with_ancestry)
-        arrays.seeded_volume[q] = seeded_volume<dim>(properties.data(), l);
+        arrays.domain_corners.seeded_volume[q] =
+          seeded_volume<dim>(properties.data(), l);
       read_state(q, location, properties, arrays);
       if (l.with_surface)
         {
@@ -422,10 +419,8 @@ namespace isochor
     arrays.mass.attach(slots, l.mass);
     arrays.pressure.attach(slots, l.pressure);
     arrays.F.attach(slots, l.F, fields_are_copied);
-    if (!l.mixed)
-      return;
-    arrays.volume_offset.attach(slots, l.volume_offset, fields_are_copied);
-    arrays.memory.attach(slots, l.memory, fields_are_copied);
+    if (l.mixed())
+      arrays.volume_offset.attach(slots, l.volume_offset, fields_are_copied);
   }
 
 
@@ -442,11 +437,8 @@ namespace isochor
       {
         arrays.volume.refresh(q, properties[l.volume]);
         arrays.F.refresh(q, deformation_gradient<dim>(properties.data(), l));
-        if (l.mixed)
-          {
-            arrays.volume_offset.refresh(q, properties[l.volume_offset]);
-            arrays.memory.refresh(q, properties[l.memory]);
-          }
+        if (l.mixed())
+          arrays.volume_offset.refresh(q, properties[l.volume_offset]);
       }
     if (l.axisymmetric)
       arrays.radius[q] = location[0];

@@ -102,11 +102,8 @@ namespace isochor
     properties[l.mass]   = mass;
     mean(l.displacement, dim, m);
     mean(l.pressure, 1, v);
-    if (l.mixed)
-      {
-        mean(l.volume_offset, 1, v);
-        mean(l.memory, 1, v);
-      }
+    if (l.mixed())
+      mean(l.volume_offset, 2, v);
     mean(l.stress, n_symmetric_components<dim>, v);
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)

@@ -267,8 +267,7 @@ namespace isochor
         if (change != GridChange::none)
           grid_changed();
         // other owners of the same cells must not matter
-        if (change == GridChange::cells)
-          disturbed = true;
+        disturbed |= (change == GridChange::cells);
       }
     if (partition.is_needed(scene.grid))
       {

@@ -71,7 +71,7 @@ namespace isochor
                          const ArrayView<double> &properties)
   {
     unseen[q]      = excess;
-    double &memory = properties[layout.memory];
+    double &memory = properties[layout.memory()];
     memory =
       (step.grid_is_kept ? memory : 1.) *
       memory_of_step<dim>(*step.kernel.materials[step.points.material[q]],
@@ -139,24 +139,29 @@ namespace isochor
           return m->dissipates();
         }))
       return; // all remember everything
-    // means of hat functions don't have the moments of what they are taken of
-    constexpr unsigned int  n_passes = 3;
+    // means of hat functions don't have the moments of what they are taken of:
+    // Chebyshev's iteration, the eigenvalues of P1 being 1/(dim + 2) to 1
+    constexpr unsigned int  n_passes = 6;
+    constexpr double        smallest = 1. / (dim + 2);
     const PointArrays<dim> &arrays   = step.points;
     for (unsigned int pass = 0; pass < n_passes; ++pass)
       {
+        const double root =
+          std::cos(numbers::PI * (pass + 0.5) / n_passes) * (1 - smallest) / 2 +
+          (1 + smallest) / 2;
         find_means(step);
         for (unsigned int k = 0; k < arrays.n_occupied_cells; ++k)
           for (unsigned int q = arrays.cell_start[k];
                q < arrays.cell_start[k + 1];
                ++q)
-            unseen[q] -= mean_at(step, k, q);
+            unseen[q] -= mean_at(step, k, q) / root;
       }
     const PointLayout &l = points.layout();
     points.for_each([&](const unsigned int /*k*/,
                         const unsigned int q,
                         Point<dim> & /*location*/,
                         ArrayView<double> properties) {
-      properties[l.volume_offset] += (1 - properties[l.memory]) * unseen[q];
+      properties[l.volume_offset] += (1 - properties[l.memory()]) * unseen[q];
     });
   }
 

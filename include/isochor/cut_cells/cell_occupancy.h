@@ -64,7 +64,7 @@ namespace isochor
       double       volume_times_G   = 0; ///< Σ V_0 G
       double       volume_over_G    = 0; ///< Σ V_0 / G, not of holes
       /** Σ J V_0 J V_s, with the volumes V_s of the points as they were seeded
-       * (PointArrays::seeded_volume). */
+       * (DomainCorners::seeded_volume). */
       double volume_times_seeded = 0;
       /** Without points: the measure of the cell is its volume, with J and G in
        * the mean of the cells around the hole. */

@@ -40,11 +40,9 @@ namespace isochor
     unsigned int displacement = 0; ///< total displacement (m), dim components
     unsigned int F            = 0; ///< deformation gradient, dim x dim by rows
     unsigned int pressure = 0; ///< p, conjugate to θ (Pa), tension positive
-    /** What the pressure equation leaves out of θ^e, and what the point
-     * remembers of its shear (VolumeOffset); only if mixed. */
+    /** What the pressure equation leaves out of θ^e, and behind it what the
+     * point remembers of its shear (VolumeOffset); only in u-p, else 0. */
     unsigned int volume_offset = 0;
-    unsigned int memory        = 0;
-    bool         mixed         = false;
     unsigned int stress        = 0; ///< Cauchy: xx, yy, zz, xy(, xz, yz) (Pa)
     unsigned int velocity      = 0; ///< m/s, only in dynamics
     unsigned int acceleration  = 0; ///< m/s^2, only in dynamics
@@ -76,6 +74,19 @@ namespace isochor
     /** Whether the plane is a section of a body of revolution, see
      * AxisymmetricMaterial. */
     bool axisymmetric = false;
+
+    /** Whether the form is u-p. */
+    bool
+    mixed() const
+    {
+      return volume_offset > 0;
+    }
+
+    unsigned int
+    memory() const
+    {
+      return volume_offset + 1;
+    }
 
     PointLayout() = default;
     PointLayout(const unsigned int dim,

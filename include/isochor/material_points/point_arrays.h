@@ -71,6 +71,10 @@ namespace isochor
     std::vector<unsigned char>         outer_faces;
     std::vector<types::particle_index> id;
 
+    /** V_0 of what the point was part of as it was seeded, before it was split;
+     * empty on grids that don't adapt. */
+    std::vector<double> seeded_volume;
+
     /** Pairs (point, cell) for the corners, at least dim + 1 a point: the cells
      * whose nodes corners touch. */
     std::vector<std::pair<unsigned int, unsigned int>> cells;
@@ -103,9 +107,9 @@ namespace isochor
     PointField<double>                       mass;
     std::vector<double>                      weight; ///< volume of integration
     PointField<double>                       pressure;
-    /** What the pressure equation leaves out of θ^e, and the part of its shear
-     * stress that the point remembers: VolumeOffset. In u-p only. */
-    PointField<double>         volume_offset, memory;
+    /** What the pressure equation leaves out of θ^e: VolumeOffset. In u-p only.
+     */
+    PointField<double>         volume_offset;
     PointField<Tensor<2, dim>> F;
     std::vector<unsigned char> material; ///< its index
     /** In axisymmetry, the distance from the axis (m) at the start of the step;
@@ -113,9 +117,6 @@ namespace isochor
     std::vector<double>         radius;
     std::vector<double>         history; ///< n_history values a point
     std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
-    /** V_0 of what the point was part of as it was seeded, before it was split;
-     * empty on grids that don't adapt. */
-    std::vector<double> seeded_volume;
     /** Domains at t = 0, relative to the points, if the layout has them. */
     std::vector<CornerVectors<dim>> domain;
     /** Of the points since t = 0: at the last reset of the grid or, if the
@@ -364,8 +365,8 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
-        &pressure &volume_offset &memory &F &material &history &velocity
-          &acceleration &domain &stencil_start &stencil_vertex &stencil_shape
+        &pressure &volume_offset &F &material &history &velocity &acceleration
+          &domain &stencil_start &stencil_vertex &stencil_shape
             &stencil_gradient &domain_corners &overlapped_cells &deformed_cell
               &n_history &radius &displacement;
     }

@@ -28,7 +28,7 @@ namespace isochor
    * see.
    *
    * *Seen* is e_s = Σ_I N_I e_I with Σ_p V_p N_I e_s = Σ_p V_p N_I e, the
-   * stabilisation's part; from nodal means, corrected twice.
+   * stabilisation's part; from nodal means, by Chebyshev's iteration.
    *
    * *Memory*: the part m of its elastic shear strain that a point brings
    * through a step. With the plastic strain of the step and the elastic one at
