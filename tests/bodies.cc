@@ -47,6 +47,13 @@ namespace
         for (unsigned int d = 0; d < dim; ++d)
           values.push_back(x[d]);
         values.insert(values.end(), properties.begin(), properties.end());
+        // that another body is behind a face isn't alike
+        if (const PointLayout &l = points.layout(); l.with_surface)
+          {
+            double &faces =
+              values[values.size() - properties.size() + l.outer_faces];
+            faces = static_cast<unsigned int>(faces) % (1u << (dim + 1));
+          }
         length = 2 * dim + 1 + properties.size();
       }
     Points<dim> all;
@@ -218,8 +225,9 @@ namespace
     const auto both = compare<2>("through each other", flying, left, right);
     // mass times mean velocity
     std::array<double, 2> momentum{};
-    const PointLayout     layout(2, 0, true, true, false, false, false);
-    double                mean[2] = {0, 0}, mass[2] = {0, 0};
+    const PointLayout     layout(
+      2, 0, true, true, false, false, false, false, true);
+    double mean[2] = {0, 0}, mass[2] = {0, 0};
     for (const auto &[place, values] : both)
       {
         const double *properties = values.data() + 3;

@@ -24,7 +24,8 @@ namespace
       "Formulation/Type = u\nDynamics/Inertia = true\n"
       "Dynamics/Initial velocity = 0, if(y > 1.5, -1, 0)\n"
       "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0\n"
-      "Quadrature/Type = points\nTime/Step size = 0.1\nTime/End time = 1\n" +
+      "Quadrature/Type = points\n"
+      "Grid reset/Steps between resets = 1\nTime/Step size = 0.1\nTime/End time = 1\n" +
       settings);
     return test::warning_of(*problem, "bodies that meet");
   }

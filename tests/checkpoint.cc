@@ -186,8 +186,8 @@ test_linear_equations(const MPI_Comm comm)
     {"Rigid body: lid/Moment of inertia", "1"},
     {"Rigid body: lid/Force", "y = -200*t"},
     {"Rigid body: lid/Moment", "rotation = 20*t"},
-    {"Interaction: body - lid/Law", "tie"},
-    {"Interaction: body - lid/Surface", "y > 2.39"}};
+    {"Boundary conditions/Surfaces of body", "top: y > 2.39"},
+    {"Interaction: top - lid/Law", "tie"}};
   for (const std::string periodic : {"", "left: right"})
     {
       scene.emplace_back("Boundary conditions/Periodic sides", periodic);

@@ -221,17 +221,17 @@ main(int argc, char **argv)
                     inertia = shape + "Mass = 1\n" + shape +
                               "Moment of inertia = 0.3\n",
                     solid_plane = plane + "Point = 0, 1, 0\n" + shape +
-                                  "Normal = 0.01, -1, 0.02\n" + upper,
-                    sphere = circle + "Centre = 0.4, 1.48, 0.3\n" + upper;
+                                  "Normal = 0.01, -1, 0.02\n",
+                    sphere = circle + "Centre = 0.4, 1.48, 0.3\n";
   const std::string free   = " that turns freely";
   for (const unsigned int i : {0, 2})
     {
       check<2>(forms[i],
-               {tools[0].first + free, tools[0].second + upper + turns},
+               {tools[0].first + free, tools[0].second + turns},
                laws);
       for (const unsigned int tool : {1, 2})
         check<2>(forms[i],
-                 {tools[tool].first + free, tools[tool].second + upper + turns},
+                 {tools[tool].first + free, tools[tool].second + turns},
                  {laws[0]});
       check<3>(forms[i],
                {"half plane" + free, solid_plane + turns_in_space},
@@ -240,7 +240,7 @@ main(int argc, char **argv)
     }
   for (const auto &[name, tool] : tools)
     check<2>(forms[3],
-             {name + free, tool + upper + moves + "rotation\n" + inertia},
+             {name + free, tool + moves + "rotation\n" + inertia},
              laws);
   for (const auto &[name, tool] :
        Variants{{"half plane", solid_plane}, {"sphere", sphere}})

@@ -128,7 +128,7 @@ main(int argc, char **argv)
                      "Rigid body: lid/Shape = box\n"
                      "Rigid body: lid/Lower corner = 0, 1, 0\n"
                      "Rigid body: lid/Upper corner = 1, 1.2, 1\n"
-                     "Interaction: body - lid/Law = tie\n"
-                     "Interaction: body - lid/Surface = y > 0.99\n");
+                     "Boundary conditions/Surfaces of body = top: y > 0.99\n"
+                     "Interaction: top - lid/Law = tie\n");
   check_picture("a box in space", 12);
 }

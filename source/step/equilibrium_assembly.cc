@@ -113,7 +113,8 @@ namespace isochor
         condition->add_external_force(step, loads);
       for (const auto *const condition :
            with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))
-        condition->add_boundary_force(step, rest, loads);
+        if (condition->assembles_load(step))
+          condition->add_boundary_force(step, rest, loads);
       loads.compress(VectorOperation::add);
       return loads;
     };
