@@ -68,8 +68,8 @@ def necking(n, steps, full):
         (
             ("u_r of the neck at 3.5 mm (mm)",
              at(0.5, "Displacement x of neck (m)"), "-0.87"),
-            ("at 7 mm", last("Displacement x of neck (m)"), "-3.9 to -4.4"),
-            ("force (kN)", last("Reaction y on bottom (N)", -1e-3), "18 to 27"),
+            ("at 7 mm", last("Displacement x of neck (m)"), "-3.87 (grid never reset)"),
+            ("force (kN)", last("Reaction y on bottom (N)", -1e-3), "26.8 (the same)"),
         ),
         (f"Time/Step size={1 / steps}",),
         ("necking", f"n {n}"),
@@ -96,13 +96,13 @@ FLOWS = (
     Flow(
         "slump, CPDI",
         SCENES / "slump.prm",
-        (("crest (m)", last("Displacement y of crest (m)"), "-0.49"),),
+        (("crest (m)", last("Displacement y of crest (m)"), "no reference"),),
         full=True,
     ),
     Flow(
         "slump, cell-filled",
         SCENES / "slump.prm",
-        (("crest (m)", last("Displacement y of crest (m)"), "-0.49"),),
+        (("crest (m)", last("Displacement y of crest (m)"), "no reference"),),
         ("Quadrature/Type=cell-filled",),
     ),
     Flow(
@@ -118,14 +118,14 @@ FLOWS = (
     Flow(
         "rigid footing to w/B = 0.5",
         ROOT / "prm/footing_rigid/footing_rigid.prm",
-        (("q/c_u", last("Force y on body by footing (N)", -2e-3), "5.94"),),
+        (("q/c_u", last("Force y on body by footing (N)", -2e-3), "5.94 (finite elements)"),),
         ("Time/End time=0.5",),
         full=True,
     ),
     Flow(
         "ring to half of its height",
         ROOT / "prm/ring_compression/ring_compression.prm",
-        (("force (N)", last("Reaction y on bottom (N)"), ""),),
+        (("force (N)", last("Reaction y on bottom (N)"), "no reference"),),
         ("Time/End time=0.5",),
         full=True,
     ),
