@@ -164,10 +164,7 @@ namespace
     std::string warnings;
     for (const auto &warning : test::all_warnings(*problem).all())
       warnings += warning.subject + ". ";
-    // the energy is wrong by 5 to 8 % of the largest, as with a rigid body
-    test::check("what is told of the ring",
-                warnings == "a body that drifts. ",
-                warnings);
+    test::check("what is told of the ring", warnings.empty(), warnings);
   }
 
   void

@@ -41,7 +41,7 @@ namespace
             "Boundary conditions/Displacement",
             "[0, 1] x [0, 0.5]",
             "[0, 1] x [1, 1]",
-            "reaches later",
+            "comes to it",
             "Material points"});
     expect("traction where no material is",
            messages<2>(low + "Boundary conditions/Traction = top: 0, -1\n"),

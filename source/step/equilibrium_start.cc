@@ -42,7 +42,10 @@ namespace isochor
       }
     for (const auto *const condition :
          with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))
-      supported = supported || condition->supports_body(gravity);
+      {
+        const bool holds = condition->supports_body(gravity); // on all ranks
+        supported        = supported || holds;
+      }
     return Utilities::MPI::max(static_cast<int>(supported),
                                scene.grid.communicator()) == 1;
   }

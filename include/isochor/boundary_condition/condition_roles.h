@@ -123,7 +123,8 @@ namespace isochor
       return false;
     }
 
-    /** Whether assemble() can hold the body up against @p gravity. */
+    /** Whether assemble() can hold the body up against @p gravity; the same on
+     * all ranks. Collective. */
     virtual bool
     supports_body(const Tensor<1, dim> & /*gravity*/) const
     {

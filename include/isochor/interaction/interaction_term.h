@@ -129,7 +129,7 @@ namespace isochor
     bool
     supports_body(const Tensor<1, dim> &gravity) const override
     {
-      return acting * gravity < 0;
+      return Utilities::MPI::sum(acting, grid->communicator()) * gravity < 0;
     }
     bool
     has_symmetric_matrix() const override
