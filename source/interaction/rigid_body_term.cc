@@ -141,6 +141,9 @@ namespace isochor
         // components of the second node that are no rotation
         for (unsigned int a = RigidBody<dim>::n_rotations; a < dim; ++a)
           constraints.constrain(at[dim] + a, 0.);
+        if (step.mixed()) // neither node has a pressure
+          for (const unsigned int first : {at[0], at[dim]})
+            constraints.constrain(first + dim, 0.);
       }
   }
 
