@@ -27,7 +27,8 @@ namespace
       "Quadrature/Type = points\n"
       "Grid reset/Steps between resets = 1\nTime/Step size = 0.1\nTime/End time = 1\n" +
       settings);
-    return test::warning_of(*problem, "bodies that meet");
+    return test::warning_of(*problem, "bodies that meet") +
+           test::warning_of(*problem, "bodies that don't meet");
   }
 
   void
@@ -50,6 +51,8 @@ main(int argc, char **argv)
   test_message("", two);
   test_message("Quadrature/Type = points", two);
   test_message("Time/End time = 0.7", "");
+  test_message("Grid reset/Steps between resets = 0",
+               "2 bodies share no node of the grid, which is kept");
   test_message("Material points/Region = y > 2 && y < 3", "");
   test_message("Material points/Region = y < 1 || (y > 2 && y < 2.5) || "
                "(y > 3 && y < 3.5)",

@@ -389,7 +389,10 @@ namespace isochor
         first_element.push_back(elements.size());
         term->collect_elements(step, elements);
       }
-    watch.contact.look(step, elements, scene.time.step == 0);
+    watch.contact.look(step,
+                       elements,
+                       scene.time.step == 0,
+                       !grid_reset.always());
   }
 
 

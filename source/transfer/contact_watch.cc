@@ -16,7 +16,8 @@ namespace isochor
   void
   ContactWatch<dim>::look(const StepContext<dim> &step,
                           const ElementNodes     &elements,
-                          const bool              at_start)
+                          const bool              at_start,
+                          const bool              is_kept)
   {
     // bodies with fields of their own share no nodes, only elements of contact
     if ((!at_start && !has_several) || step.grid.n_layers() > 1)
@@ -25,6 +26,16 @@ namespace isochor
       std::exchange(n_bodies, number_of_parts(step, elements));
     if (at_start)
       has_several = n_bodies > 1;
+    if (at_start && has_several && is_kept)
+      step.warnings.add(
+        "bodies that don't meet",
+        std::to_string(n_bodies) +
+          " bodies share no node of the grid, which is kept over several "
+          "steps. Until it is put back they go through each other. Use "
+          "<Quadrature/Type = CPDI>, or, if they are to meet, <Grid "
+          "reset/Steps between resets = 1>.");
+    else if (at_start)
+      return;
     else if (n_bodies < n_before)
       step.warnings.add(
         "bodies that meet",

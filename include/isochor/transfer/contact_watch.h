@@ -23,11 +23,13 @@ namespace isochor
   class ContactWatch
   {
   public:
-    /** The grid was put back, and the equations have these @p elements. */
+    /** The grid was put back, and the equations have these @p elements.
+     * @p is_kept: it isn't put back before each step. */
     void
     look(const StepContext<dim> &step,
          const ElementNodes     &elements,
-         const bool              at_start);
+         const bool              at_start,
+         const bool              is_kept);
 
     template <class Archive>
     void
