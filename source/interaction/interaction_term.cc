@@ -121,6 +121,7 @@ namespace isochor
       find_faces();
     NodalField rest;
     step.nodes.initialize(rest, step.n_components);
+    rest.update_ghost_values();
     update_partners(step, rest);
     for (FaceElement &element : faces)
       {

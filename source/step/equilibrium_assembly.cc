@@ -109,6 +109,7 @@ namespace isochor
       NodalField loads, rest;
       setup.active_nodes().initialize(loads, scene.n_components);
       setup.active_nodes().initialize(rest, scene.n_components);
+      rest.update_ghost_values();
       for (const auto &condition : scene.boundary_conditions)
         condition->add_external_force(step, loads);
       for (const auto *const condition :
