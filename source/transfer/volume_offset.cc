@@ -83,32 +83,25 @@ namespace isochor
 
 
   template <int dim>
+  template <typename Value>
   void
-  VolumeOffset<dim>::find_means(const StepContext<dim> &step)
+  VolumeOffset<dim>::sum_to_nodes(const StepContext<dim> &step,
+                                  const Value            &value,
+                                  NodalField             &sums) const
   {
-    step.nodes.initialize(mean, 1);
-    step.nodes.initialize(weight, 1);
+    step.nodes.initialize(sums, 1);
     const PointArrays<dim> &points = step.points;
-    // the occupied cells: a hole has no point that could carry anything
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const auto stencil = points.stencil(step.grid.geometry(), k, q);
+          const auto   stencil  = points.stencil(step.grid.geometry(), k, q);
+          const double weighted = points.measure(q) * value(q);
           for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-            {
-              const unsigned int node = step.nodes.node(stencil.vertex[I]);
-              const double       wN   = stencil.shape[I] * points.measure(q);
-              weight.local_element(node) += wN;
-              mean.local_element(node) += wN * unseen[q];
-            }
+            sums.local_element(step.nodes.node(stencil.vertex[I])) +=
+              stencil.shape[I] * weighted;
         }
-    weight.compress(VectorOperation::add);
-    mean.compress(VectorOperation::add);
-    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
-      if (weight.local_element(node) > 0)
-        mean.local_element(node) /= weight.local_element(node);
-    mean.update_ghost_values();
+    sums.compress(VectorOperation::add);
   }
 
 
@@ -144,12 +137,19 @@ namespace isochor
     constexpr unsigned int  n_passes = 6;
     constexpr double        smallest = 1. / (dim + 2);
     const PointArrays<dim> &arrays   = step.points;
+    sum_to_nodes(
+      step, [](const unsigned int) { return 1.; }, weight);
     for (unsigned int pass = 0; pass < n_passes; ++pass)
       {
         const double root =
           std::cos(numbers::PI * (pass + 0.5) / n_passes) * (1 - smallest) / 2 +
           (1 + smallest) / 2;
-        find_means(step);
+        sum_to_nodes(
+          step, [&](const unsigned int q) { return unseen[q]; }, mean);
+        for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+          if (weight.local_element(node) > 0)
+            mean.local_element(node) /= weight.local_element(node);
+        mean.update_ghost_values();
         for (unsigned int k = 0; k < arrays.n_occupied_cells; ++k)
           for (unsigned int q = arrays.cell_start[k];
                q < arrays.cell_start[k + 1];

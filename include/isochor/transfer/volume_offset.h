@@ -63,9 +63,14 @@ namespace isochor
     apply(const StepContext<dim> &step, MaterialPoints<dim> &points);
 
   private:
-    /** Find the nodal means of what is left of the excess. Collective. */
+    /** Let @p sums be Σ_q V_q N_I value(q) at the nodes, over the points of
+     * occupied cells (a hole has none that could carry anything). Collective.
+     */
+    template <typename Value>
     void
-    find_means(const StepContext<dim> &step);
+    sum_to_nodes(const StepContext<dim> &step,
+                 const Value            &value,
+                 NodalField             &sums) const;
 
     /** The mean at point @p q of occupied cell @p k. */
     double
