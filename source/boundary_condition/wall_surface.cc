@@ -16,9 +16,6 @@ namespace isochor
 {
   namespace
   {
-    /** Faces belong to one smooth piece if their normals' product is more. */
-    const double smooth = std::cos(40. / 180. * numbers::PI);
-
     /** The cosine of the angle between two faces of @p area vectors. */
     template <int dim>
     double
@@ -46,7 +43,7 @@ namespace isochor
     meet_smoothly(const Face &a, const Face &b)
     {
       return share_edge(a.vertices, b.vertices) &&
-             cosine(a.area, b.area) > smooth;
+             cosine(a.area, b.area) > cosine_of_smooth_walls();
     }
 
     /** By vertex, the numbers of the faces there. */

@@ -161,7 +161,6 @@ namespace isochor
                                    const std::vector<AtEdge> &at_edge,
                                    std::vector<unsigned int> &smooth) const
   {
-    const double     least    = std::cos(40. / 180. * numbers::PI);
     constexpr double rounding = 1e-8;
     auto             rim      = Facets::Rim::free;
     for (const AtEdge &other : at_edge)
@@ -169,7 +168,8 @@ namespace isochor
         if (other.face == f)
           continue;
         if (other.face != numbers::invalid_unsigned_int &&
-            faces[other.face].normal * faces[f].normal > least)
+            faces[other.face].normal * faces[f].normal >
+              cosine_of_smooth_walls())
           {
             smooth.push_back(other.face);
             return Facets::Rim::none;

@@ -5,6 +5,8 @@
 #ifndef isochor_one_sided_wall_h
 #define isochor_one_sided_wall_h
 
+#include <isochor/boundary_condition/condition_roles.h>
+
 #include <string>
 #include <vector>
 
@@ -36,12 +38,11 @@ namespace isochor
   find_one_sided_walls(const Conditions &conditions)
   {
     std::vector<OneSidedWall> walls;
-    for (const auto &condition : conditions)
-      if (const auto *const has_walls =
-            dynamic_cast<const HasOneSidedWalls *>(condition.get()))
-        walls.insert(walls.end(),
-                     has_walls->one_sided_walls().begin(),
-                     has_walls->one_sided_walls().end());
+    for (const auto *const condition :
+         with_role<const HasOneSidedWalls>(conditions))
+      walls.insert(walls.end(),
+                   condition->one_sided_walls().begin(),
+                   condition->one_sided_walls().end());
     return walls;
   }
 } // namespace isochor

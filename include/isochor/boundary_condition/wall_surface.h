@@ -8,11 +8,20 @@
 #include <isochor/grid/background_grid.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <vector>
 
 namespace isochor
 {
+  /** Faces of walls belong to one smooth surface if the cosine of the angle
+   * between their normals is more: 40 degrees. */
+  inline double
+  cosine_of_smooth_walls()
+  {
+    return std::cos(40. / 180. * numbers::PI);
+  }
+
   /**
    * A side of the grid as a surface with normals. At each vertex there is one
    * normal into the grid for each smooth piece of the side that ends there or
