@@ -161,59 +161,6 @@ test_free_nodes()
                  false);
 }
 
-/** The same bodies where steps resolve their vibrations have nothing to
- * settle. */
-void
-test_resolved()
-{
-  const std::string soft =
-    "Grid/Upper corner = 4, 4\nGrid/Subdivisions = 4, 4\n"
-    "Material points/Region = x < 1.1 && y < 1.1\n"
-    "Boundary conditions/Displacement = bottom: y=0; left: x=0\n"
-    "Boundary conditions/Gravity = 0, -1\nTime/Step size = 0.02\n" +
-    changing("0.5", "0.25");
-  for (const std::string E : {"1e4", "1e7"})
-    {
-      const auto problem = test::run_scene<2>(
-        stiff + soft + "Material/Young modulus = " + E + '\n');
-      const auto row = problem->work().row("accelerations that settle");
-      test::check("E = " + E + ": settles " + (E == "1e4" ? "never" : "it"),
-                  (row.done > 0) == (E == "1e7"),
-                  std::to_string(row.done));
-    }
-  // a wave would not cross all that the two lie in
-  const auto two = test::run_scene<2>(
-    stiff + soft +
-    "Material points/Region = (x < 1.1 && y < 1.1) || (x > 2.9 && y > 2.9)\n"
-    "Boundary conditions/Displacement = bottom: y=0; left: x=0; top: y=0; "
-    "right: x=0\nMaterial/Young modulus = 2e6\n");
-  const auto row = two->work().row("accelerations that settle");
-  test::check("two bodies: settles them",
-              row.done > 0,
-              std::to_string(row.done));
-}
-
-/** A grid of the same cells that is divided among the ranks anew, as it is on
- * three of them in the step after this refinement, disturbs nothing. */
-void
-test_divisions()
-{
-  const auto problem = test::run_scene<2>(
-    stiff +
-    "Grid/Upper corner = 4, 4\nGrid/Subdivisions = 4, 4\n"
-    "Material points/Region = x < 1.1 && y < 1.1\n"
-    "Boundary conditions/Displacement = bottom: y=0; left: x=0\n"
-    "Boundary conditions/Gravity = 0, -1\nMaterial/Young modulus = 1e9\n" +
-    changing("0.5", "if(x < 0.4 && y < 0.4, 0.0625, 0.5)") +
-    "Adaptive grid/Maximum level = 4\n");
-  // the first change is that of t = 0
-  const double settled = problem->work().row("accelerations that settle").done,
-               changes = test::get(*problem, "Changes of grid") - 1;
-  test::check("settles as often as cells change",
-              settled == changes && changes > 0,
-              std::to_string(settled) + " for " + std::to_string(changes));
-}
-
 /** What is written as the acceleration of the points is all of it. */
 void
 test_acceleration_of_points()
@@ -236,7 +183,5 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_changing_grids();
   test_free_nodes();
-  test_resolved();
-  test_divisions();
   test_acceleration_of_points();
 }

@@ -3,10 +3,12 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Motions that start, stop or change their acceleration suddenly while a run is
-// on its way: a step begins there, and the body follows at once, as at t = 0.
-// Forces are those of the motion from the next step on; without it they
-// alternate by a mass times the jump over a step.
+// Motions that start, stop or change their acceleration at once while a run is
+// on its way: a step begins where their formula changes its branch, and the
+// body follows at once, as at t = 0. Forces are those of the motion from the
+// next step on; without it they alternate by a mass times the jump over a step.
+
+#include <isochor/base/formula_switches.h>
 
 #include <map>
 
@@ -136,7 +138,7 @@ namespace
     for (const double jump : motion.jumps)
       lands =
         lands && std::any_of(rows.begin(), rows.end(), [=](const Row &row) {
-          return std::abs(row.time - jump) < 5e-6;
+          return std::abs(row.time - jump) < 1e-12;
         });
     // what jumps of velocities do is all found; where accelerations jump the
     // work of one step goes by the mean of the forces before and after it
@@ -214,7 +216,7 @@ namespace
                         test::relative(moved[energy], at_rest[energy]),
                         1e-6);
     test::check_error("external work", std::abs(moved["external"]), 1e-9);
-    // what is smooth is left alone, however fast; 40 steps
+    // what has no switch is left alone, however fast; 40 steps
     for (const std::string smooth : {"1e-6*sin(100*t)",
                                      "1e-6*sin(12345*t)",
                                      "1e-6*(1 + tanh((t - 0.05)/0.006))",
@@ -229,8 +231,7 @@ namespace
       }
   }
 
-  /** An acceleration that has no bounds at its start is found as one that jumps
-   * is, to a fiftieth of a step. */
+  /** An acceleration that has no bounds at its start. */
   void
   test_unbounded_acceleration()
   {
@@ -246,51 +247,36 @@ namespace
                 std::any_of(times.begin(),
                             times.end(),
                             [](const double time) {
-                              return std::abs(time - 0.0213) < 1e-4;
+                              return std::abs(time - 0.0213) < 1e-12;
                             }),
                 "");
   }
 
-  /** A place that jumps at t = 0, or where the velocity has no bounds, is told;
-   * other motions, walls that press at once, and displacements that wait for
-   * their time aren't. */
+
+  /** What formulas say of when they change their branch. */
   void
-  test_places()
+  test_switches()
   {
-    const std::string block =
-      "Grid/Upper corner = 1.5, 0.5\nGrid/Subdivisions = 12, 4\n"
-      "Material points/Region = x < 1\nMaterial/Young modulus = 1e6\n"
-      "Material/Density = 1\nDynamics/Inertia = true\n"
-      "Time/Step size = 0.005\nTime/End time = 0.01\n";
-    const auto check = [&](const std::string &motion, const bool is_told) {
-      const std::string text =
-        test::warning_of(*test::run_scene<2>(block + motion + '\n'),
-                         "a motion that jumps");
-      test::check((is_told ? "told: " : "silent: ") +
-                    motion.substr(motion.rfind('/') + 1),
-                  is_told ? text.find("at t = 0.") != std::string::npos :
-                            text.empty(),
-                  text);
-    };
-    for (const auto &[place, is_told] :
-         std::vector<std::pair<std::string, bool>>{{"0.01", true},
-                                                   {"0.01 + t", true},
-                                                   {"0.01*t^0.5", true},
-                                                   {"0.01*t^0.6", true},
-                                                   {"0.01*t", false},
-                                                   {"0.1*t^1.2", false},
-                                                   {"1e-9", false}})
-      for (const std::string condition :
-           {"Displacement = left: x=",
-            "Surfaces of body = end: left\nQuadrature/Type = CPDI\n"
-            "Interaction: end - place/Displacement = x="})
-        check("Boundary conditions/" + condition + place, is_told);
-    check("Boundary conditions/Walls = left: n=0", false);
-    check("Boundary conditions/Walls = left: n=0.01", true);
-    check("Boundary conditions/Surfaces of body = end: left\n"
-          "Quadrature/Type = CPDI\n"
-          "Interaction: end - place/Displacement = x=0.01 - 2*t",
-          true); // back at the end of the first step
+    using Switches = std::vector<std::string>;
+    for (const auto &[formula, expected] :
+         std::vector<std::pair<std::string, Switches>>{
+           {"0.1*t", {}},
+           {"sin(t)^2 + x*t", {}},
+           {"max(0, t - 0.02)", {"(0) - (t - 0.02)"}},
+           {"if(t<0.1, 2*t, if(t>=0.3,1,0))", {"(t) - (0.1)", "(t) - (0.3)"}},
+           {"x*(t > 1 && 2*(t - 1) <= 3)", {"(2*(t - 1)) - (3)", "(t) - (1)"}},
+           {"t > 2 ? abs(t - 3) : 0", {"(t) - (2)", "t - 3"}},
+           {"if(x > 0.5, t, 0)", {}},
+           {"if(t > x, t, 0)", {}},
+           {"min(t, 1, 2*exp(-t))",
+            {"(1) - (2*exp(-t))", "(t) - (1)", "(t) - (2*exp(-t))"}}})
+      {
+        const Switches found = switches_in_time(formula);
+        std::string    text;
+        for (const std::string &one : found)
+          text += one + "; ";
+        test::check("switches of " + formula, found == expected, text);
+      }
   }
 } // namespace
 
@@ -316,5 +302,5 @@ main(int argc, char **argv)
   test_strained_body();
   test_other_body();
   test_unbounded_acceleration();
-  test_places();
+  test_switches();
 }

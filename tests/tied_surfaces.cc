@@ -268,13 +268,6 @@ namespace
            of("Grid/Subdivisions = 16, 16\n" + surfaces +
               "top: y > 0.95\nInteraction: top - place" + tie),
            {"WARNING", "goes round an edge", "<top>"});
-    expect("a place that jumps",
-           of("Dynamics/Inertia = true\nMaterial/Density = 1\n"
-              "Time/Step size = 0.01\nTime/End time = 0.01\n" +
-              surfaces +
-              "top: top\nInteraction: top - place/Displacement = y=0.01\n"),
-           {"WARNING a motion that jumps", "<Interaction: name - place/Disp"},
-           2);
     expect("a name without a partner",
            of(surfaces + "top: top\nInteraction: top/Displacement = y=0\n"),
            {"ERROR", "name - partner"});

@@ -128,14 +128,10 @@ namespace isochor
     }
 
     void
-    append_motion(const StepContext<dim> &step,
-                  std::vector<double>    &values) const override
+    append_motions(std::vector<Expression<dim>> &motions) const override
     {
       for (const auto &condition : conditions)
-        for (const unsigned int vertex : condition.vertices)
-          if (step.nodes.node(vertex) != numbers::invalid_unsigned_int)
-            values.push_back(
-              condition.displacement(reference[vertex], step.time));
+        motions.push_back(condition.displacement);
     }
 
     void

@@ -300,6 +300,15 @@ namespace isochor
               unknowns.local_element(jump * step.n_components + a);
     }
 
+    void
+    append_motions(std::vector<Expression<dim>> &motions) const override
+    {
+      for (const Pair &pair : pairs)
+        for (const Formula &jump : pair.jump)
+          if (jump)
+            motions.push_back(*jump);
+    }
+
     std::string
     save_state() const override
     {

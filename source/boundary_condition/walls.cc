@@ -171,6 +171,13 @@ namespace isochor
     }
 
     void
+    append_motions(std::vector<Expression<dim>> &motions) const override
+    {
+      for (const Wall &wall : walls)
+        motions.push_back(wall.displacement);
+    }
+
+    void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override
     {
       for (Wall &wall : walls)

@@ -219,8 +219,6 @@ namespace isochor
   {
     const unsigned int nc        = step.n_components;
     const auto         increment = [this](const unsigned int i) {
-      if (trial.settles)
-        return 0.;
       return trial.size * (velocity.local_element(i) +
                            trial.size / 2 * acceleration.local_element(i));
     };

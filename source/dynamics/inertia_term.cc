@@ -150,7 +150,18 @@ namespace isochor
         }
     });
     loads.compress(VectorOperation::add);
-    collect_excess(step, points, force);
+    std::vector<Tensor<1, dim>> excess(step.points.n_points());
+    points.for_each([&](const unsigned int /*k*/,
+                        const unsigned int q,
+                        Point<dim> & /*location*/,
+                        ArrayView<double> properties) {
+      // and what trials have added to the acceleration since
+      for (unsigned int d = 0; d < dim; ++d)
+        excess[q][d] = properties[l.excess + d] +
+                       step.points.acceleration[q][d] -
+                       properties[l.acceleration + d];
+    });
+    mass.collect(step, excess, force);
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       for (unsigned int a = 0; a < dim; ++a)
         force.local_element(node * dim + a) +=
@@ -179,29 +190,6 @@ namespace isochor
       for (unsigned int a = 0; a < dim; ++a)
         force.local_element(node * dim + a) +=
           forces.local_element(node * step.n_components + a);
-  }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::collect_excess(const StepContext<dim> &step,
-                                   MaterialPoints<dim>    &points,
-                                   NodalField             &result) const
-  {
-    std::vector<Tensor<1, dim>> excess(step.points.n_points());
-    const PointLayout          &l = points.layout();
-    points.for_each([&](const unsigned int /*k*/,
-                        const unsigned int q,
-                        Point<dim> & /*location*/,
-                        ArrayView<double> properties) {
-      // and what trials have added to the acceleration since
-      for (unsigned int d = 0; d < dim; ++d)
-        excess[q][d] = properties[l.excess + d] +
-                       step.points.acceleration[q][d] -
-                       properties[l.acceleration + d];
-    });
-    mass.collect(step, excess, result);
   }
 
 
@@ -296,13 +284,13 @@ namespace isochor
         {
           const unsigned int i   = node * dim + d;
           const double       a_n = acceleration.local_element(i);
-          const double v_n = trial.settles ? 0. : velocity.local_element(i);
           element.acceleration.local_element(i) =
             scheme().inertial_acceleration(
               a_n,
-              scheme().acceleration(
-                unknowns.local_element(node * nc + d), v_n, a_n, dt)) +
-            (trial.settles ? a_n : 0.);
+              scheme().acceleration(unknowns.local_element(node * nc + d),
+                                    velocity.local_element(i),
+                                    a_n,
+                                    dt));
         }
     for (unsigned int e = 0; e < mass.n_elements(step); ++e)
       {

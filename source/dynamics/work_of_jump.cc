@@ -14,7 +14,7 @@ namespace isochor
                                  const LoadStepping        &time) const
   {
     const bool is_first = time.step == 0;
-    if (!is_active() || !(is_first ? starts_with_impulse : time.motion_jumps))
+    if (!is_active() || !(is_first ? starts_with_impulse : time.starts_anew))
       return 0;
     double work = 0;
     for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)

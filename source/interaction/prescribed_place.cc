@@ -67,42 +67,11 @@ namespace isochor
 
   template <int dim>
   void
-  PrescribedPlace<dim>::append_motion(
-    const typename BodySurface<dim>::Place &place,
-    const double                            at,
-    std::vector<double>                    &values) const
+  PrescribedPlace<dim>::append_motions(
+    std::vector<Expression<dim>> &motions) const
   {
     for (const auto &component : components)
-      if (!component.empty())
-        values.push_back(component.front()(place.X, at));
-  }
-
-
-
-  template <int dim>
-  bool
-  PrescribedPlace<dim>::starts_suddenly(
-    const typename BodySurface<dim>::Place &place,
-    const Tensor<1, dim>                   &velocity) const
-  {
-    const double dt = trial.end - trial.start;
-    if (dt == 0)
-      return false; // nothing moves
-    for (unsigned int a = 0; a < dim; ++a)
-      {
-        if (components[a].empty())
-          continue;
-        std::array<double, n_motion_places> places;
-        for (unsigned int k = 0; k < n_motion_places; ++k)
-          places[k] =
-            components[a].front()(place.X,
-                                  trial.start + k * dt / (n_motion_places - 1));
-        const double V = trial.smooth.of(motion_of_step(places, dt)).first;
-        if (std::abs(V - velocity[a]) >
-            1e-8 * std::max(std::abs(V), std::abs(velocity[a])))
-          return true;
-      }
-    return false;
+      motions.insert(motions.end(), component.begin(), component.end());
   }
 
 

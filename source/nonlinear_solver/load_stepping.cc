@@ -120,8 +120,10 @@ namespace isochor
   {
     // no crumbs: a target within a step and a bit is hit, the rest of the way
     // to one within two steps is halved
-    const double target = std::min(extra_target, next_target());
-    const double rest   = target - time;
+    const double next = next_target();
+    const double target =
+      next - extra_target < 1e-6 * step_size ? next : extra_target;
+    const double rest = target - time;
     if (rest <= step_size * (1 + 1e-8))
       return target;
     return time + (rest < 2 * step_size * (1 - 1e-8) ? rest / 2 : step_size);
@@ -135,10 +137,9 @@ namespace isochor
     const double reached = next_time();
     if (output_interval > 0 && reached == next_target())
       reached_output = std::floor(reached / output_interval * (1 + 1e-12));
-    last_size       = reached - time;
-    time            = reached;
-    start_precision = reached == extra_target ? target_precision : 0;
-    extra_target    = std::numeric_limits<double>::infinity();
+    last_size    = reached - time;
+    time         = reached;
+    extra_target = std::numeric_limits<double>::infinity();
     ++step;
     const double before = step_size;
     if (n_iterations <= easy_iterations)
@@ -240,16 +241,14 @@ namespace isochor
   void
   LoadStepping::resume(const LoadStepping &saved)
   {
-    time            = saved.time;
-    step            = saved.step;
-    last_size       = saved.last_size;
-    starts_anew     = saved.starts_anew;
-    start_precision = saved.start_precision;
-    n_cuts          = saved.n_cuts;
-    step_size       = saved.first_step_size == first_step_size ?
-                        std::min(saved.step_size, largest) :
-                        first_step_size;
-    reached_output  = saved.reached_output;
+    time           = saved.time;
+    step           = saved.step;
+    last_size      = saved.last_size;
+    n_cuts         = saved.n_cuts;
+    step_size      = saved.first_step_size == first_step_size ?
+                       std::min(saved.step_size, largest) :
+                       first_step_size;
+    reached_output = saved.reached_output;
     if (saved.output_interval != output_interval)
       reached_output = output_interval > 0 ?
                          std::floor(time / output_interval * (1 + 1e-12)) :

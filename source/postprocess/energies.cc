@@ -143,7 +143,7 @@ namespace isochor
         return;
       loss.look(result.step.time,
                 balance,
-                result.time.motion_jumps,
+                result.time.starts_anew,
                 result.step.points.has_stencils(),
                 result.step.grid_is_kept,
                 result.step.time >= result.time.end_time(),

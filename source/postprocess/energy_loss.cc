@@ -23,7 +23,7 @@ namespace isochor
   void
   EnergyLoss::look(const double   time,
                    const Balance &balance,
-                   const bool     motion_jumps,
+                   const bool     motion_starts,
                    const bool     is_cpdi,
                    const bool     grid_is_kept,
                    const bool     is_last,
@@ -34,8 +34,8 @@ namespace isochor
 
     const double total  = balance.kinetic + balance.internal;
     const double before = std::exchange(lost, balance.supplied - total);
-    // jumps that follow each other don't hide all
-    if (motion_jumps && n_since_start >= n_between)
+    // starts that follow each other don't hide all
+    if (motion_starts && n_since_start >= n_between)
       n_since_start = 0;
     if (n_since_start < n_first_steps)
       lost_at_starts += lost - before;

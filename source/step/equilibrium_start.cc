@@ -2,11 +2,10 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-// The members of Equilibrium that look for the acceleration at t = 0, and for
+// The members of Equilibrium that look for the acceleration at a start, and for
 // the weight that the stabilisation leaves out.
 #include <deal.II/base/mpi.h>
 
-#include <isochor/base/plain_message.h>
 #include <isochor/equations/connected_parts.h>
 #include <isochor/step/equilibrium.h>
 
@@ -97,10 +96,7 @@ namespace isochor
     if (report.converged && trial.size > 0 && !trial.is_past)
       settle_weight(report);
     if (report.converged)
-      inertia.finish_trial(setup.context(),
-                           unknowns,
-                           conditions,
-                           setup.point_arrays());
+      inertia.finish_trial(setup.context(), unknowns, setup.point_arrays());
     inertia.end_trial(step, conditions);
     return report;
   }
@@ -111,84 +107,36 @@ namespace isochor
   NewtonReport
   Equilibrium<dim>::find_initial_acceleration()
   {
-    NewtonReport report;
-    report.converged = true;
-    if (!scene.has_inertia())
-      return report;
-    InertiaTerm<dim> &inertia = scene.inertia;
+    NewtonReport        report;
+    const LoadStepping &time = scene.time;
+    report.converged         = true;
     terminal.work().count("searches for an acceleration",
-                          scene.time.starts_anew);
-    if (!scene.time.starts_anew)
-      {
-        settle_acceleration();
-        return report;
-      }
+                          scene.has_inertia() && time.starts_anew);
+    if (!scene.has_inertia() || !time.starts_anew)
+      return report;
     // a trial errs by O(h); two, one of them back in time, by O(h²)
-    using TrialStep               = typename InertiaTerm<dim>::TrialStep;
-    const double           h      = scene.time.next_time() - scene.time.time;
-    std::vector<TrialStep> trials = {{h, false, h}, {-h, false, h}};
-    if (scene.time.step > 0)
+    using TrialStep = typename InertiaTerm<dim>::TrialStep;
+    const double h  = time.next_time() - time.time;
+    const bool   moves =
+      time.step > 0 || scene.motion_starts.any_moves(scene.grid, 0., h);
+    std::vector<TrialStep> trials = {{h, false, h, moves},
+                                     {-h, false, h, moves}};
+    if (time.step > 0)
       trials.insert(trials.begin(),
-                    {{h, true, scene.time.last_size},
-                     {-h, true, scene.time.last_size}});
+                    {{h, true, time.last_size, moves},
+                     {-h, true, time.last_size, moves}});
     for (const TrialStep &trial : trials)
       if (report.converged)
         report = try_step(trial);
-    if (!report.converged && scene.time.step == 0)
-      return report;
     if (!report.converged)
-      {
-        // the body goes on as it came
-        scene.points.update(setup.point_arrays());
-        scene.warnings.add(
-          "a sudden start that fails",
-          "At t = " + rounded(scene.time.time) +
-            " or soon a prescribed motion jumps, and no start was found that "
-            "the body can follow at once: " +
-            report.failure +
-            ". What the steps don't resolve goes on as it came, and forces "
-            "may ring, with another sign in each step.");
-        report           = {};
-        report.converged = true;
-      }
-    inertia.start_step(setup.context(),
-                       scene.boundary_conditions,
-                       scene.points,
-                       scene.time.step == 0);
+      return report;
+    scene.inertia.start_step(setup.context(),
+                             scene.boundary_conditions,
+                             scene.points,
+                             time.step == 0);
     start_again();
     set_weight();
-    settle_acceleration();
     return report;
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::settle_acceleration()
-  {
-    InertiaTerm<dim> &inertia = scene.inertia;
-    const bool        settles =
-      inertia.is_from_stresses() && scene.time.step > 0 &&
-      setup.was_disturbed() &&
-      inertia.steps_over_waves(setup.context(), setup.all_elements());
-    terminal.work().count("accelerations that settle", settles);
-    if (!settles)
-      return;
-    const StepContext<dim> step       = setup.context();
-    const auto            &conditions = scene.boundary_conditions;
-    inertia.start_step(step, conditions, scene.points, true);
-    inertia.start_settling(step, conditions, scene.points);
-    start_again();
-    at_start                  = true;
-    const NewtonReport report = find_root();
-    if (report.converged)
-      inertia.finish_settling(step, unknowns, setup.point_arrays());
-    inertia.end_trial(step, conditions);
-    // without a solution, with what the points carry
-    inertia.start_step(step, conditions, scene.points, true);
-    start_again();
-    set_weight();
   }
 
 

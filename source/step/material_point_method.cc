@@ -9,6 +9,8 @@
 #include <isochor/step/material_point_method.h>
 #include <isochor/step/scene_checks.h>
 
+#include <limits>
+
 namespace isochor
 {
   /** Whether the step to the next time ends the run. */
@@ -118,81 +120,29 @@ namespace isochor
     setup.start_step(equilibrium.equation_terms(), equilibrium.motion());
     terminal.work().count("searches for all points", setup.was_laid_out());
     if (scene.has_inertia())
-      look_for_jumps();
+      look_for_starts();
     equilibrium.start_step();
   }
 
 
 
-  /** Where prescribed motions jump a step begins, and in its first moment the
+  /** Where a prescribed motion starts or changes at once a step begins, and the
    * body follows, as at t = 0. */
   template <int dim>
   void
-  MaterialPointMethod<dim>::look_for_jumps()
+  MaterialPointMethod<dim>::look_for_starts()
   {
     LoadStepping &time = scene.time;
-    time.aim_at(Jumps::never);
-    const bool is_new           = time.time > time_of_jump; // not tried again
-    time.motion_jumps           = !is_new;
-    const StepContext<dim> step = setup.context();
-    double                 next = Jumps::never, precision = 0;
-    for (const auto &condition : scene.boundary_conditions)
-      {
-        const Jumps jumps =
-          find_jumps(step, *condition, time.end_time(), time.start_precision);
-        time.motion_jumps = time.motion_jumps || jumps.at_start;
-        next              = std::min(next, jumps.next);
-        precision         = jumps.precision;
-        if (jumps.of_place < step.time)
-          warn_of_place(*condition, jumps.of_place);
-      }
-    time.aim_at(next, precision);
-    // a smaller step, if this one fails, finds the same jump not where it is
-    if (time.motion_jumps)
-      time.start_precision = std::max(time.start_precision, precision);
-    // what a motion starts with depends on the size of the step; behind jumps
-    // that can't be told from each other sizes say where they are
-    constexpr double much = 2.5;
-    const double     size = time.next_time() - time.time, last = time.last_size;
-    const bool       other_size =
-      time.next_time() < step.time ||
-      (time.starts_anew && (size > much * last || last > much * size));
-    time.starts_anew = time.step == 0 || time.motion_jumps || other_size;
-    constexpr unsigned int many = 4;
-    if (time.motion_jumps)
-      time_of_jump = time.time;
-    if (is_new)
-      n_jumps = time.motion_jumps ? n_jumps + 1 : 0;
-    if (is_new && n_jumps == many)
-      scene.warnings.add(
-        "a motion of many jumps",
-        "At t = " + rounded(time.time) + ", " + std::to_string(many) +
-          " steps in succession have begun where a prescribed motion jumps. "
-          "What happens between jumps is not resolved, and forces are not to "
-          "be trusted. Use a smaller <Time/Step size>, a tenth of the time "
-          "between jumps, or a smoother motion.");
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPointMethod<dim>::warn_of_place(
-    const BoundaryCondition<dim> &condition,
-    const double                  time)
-  {
-    const bool by_surface =
-      dynamic_cast<const ConstrainsNodes<dim> *>(&condition) == nullptr;
-    scene.warnings.add(
-      "a motion that jumps",
-      "The place that <" +
-        (by_surface ? "Interaction: name - place/Displacement" :
-                      "Boundary conditions/" + condition.name) +
-        "> prescribes jumps, or its velocity has no bounds, at t = " +
-        rounded(time) +
-        ". In dynamics a body can't be elsewhere at once: forces grow as steps "
-        "get smaller, and ring, with another sign in each step. Let it move "
-        "there over some steps.");
+    time.aim_at(std::numeric_limits<double>::infinity());
+    const double size     = time.next_time() - time.time;
+    const double rounding = 1e-6 * size;
+    time.starts_anew =
+      time.step == 0 ||
+      scene.motion_starts.next(time.time - rounding, time.time + rounding) <
+        time.end_time();
+    // in this step or, so that none is short, the next
+    time.aim_at(
+      scene.motion_starts.next(time.time + rounding, time.time + 2 * size));
   }
 
 

@@ -434,6 +434,7 @@ namespace isochor
         condition->set_body(shape, arrays);
         condition->initialize(grid);
       }
+    motion_starts.initialize(boundary_conditions);
     for (const auto *const condition :
          with_role<const ActsByAssembly<dim>>(boundary_conditions))
       symmetric = symmetric && condition->has_symmetric_matrix();

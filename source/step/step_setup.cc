@@ -211,7 +211,7 @@ namespace isochor
                repeated = is_current && !(dynamic && scene.time.step == 0);
     laid_out            = !repeated && grid_reset.due();
     nodes_changed       = false;
-    if (repeated && dynamic && (scene.time.starts_anew || disturbed))
+    if (repeated && dynamic && scene.time.starts_anew)
       scene.points.update(arrays);
     if (repeated)
       return;

@@ -60,6 +60,12 @@ namespace isochor
       return value;
     }
 
+    const std::string &
+    text() const
+    {
+      return formula;
+    }
+
   private:
     [[noreturn]] void
     throw_not_finite(const Point<dim> &x, const double t) const;

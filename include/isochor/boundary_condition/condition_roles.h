@@ -35,23 +35,11 @@ namespace isochor
       return {};
     }
 
-    /** Append what is prescribed at @p step.time to @p values, displacements
-     * (m), whether it holds at the moment or not; only how they change with the
-     * time counts. Always in the same order. This rank's. */
+    /** Append the formulas that prescribe displacements (m), see
+     * MotionStarts. */
     virtual void
-    append_motion(const StepContext<dim> &step,
-                  std::vector<double>    &values) const
-    {
-      NodalConstraints constraints;
-      constraints.reinit(step.nodes.n_local() * step.n_components,
-                         step.nodes.control_entries(step.n_components));
-      constrain(step, constraints);
-      for (unsigned int i = 0; i < constraints.increment.size(); ++i)
-        if (constraints.constrained[i] != NodalConstraints::is_free)
-          values.push_back(constraints.increment[i]);
-      for (const auto &equation : constraints.equations)
-        values.push_back(equation.value);
-    }
+    append_motions(std::vector<Expression<dim>> & /*motions*/) const
+    {}
   };
 
 
@@ -139,10 +127,9 @@ namespace isochor
       return false;
     }
 
-    /** As ConstrainsNodes::append_motion(). */
+    /** As ConstrainsNodes::append_motions(). */
     virtual void
-    append_motion(const StepContext<dim> & /*step*/,
-                  std::vector<double> & /*values*/) const
+    append_motions(std::vector<Expression<dim>> & /*motions*/) const
     {}
 
     /**
@@ -158,16 +145,6 @@ namespace isochor
               const double /*trial_size*/,
               const SmoothStart & /*start*/)
     {}
-
-    /** In a trial: whether what is prescribed on this rank's part of the body
-     * has another velocity than the body, which has @p velocity (dim per node).
-     */
-    virtual bool
-    starts_suddenly(const StepContext<dim> & /*step*/,
-                    const NodalField & /*velocity*/) const
-    {
-      return false;
-    }
 
     /** Add the forces on the body (N) that assemble() accounts for, as
      * BoundaryCondition::add_external_force(): what residuals are measured

@@ -38,8 +38,9 @@ namespace isochor
    * work are then those of one grid, and what kinetic energy loses strain
    * energy gains, whatever cells the points are in. With nodal pressures σ_p is
    * without what they can't represent on this grid, see
-   * leave_out_unfelt_pressure(), and where the grid changes a_n settles, see
-   * start_settling().
+   * leave_out_unfelt_pressure(). In a step whose grid, points or free nodes are
+   * others than before a_n is the projection: stresses made on another grid are
+   * not in equilibrium with accelerations on this one.
    */
   template <int dim>
   class InertiaTerm : public EquationTerm<dim>
@@ -77,8 +78,7 @@ namespace isochor
       return is_active() && by_stresses ? &start_unknowns : nullptr;
     }
     /** Take the points as they are at the start of the step. If it @p carries
-     * accelerations, as the first one does, those of the points count in any
-     * case. Collective. */
+     * accelerations, those of the points count in any case. Collective. */
     void
     start_step(
       const StepContext<dim>                                     &step,
@@ -104,6 +104,8 @@ namespace isochor
       bool is_past;
       /** The size of the steps that these motions start or go on with (s). */
       double step_size;
+      /** Whether the velocities change, too. */
+      bool with_velocity;
     };
 
     /**
@@ -123,54 +125,22 @@ namespace isochor
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
     /**
      * A trial was successful: add half of its acceleration to those of the
-     * points. If prescribed motions start suddenly, what the step does not
-     * resolve has to follow at once, too, or it would oscillate with each step:
-     * the points get the velocity (a_+ - a_-) h/4, which is V where the motion
-     * in both trials is all prescribed, and of second order in h for what h
-     * resolves. What trials with the motion of the past find is subtracted: the
-     * points get what the jump changes, and nothing where it isn't felt.
-     * Collective.
+     * points. Where prescribed motions start, what the step does not resolve
+     * has to follow at once, or it would oscillate with each step: the points
+     * get the velocity (a_+ - a_-) h/4, which is V where the motion in both
+     * trials is all prescribed, and of second order in h for what h resolves.
+     * What trials with the motion of the past find is subtracted: the points
+     * get what the start changes, and nothing where it isn't felt. Collective.
      */
     void
-    finish_trial(
-      const StepContext<dim>                                     &step,
-      const NodalField                                           &unknowns,
-      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-      PointArrays<dim>                                           &points);
+    finish_trial(const StepContext<dim> &step,
+                 const NodalField       &unknowns,
+                 PointArrays<dim>       &points);
     bool
     in_trial() const
     {
       return trial.size != 0;
     }
-    /** Whether shear waves cross more than half of the smallest extent within
-     * @p step, in each of the parts that the @p elements form: their vibrations
-     * are not resolved then. Collective. */
-    bool
-    steps_over_waves(const StepContext<dim> &step,
-                     const ElementNodes     &elements) const;
-    /**
-     * The grid has changed, or what holds on it. The stresses of the points,
-     * made on another one, are not in equilibrium here with the acceleration
-     * a_c that the points carry, and M a = f_ext - f_int would make of the
-     * difference, which is an error of discretisation, an acceleration at once.
-     * What the step of size h does not resolve would then oscillate with each
-     * step. From now on the equations are those for the change w,
-     *   M (a_c - d + w) + f_int(u_n + h²/2 w) = f_ext(t_n),
-     * with d the excess of a_c over what forces gave (below) and h such that
-     * the matrix is that of the step: an oscillation of frequency ω gets the
-     * part 1 / (1 + ω² h²/2) of what M a = f_ext - f_int gives it, and what is
-     * slow all of it. Collective.
-     */
-    void
-    start_settling(
-      const StepContext<dim>                                     &step,
-      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-      MaterialPoints<dim>                                        &points);
-    /** These are solved: add w to the accelerations of the points. */
-    void
-    finish_settling(const StepContext<dim> &step,
-                    const NodalField       &unknowns,
-                    PointArrays<dim>       &points);
     /** Back to those of a step. */
     void
     end_trial(
@@ -296,9 +266,6 @@ namespace isochor
       return *integrator;
     }
 
-    /** Whether held nodes move otherwise than the points. Collective. */
-    bool
-    starts_suddenly(const StepContext<dim> &step) const;
     /** Dead loads minus internal forces at the start of the step, from the
      * stresses of the points. Collective. */
     void
@@ -344,13 +311,6 @@ namespace isochor
     /** The same of pressures, in fields with one entry per node. */
     static Followers
     pressure_followers(const NodalConstraints &constraints);
-    /** Σ_p m_p N_I d_p with the excess acceleration d_p of the @p points.
-     * Collective. */
-    void
-    collect_excess(const StepContext<dim> &step,
-                   MaterialPoints<dim>    &points,
-                   NodalField             &result) const;
-
     /** Σ N_I f_I of a point, of a @p field with dim components per node. */
     static Tensor<1, dim>
     interpolate(const StepContext<dim>                   &step,
@@ -368,24 +328,16 @@ namespace isochor
     /** Velocities and accelerations that the followers of displacements start
      * with, by what they follow @p at the places of the step's motion. */
     std::vector<std::pair<double, double>>
-    starts_of_followers(const Places      &at,
-                        const unsigned int n_components,
-                        const double       dt) const;
-    struct Trial
-    {
-      double size      = 0;     ///< 0: there is none
-      bool   is_past   = false; ///< see TrialStep
-      double step_size = 0;     ///< see TrialStep
-      bool   settles   = false; ///< see start_settling()
-    };
-
+                                    starts_of_followers(const Places      &at,
+                                                        const unsigned int n_components,
+                                                        const double       dt) const;
     std::unique_ptr<TimeIntegrator> integrator;
     const NewmarkFamily             trial_integrator{0.5, 1., 0.};
-    Trial                           trial;
+    TrialStep                       trial{};
     double                          kept_part     = 0; ///< η
     bool                            from_stresses = false;
     bool                            by_stresses   = false; ///< in this step
-    /** Whether the last trial found that prescribed motions start suddenly. */
+    /** Whether the last trial has changed the velocities. */
     bool starts_with_impulse = false;
 
     MassMatrix<dim> mass;

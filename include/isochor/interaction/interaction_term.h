@@ -102,11 +102,11 @@ namespace isochor
           {step.old_time, step.time, trial_size, start});
     }
     void
-    append_motion(const StepContext<dim> &step,
-                  std::vector<double>    &values) const override;
-    bool
-    starts_suddenly(const StepContext<dim> &step,
-                    const NodalField       &velocity) const override;
+    append_motions(std::vector<Expression<dim>> &motions) const override
+    {
+      for (const auto &interaction : interactions)
+        interaction->partner->append_motions(motions);
+    }
     void
     note_start(const StepContext<dim> &start,
                const NodalField       &unknowns,

@@ -81,22 +81,11 @@ namespace isochor
       return Tensor<1, 3>();
     }
 
-    /** Append the displacements (m) that are prescribed at @p place at the time
-     * @p at, see BoundaryCondition::append_motion(). */
+    /** Append the formulas that tie places to a motion, see
+     * ActsByAssembly::append_motions(). */
     virtual void
-    append_motion(const typename BodySurface<dim>::Place & /*place*/,
-                  const double /*at*/,
-                  std::vector<double> & /*values*/) const
+    append_motions(std::vector<Expression<dim>> & /*motions*/) const
     {}
-
-    /** In a trial: whether another velocity is prescribed at @p place than the
-     * body's, which is @p velocity. */
-    virtual bool
-    starts_suddenly(const typename BodySurface<dim>::Place & /*place*/,
-                    const Tensor<1, dim> & /*velocity*/) const
-    {
-      return false;
-    }
 
     /** The vertices of control nodes whose unknowns move the partner. */
     virtual std::vector<unsigned int>

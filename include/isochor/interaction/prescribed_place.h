@@ -46,12 +46,7 @@ namespace isochor
     original(const typename Partner<dim>::SurfacePlace &place) const override;
 
     void
-    append_motion(const typename BodySurface<dim>::Place &place,
-                  const double                            at,
-                  std::vector<double> &values) const override;
-    bool
-    starts_suddenly(const typename BodySurface<dim>::Place &place,
-                    const Tensor<1, dim> &velocity) const override;
+    append_motions(std::vector<Expression<dim>> &motions) const override;
 
   private:
     std::array<std::vector<Expression<dim>>, dim> components; ///< one or none

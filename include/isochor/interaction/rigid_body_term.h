@@ -85,12 +85,6 @@ namespace isochor
     void
     constrain(const StepContext<dim> &step,
               NodalConstraints       &constraints) const override;
-    /** Nothing: no node has a motion that could jump, what touches a rigid body
-     * follows it as far as steps resolve. */
-    void
-    append_motion(const StepContext<dim> & /*step*/,
-                  std::vector<double> & /*values*/) const override
-    {}
     void
     set_trial(const StepContext<dim> &step,
               const double            trial_size,

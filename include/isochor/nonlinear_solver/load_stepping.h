@@ -37,13 +37,11 @@ namespace isochor
     next_time() const;
 
     /** A step has to end at @p target (s), this one or, so that none is short,
-     * the next. That is where something happens, to within @p precision (s).
-     */
+     * the next: something happens there. Until the step is accepted. */
     void
-    aim_at(const double target, const double precision = 0)
+    aim_at(const double target)
     {
-      extra_target     = target;
-      target_precision = precision;
+      extra_target = target;
     }
 
     /** The step to next_time() converged in @p n_iterations. */
@@ -101,11 +99,8 @@ namespace isochor
     /** Of the step to next_time(), see tolerates(). */
     double error = 0, cells_crossed = 0;
     /** In dynamics, looked for in each step: whether it begins with a search
-     * for its acceleration, and whether a prescribed motion jumps there. */
-    bool starts_anew = false, motion_jumps = false;
-    /** What the step has been made to begin with, see aim_at(), happens so long
-     * after it (s) or before. */
-    double start_precision = 0;
+     * for its acceleration. */
+    bool starts_anew = false;
 
     double
     end_time() const
@@ -124,7 +119,7 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &time &step &last_size &n_cuts &step_size &reached_output
-        &first_step_size &output_interval &starts_anew &start_precision;
+        &first_step_size &output_interval;
     }
 
   private:
@@ -147,8 +142,7 @@ namespace isochor
     double       output_interval = 0;
     unsigned int reached_output  = 0;
     /** See aim_at(); not saved, as it is looked for in each step. */
-    double extra_target     = std::numeric_limits<double>::infinity();
-    double target_precision = 0;
+    double extra_target = std::numeric_limits<double>::infinity();
   };
 } // namespace isochor
 

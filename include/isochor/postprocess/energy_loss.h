@@ -30,7 +30,7 @@ namespace isochor
      * energy, or of that for each cycle: a vibration turns its energy into
      * kinetic energy and back twice, which changes that by four times as much.
      * What goes in the first steps doesn't count, nor in those after a
-     * prescribed motion that jumps (@p motion_jumps) once in a while: energies
+     * prescribed motion that starts (@p motion_starts) once in a while: energies
      * are small beside what is to come, and what sudden motions do faster than
      * the steps is damped on purpose; but energy that is made there, more than
      * 10 % of the largest, is told of at their end or that of the run, the step
@@ -41,7 +41,7 @@ namespace isochor
     void
     look(const double   time,
          const Balance &balance,
-         const bool     motion_jumps,
+         const bool     motion_starts,
          const bool     is_cpdi,
          const bool     grid_is_kept,
          const bool     is_last,

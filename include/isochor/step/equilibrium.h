@@ -52,10 +52,11 @@ namespace isochor
     start_step();
 
     /**
-     * In the first step of a dynamic scene: give the points the acceleration
-     * with which the body answers what acts on it at t = 0, so that it
-     * satisfies the pressure equation. Newmark's scheme starts from it, and
-     * would carry an error in it along. See InertiaTerm::start_trial(). In all
+     * In dynamics, where the run or a prescribed motion starts: give the points
+     * the acceleration with which the body answers what acts on it then, so
+     * that it satisfies the pressure equation, and the velocity of what has to
+     * follow the motion at once. Newmark's scheme starts from them, and would
+     * carry an error in them along. See InertiaTerm::start_trial(). In all
      * other steps a report of success. Collective.
      */
     NewtonReport
@@ -162,10 +163,6 @@ namespace isochor
      * with a prescribed component or a load. Collective. */
     bool
     is_supported(const Tensor<1, dim> &gravity) const;
-    /** If the grid or the points are others than in the last step, let the
-     * acceleration follow, see InertiaTerm::start_settling(). Collective. */
-    void
-    settle_acceleration();
     /** One trial step of find_initial_acceleration(). */
     NewtonReport
     try_step(const typename InertiaTerm<dim>::TrialStep &trial);

@@ -8,7 +8,6 @@
 #include <isochor/adaptation/coarse_grid_watch.h>
 #include <isochor/base/statistics.h>
 #include <isochor/base/terminal.h>
-#include <isochor/dynamics/sudden_motions.h>
 #include <isochor/step/checkpoint.h>
 #include <isochor/step/equilibrium.h>
 #include <isochor/step/failure_report.h>
@@ -101,11 +100,7 @@ namespace isochor
     void
     initialisation_phase();
     void
-    look_for_jumps();
-    /** What @p condition prescribes is elsewhere at once at @p time.
-     * Collective. */
-    void
-    warn_of_place(const BoundaryCondition<dim> &condition, const double time);
+    look_for_starts();
     NewtonReport
     updated_lagrangian_phase();
     /** Let the step of @p report fail if it is less accurate than demanded.
@@ -137,14 +132,10 @@ namespace isochor
     void
     print_progress(const NewtonReport &newton);
 
-    const MPI_Comm comm;
-    Terminal       terminal;
-    Scene<dim>     scene;
-    /** Steps in succession that begin with a jump, and when the last one did.
-     */
-    unsigned int      n_jumps      = 0;
-    double            time_of_jump = -1;
-    bool              is_unstable  = false; ///< as check_stability() has found
+    const MPI_Comm    comm;
+    Terminal          terminal;
+    Scene<dim>        scene;
+    bool              is_unstable = false; ///< as check_stability() has found
     StepSetup<dim>    setup;
     Equilibrium<dim>  equilibrium;
     GridToPoints<dim> grid_to_points;

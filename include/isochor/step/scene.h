@@ -11,6 +11,7 @@
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/dynamics/inertia_term.h>
+#include <isochor/dynamics/motion_starts.h>
 #include <isochor/equations/mixed_kernel.h>
 #include <isochor/material_points/body_shape.h>
 #include <isochor/nonlinear_solver/load_stepping.h>
@@ -148,7 +149,8 @@ namespace isochor
     bool may_yield = false;
 
     /** Inertia and the scheme in time; without effect in statics. */
-    InertiaTerm<dim> inertia;
+    InertiaTerm<dim>  inertia;
+    MotionStarts<dim> motion_starts;
 
     std::vector<std::unique_ptr<BoundaryCondition<dim>>> boundary_conditions;
     std::vector<std::unique_ptr<Postprocessor<dim>>>     postprocessors;

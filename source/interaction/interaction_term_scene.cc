@@ -2,8 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-// The members of InteractionTerm that look at the scene at its start, and at
-// prescribed motions.
+// The members of InteractionTerm that look at the scene at its start.
 #include <isochor/interaction/interaction_checks.h>
 #include <isochor/interaction/interaction_term.h>
 
@@ -68,50 +67,6 @@ namespace isochor
 
 
 
-  template <int dim>
-  void
-  InteractionTerm<dim>::append_motion(const StepContext<dim> &step,
-                                      std::vector<double>    &values) const
-  {
-    for (const FaceElement &element : faces)
-      for (const unsigned int i : element.partners)
-        for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
-          interactions[i]->partner->append_motion(
-            BodySurface<dim>::place(step, surface.faces()[element.face], g),
-            step.time,
-            values);
-  }
-
-
-
-  template <int dim>
-  bool
-  InteractionTerm<dim>::starts_suddenly(const StepContext<dim> &step,
-                                        const NodalField       &velocity) const
-  {
-    for (const FaceElement &element : faces)
-      {
-        const auto &face    = surface.faces()[element.face];
-        const auto  stencil = points->stencil(grid->geometry(), face.k, face.q);
-        for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
-          {
-            const auto     place = BodySurface<dim>::place(step, face, g);
-            Tensor<1, dim> v;
-            for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-              for (unsigned int a = 0; a < dim; ++a)
-                v[a] += (stencil.shape[I] + stencil.gradient[I] * place.r) *
-                        velocity.local_element(
-                          step.nodes.node(stencil.vertex[I]) * dim + a);
-            for (const unsigned int i : element.partners)
-              if (interactions[i]->partner->starts_suddenly(place, v))
-                return true;
-          }
-      }
-    return false;
-  }
-
-
-
   template void
   InteractionTerm<2>::check_surfaces();
   template std::vector<SurfacePiece<2>>
@@ -119,21 +74,9 @@ namespace isochor
   template void
   InteractionTerm<2>::check_scene(const StepContext<2> &) const;
   template void
-  InteractionTerm<2>::append_motion(const StepContext<2> &,
-                                    std::vector<double> &) const;
-  template bool
-  InteractionTerm<2>::starts_suddenly(const StepContext<2> &,
-                                      const NodalField &) const;
-  template void
   InteractionTerm<3>::check_surfaces();
   template std::vector<SurfacePiece<3>>
   InteractionTerm<3>::pieces_of(const unsigned int) const;
   template void
   InteractionTerm<3>::check_scene(const StepContext<3> &) const;
-  template void
-  InteractionTerm<3>::append_motion(const StepContext<3> &,
-                                    std::vector<double> &) const;
-  template bool
-  InteractionTerm<3>::starts_suddenly(const StepContext<3> &,
-                                      const NodalField &) const;
 } // namespace isochor
