@@ -80,7 +80,8 @@ namespace isochor
     scene.inertia.start_step(setup.context(),
                              scene.boundary_conditions,
                              scene.points,
-                             scene.time.step == 0 || setup.was_disturbed());
+                             scene.time.step == 0,
+                             setup.was_disturbed());
     setup.collect_elements(terms);
     set_external_force();
     start_conditions(setup.nodes_have_changed());

@@ -133,7 +133,8 @@ namespace isochor
     scene.inertia.start_step(setup.context(),
                              scene.boundary_conditions,
                              scene.points,
-                             time.step == 0);
+                             time.step == 0,
+                             setup.was_disturbed());
     start_again();
     set_weight();
     return report;

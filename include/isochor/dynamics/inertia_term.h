@@ -77,13 +77,15 @@ namespace isochor
     {
       return is_active() && by_stresses ? &start_unknowns : nullptr;
     }
-    /** Take the points as they are at the start of the step. If it @p carries
-     * accelerations, those of the points count in any case. Collective. */
+    /** Take the points as they are at the start of the step, the @p first one
+     * or another. If it @p carries accelerations, or is the first, those of the
+     * points count in any case. Collective. */
     void
     start_step(
       const StepContext<dim>                                     &step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       MaterialPoints<dim>                                        &points,
+      const bool                                                  first,
       const bool                                                  carries);
 
     /** Nodes are held anew by @p constraints, in a way that has @p changed or
@@ -337,6 +339,7 @@ namespace isochor
     double                          kept_part     = 0; ///< η
     bool                            from_stresses = false;
     bool                            by_stresses   = false; ///< in this step
+    bool                            carries       = false; ///< see start_step()
     /** Whether the last trial has changed the velocities. */
     bool starts_with_impulse = false;
 

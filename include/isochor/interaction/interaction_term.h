@@ -7,7 +7,7 @@
 
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/surface_checks.h>
-#include <isochor/interaction/body_surface.h>
+#include <isochor/equations/body_surface.h>
 #include <isochor/interaction/interaction.h>
 #include <isochor/interaction/interaction_kernel.h>
 #include <isochor/interaction/slip_memory.h>

@@ -6,7 +6,7 @@
 #define isochor_partner_h
 
 #include <isochor/grid/prescribed_motion.h>
-#include <isochor/interaction/body_surface.h>
+#include <isochor/equations/body_surface.h>
 #include <isochor/interaction/interaction_kernel.h>
 
 #include <vector>

@@ -5,7 +5,7 @@
 #ifndef isochor_slip_memory_h
 #define isochor_slip_memory_h
 
-#include <isochor/interaction/body_surface.h>
+#include <isochor/equations/body_surface.h>
 
 #include <map>
 #include <string>

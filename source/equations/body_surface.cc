@@ -2,7 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/interaction/body_surface.h>
+#include <isochor/equations/body_surface.h>
 #include <isochor/material_points/outer_faces.h>
 
 #include <algorithm>
