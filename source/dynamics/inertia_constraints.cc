@@ -131,8 +131,6 @@ namespace isochor
       leave_out_unfelt_pressure(step, start);
     if (by_stresses && !prescribed)
       collect_boundary_forces(step, conditions);
-    if (carries && !prescribed)
-      mass.collect(step, step.points.acceleration, force);
     project(
       step, force, followers, given_acceleration, acceleration, by_stresses);
   }

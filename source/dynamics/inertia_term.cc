@@ -94,13 +94,11 @@ namespace isochor
     const StepContext<dim>                                     &step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
     MaterialPoints<dim>                                        &points,
-    const bool                                                  first,
     const bool                                                  carries)
   {
     if (!is_active())
       return;
-    by_stresses   = from_stresses && !first;
-    this->carries = carries;
+    by_stresses = from_stresses && !carries;
     mass.reinit(step, by_stresses);
     mass.collect(step, step.points.velocity, momentum);
     if (by_stresses)

@@ -118,11 +118,12 @@ namespace isochor
   double
   LoadStepping::next_time() const
   {
-    // no crumbs: a target within a step and a bit is hit, the rest of the way
-    // to one within two steps is halved
+    // no crumbs: of two targets that nearly agree one counts; a target within a
+    // step and a bit is hit, the rest of the way to one within two steps is
+    // halved
     const double next = next_target();
     const double target =
-      next - extra_target < 1e-6 * step_size ? next : extra_target;
+      next - extra_target < 5e-4 * step_size ? next : extra_target;
     const double rest = target - time;
     if (rest <= step_size * (1 + 1e-8))
       return target;

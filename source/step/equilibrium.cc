@@ -80,8 +80,7 @@ namespace isochor
     scene.inertia.start_step(setup.context(),
                              scene.boundary_conditions,
                              scene.points,
-                             scene.time.step == 0,
-                             setup.was_disturbed());
+                             carries_acceleration());
     setup.collect_elements(terms);
     set_external_force();
     start_conditions(setup.nodes_have_changed());

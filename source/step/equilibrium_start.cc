@@ -83,6 +83,18 @@ namespace isochor
 
 
   template <int dim>
+  bool
+  Equilibrium<dim>::carries_acceleration() const
+  {
+    if (!scene.inertia.is_from_stresses() || scene.time.step == 0)
+      return true;
+    return setup.was_disturbed() &&
+           scene.inertia.steps_over_waves(setup.context());
+  }
+
+
+
+  template <int dim>
   NewtonReport
   Equilibrium<dim>::try_step(const typename InertiaTerm<dim>::TrialStep &trial)
   {
@@ -133,8 +145,7 @@ namespace isochor
     scene.inertia.start_step(setup.context(),
                              scene.boundary_conditions,
                              scene.points,
-                             time.step == 0,
-                             setup.was_disturbed());
+                             carries_acceleration());
     start_again();
     set_weight();
     return report;
@@ -159,6 +170,10 @@ namespace isochor
 
 
 
+  template bool
+  Equilibrium<2>::carries_acceleration() const;
+  template bool
+  Equilibrium<3>::carries_acceleration() const;
   template NewtonReport
   Equilibrium<2>::find_initial_acceleration();
   template void

@@ -134,15 +134,16 @@ namespace isochor
   {
     LoadStepping &time = scene.time;
     time.aim_at(std::numeric_limits<double>::infinity());
-    const double size     = time.next_time() - time.time;
-    const double rounding = 1e-6 * size;
+    // what is so near to where the last step has ended is there; see
+    // LoadStepping::next_time()
+    const double near = 1e-3 * time.last_size;
     time.starts_anew =
       time.step == 0 ||
-      scene.motion_starts.next(time.time - rounding, time.time + rounding) <
+      scene.motion_starts.next(time.time - near, time.time + near) <
         time.end_time();
     // in this step or, so that none is short, the next
-    time.aim_at(
-      scene.motion_starts.next(time.time + rounding, time.time + 2 * size));
+    time.aim_at(scene.motion_starts.next(time.time + near,
+                                         2 * time.next_time() - time.time));
   }
 
 

@@ -38,9 +38,9 @@ namespace isochor
    * work are then those of one grid, and what kinetic energy loses strain
    * energy gains, whatever cells the points are in. With nodal pressures σ_p is
    * without what they can't represent on this grid, see
-   * leave_out_unfelt_pressure(). In a step whose grid, points or free nodes are
-   * others than before a_n is the projection: stresses made on another grid are
-   * not in equilibrium with accelerations on this one.
+   * leave_out_unfelt_pressure(). Where steps_over_waves(), a step whose grid,
+   * points or free nodes are others than before takes the projection: stresses
+   * made on another grid are not in equilibrium on this one.
    */
   template <int dim>
   class InertiaTerm : public EquationTerm<dim>
@@ -77,16 +77,21 @@ namespace isochor
     {
       return is_active() && by_stresses ? &start_unknowns : nullptr;
     }
-    /** Take the points as they are at the start of the step, the @p first one
-     * or another. If it @p carries accelerations, or is the first, those of the
-     * points count in any case. Collective. */
+    /** Take the points as they are at the start of the step. If it @p carries
+     * accelerations, as the first one does, those of the points count in any
+     * case. Collective. */
     void
     start_step(
       const StepContext<dim>                                     &step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       MaterialPoints<dim>                                        &points,
-      const bool                                                  first,
       const bool                                                  carries);
+
+    /** Whether shear waves cross more than half of the smallest extent of each
+     * body within @p step: their vibrations are not resolved then. Collective.
+     */
+    bool
+    steps_over_waves(const StepContext<dim> &step) const;
 
     /** Nodes are held anew by @p constraints, in a way that has @p changed or
      * not; the step ends at @p end. Do what follows from that. Collective. */
@@ -339,7 +344,6 @@ namespace isochor
     double                          kept_part     = 0; ///< η
     bool                            from_stresses = false;
     bool                            by_stresses   = false; ///< in this step
-    bool                            carries       = false; ///< see start_step()
     /** Whether the last trial has changed the velocities. */
     bool starts_with_impulse = false;
 

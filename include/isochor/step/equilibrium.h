@@ -163,6 +163,11 @@ namespace isochor
      * with a prescribed component or a load. Collective. */
     bool
     is_supported(const Tensor<1, dim> &gravity) const;
+    /** Whether the step starts with the acceleration that the points carry: the
+     * first one, and where stresses made on another grid would excite what the
+     * step does not resolve. Collective. */
+    bool
+    carries_acceleration() const;
     /** One trial step of find_initial_acceleration(). */
     NewtonReport
     try_step(const typename InertiaTerm<dim>::TrialStep &trial);
