@@ -2,6 +2,8 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
 #include <isochor/base/mpi_sums.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/surface_checks.h>
@@ -106,13 +108,15 @@ namespace isochor
     {
       if (state.empty() || !points)
         return;
-      points->load_state(state);
+      points->load_state(regions(), state);
       seeded = true;
     }
 
   private:
     void
     seed(const BackgroundGrid<dim> &grid);
+    std::vector<SurfaceRegion<dim>>
+    regions() const;
 
     SurfaceConditions<dim>               conditions;
     const BodyShape<dim>                *shape = nullptr;
@@ -167,25 +171,31 @@ namespace isochor
 
 
   template <int dim>
-  void
-  BodySurfaceConditions<dim>::seed(const BackgroundGrid<dim> &grid)
+  std::vector<SurfaceRegion<dim>>
+  BodySurfaceConditions<dim>::regions() const
   {
     std::vector<SurfaceRegion<dim>> places;
     for (const SurfaceCondition<dim> &surface : conditions.surfaces)
       places.push_back(surface.place);
-    const std::vector<unsigned int> occupied =
+    return places;
+  }
+
+
+
+  template <int dim>
+  void
+  BodySurfaceConditions<dim>::seed(const BackgroundGrid<dim> &grid)
+  {
+    const std::vector<SurfaceRegion<dim>> places = regions();
+    const std::vector<unsigned int>       occupied =
       union_over_ranks(body->cell, grid.communicator());
     const auto found =
       seed_surfaces(grid, *shape, occupied, places, conditions.body_mesh);
-    const bool linear_on_domains = points->seed(found.faces, *body);
-    candidate_area               = found.candidate;
-    covered_area                 = found.covered;
-    description                  = describe_surfaces(found, places);
-    share_on_domains.assign(linear_on_domains ? places.size() : 0, 0.);
-    for (const SurfaceFace<dim> &face : points->faces_on_domains())
-      share_on_domains[face.surface] +=
-        face.area.norm() / found.covered[face.surface];
-    seeded = true;
+    points->seed(places, found.faces, *body);
+    candidate_area = found.candidate;
+    covered_area   = found.covered;
+    description    = describe_surfaces(found, places);
+    seeded         = true;
   }
 
 
@@ -219,9 +229,20 @@ namespace isochor
   {
     if (!points)
       return;
-    if (!seeded)
+    const bool is_new = !seeded;
+    if (is_new)
       seed(points->background_grid());
     points->locate(*body);
+    if (is_new && points->are_on_domains())
+      {
+        share_on_domains.assign(covered_area.size(), 0.);
+        for (unsigned int b = 0; b < points->size(); ++b)
+          share_on_domains[points->surface(b)] +=
+            points->reference_area(b).norm() / covered_area[points->surface(b)];
+        Utilities::MPI::sum(share_on_domains,
+                            points->background_grid().communicator(),
+                            share_on_domains);
+      }
     points->touch_vertices(vertices);
   }
 

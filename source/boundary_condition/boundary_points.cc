@@ -112,34 +112,21 @@ namespace isochor
 
 
   template <int dim>
-  bool
-  BoundaryPoints<dim>::seed(const std::vector<SurfaceFace<dim>> &faces,
-                            const PointArrays<dim>              &body)
+  void
+  BoundaryPoints<dim>::seed(const std::vector<SurfaceRegion<dim>> &regions,
+                            const std::vector<SurfaceFace<dim>>   &faces,
+                            const PointArrays<dim>                &body)
   {
+    this->regions = regions;
     // a rank may have no points
-    const bool linear_on_domains =
-      Utilities::MPI::max(body.displacement.empty() ? 0 : 1,
-                          grid.communicator()) != 0;
-    std::vector<SurfaceFace<dim>> of_domains, others = faces;
-    if (linear_on_domains)
-      {
-        constexpr double            whole = 1e-6;
-        const SurfaceOnDomains<dim> all(faces);
-        const std::vector<double>   shares =
-          all.covered_shares(all.parts(grid.geometry(), body, true),
-                             grid.communicator());
-        others.clear();
-        for (unsigned int f = 0; f < faces.size(); ++f)
-          (std::abs(shares[f] - 1) < whole ? of_domains : others)
-            .push_back(faces[f]);
-      }
-    on_domains        = SurfaceOnDomains<dim>(of_domains);
-    some_are_in_cells = !others.empty();
-    records           = PointRecords<dim>(n_entries);
+    on_domains = Utilities::MPI::max(body.displacement.empty() ? 0 : 1,
+                                     grid.communicator()) != 0;
+    records = PointRecords<dim>(n_entries);
     // one rank hands them to the others when they are located
-    if (Utilities::MPI::this_mpi_process(grid.communicator()) != 0)
-      return linear_on_domains;
-    for (const SurfaceFace<dim> &face : others)
+    if (on_domains ||
+        Utilities::MPI::this_mpi_process(grid.communicator()) != 0)
+      return;
+    for (const SurfaceFace<dim> &face : faces)
       for (unsigned int i = 0; i < rule.size(); ++i)
         {
           std::array<double, n_entries> payload{};
@@ -154,7 +141,6 @@ namespace isochor
                             place_on_face<dim>(face.corners, rule.point(i)),
                             ArrayView<const double>(payload.data(), n_entries));
         }
-    return linear_on_domains;
   }
 
 
@@ -163,11 +149,11 @@ namespace isochor
   void
   BoundaryPoints<dim>::locate(const PointArrays<dim> &body)
   {
-    drop_points_on_domains();
-    if (some_are_in_cells)
-      locate_in_cells(body);
-    if (!on_domains.faces().empty())
+    clear_stencils();
+    if (on_domains)
       add_points_on_domains(body);
+    else
+      locate_in_cells(body);
   }
 
 

@@ -17,7 +17,8 @@ namespace isochor
   void
   BoundaryPoints<dim>::change_grid()
   {
-    drop_points_on_domains(); // locate() makes new ones
+    if (on_domains)
+      return; // locate() makes new ones
     for (unsigned int &cell : records.cells)
       cell = grid.cells_after_change()[cell];
     // parts may still be too large

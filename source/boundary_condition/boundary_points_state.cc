@@ -39,29 +39,29 @@ namespace isochor
     for (const auto &of_rank :
          Utilities::MPI::all_gather(grid.communicator(), lines))
       all_lines.insert(of_rank.begin(), of_rank.end());
-    std::string state = std::to_string(all_lines.size()) + '\n';
+    std::string state = std::to_string(on_domains) + ' ' +
+                        std::to_string(all_lines.size()) + '\n';
     for (const auto &line : all_lines)
       state += line.second + '\n';
-    std::ostringstream faces;
-    faces.precision(std::numeric_limits<double>::max_digits10);
-    save_faces(faces);
-    return state + faces.str();
+    return state;
   }
 
 
 
   template <int dim>
   void
-  BoundaryPoints<dim>::load_state(const std::string &state)
+  BoundaryPoints<dim>::load_state(
+    const std::vector<SurfaceRegion<dim>> &regions,
+    const std::string                     &state)
   {
-    records           = PointRecords<dim>(n_entries);
-    some_are_in_cells = false;
+    this->regions = regions;
+    records       = PointRecords<dim>(n_entries);
     clear_stencils();
     const unsigned int rank =
       Utilities::MPI::this_mpi_process(grid.communicator());
     std::istringstream text(state);
     std::size_t        n = 0;
-    text >> n;
+    text >> on_domains >> n;
     for (std::size_t b = 0; b < n; ++b)
       {
         types::particle_index         id;
@@ -73,7 +73,6 @@ namespace isochor
           text >> location[d];
         for (double &value : payload)
           text >> value;
-        some_are_in_cells = some_are_in_cells || payload[on_domain_entry] <= 0;
         text >> n_nodes;
         for (unsigned int I = 0; I < n_nodes && text; ++I)
           {
@@ -103,7 +102,6 @@ namespace isochor
                           location,
                           ArrayView<const double>(payload.data(), n_entries));
       }
-    load_faces(text);
   }
 
 
@@ -111,9 +109,11 @@ namespace isochor
   template std::string
   BoundaryPoints<2>::save_state() const;
   template void
-  BoundaryPoints<2>::load_state(const std::string &);
+  BoundaryPoints<2>::load_state(const std::vector<SurfaceRegion<2>> &,
+                                const std::string &);
   template std::string
   BoundaryPoints<3>::save_state() const;
   template void
-  BoundaryPoints<3>::load_state(const std::string &);
+  BoundaryPoints<3>::load_state(const std::vector<SurfaceRegion<3>> &,
+                                const std::string &);
 } // namespace isochor

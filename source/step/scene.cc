@@ -389,12 +389,12 @@ namespace isochor
                   "The " + asked_by +
                   " needs <Quadrature/Type = CPDI>: only its "
                   "subdomains have the surface of the body as faces."));
+    points.keep_surface();
     if (!rigid_bodies.empty())
       boundary_conditions.push_back(
         std::make_unique<RigidBodyTerm<dim>>(rigid_bodies));
     if (!of_others.empty() || !walls.empty())
       {
-        points.keep_surface();
         auto term =
           std::make_unique<InteractionTerm<dim>>(std::move(of_others), walls);
         surface_interactions = term.get();

@@ -5,7 +5,7 @@
 #ifndef isochor_boundary_points_h
 #define isochor_boundary_points_h
 
-#include <isochor/boundary_condition/surface_on_domains.h>
+#include <isochor/equations/body_surface.h>
 #include <isochor/equations/equation_term.h>
 #include <isochor/material_points/relocation.h>
 #include <isochor/material_points/surface_seeding.h>
@@ -24,12 +24,12 @@ namespace isochor
    * deformation gradient F of the body at the point.
    *
    * Where the material points see functions that are linear on their domains
-   * (CPDI), and the surface consists of faces of domains, boundary points are
-   * made anew at each reset of the grid, on the faces of the domains as these
-   * are then, and see the functions of their domain: loads are integrated like
-   * stresses, and a homogeneous stress is in equilibrium with its traction
-   * wherever the surface lies. Place, displacement and F are those of the
-   * domain there. Each rank holds those of its domains.
+   * (CPDI), boundary points are made anew at each reset of the grid, on the
+   * outer faces of the domains (BodySurface) as these are then, and see the
+   * functions of their domain: loads are integrated like stresses, and a
+   * homogeneous stress is in equilibrium with its traction wherever the surface
+   * lies. Place, displacement and F are those of the domain there. Each rank
+   * holds those of its domains.
    *
    * Other points act on the nodes of the cell they lie in, if that is occupied.
    * On the surface they may as well lie in an empty cell: they then act on the
@@ -56,24 +56,25 @@ namespace isochor
       return grid;
     }
 
-    /** Begin with these faces, the same on all ranks, at t = 0, when @p body
-     * has been set up. Returns whether its points see functions linear on their
-     * domains. Collective. */
-    bool
-    seed(const std::vector<SurfaceFace<dim>> &faces,
-         const PointArrays<dim>              &body);
+    /** Begin on the surfaces of the @p regions at t = 0, when @p body has been
+     * set up: on the outer faces of its domains, or, without, on @p faces, the
+     * same on all ranks. Collective. */
+    void
+    seed(const std::vector<SurfaceRegion<dim>> &regions,
+         const std::vector<SurfaceFace<dim>>   &faces,
+         const PointArrays<dim>                &body);
 
-    /** The faces that consist of faces of domains; see above. */
-    const std::vector<SurfaceFace<dim>> &
-    faces_on_domains() const
+    /** Whether the points are on faces of domains; see above. */
+    bool
+    are_on_domains() const
     {
-      return on_domains.faces();
+      return on_domains;
     }
 
-    /** The grid has been replaced: go to the new cells. Points that are not on
-     * domains and too large for these are split in two (2D) or four (3D) side
-     * by side, each with its part of the area; force and moment of a uniform
-     * load stay. Collective. */
+    /** The grid has been replaced: go to the new cells. Points in cells that
+     * are too large for these are split in two (2D) or four (3D) side by side,
+     * each with its part of the area; force and moment of a uniform load stay.
+     * Collective. */
     void
     change_grid();
 
@@ -140,12 +141,6 @@ namespace isochor
               stencil_gradient.data() + begin};
     }
 
-    /** Whether point @p b lies on the domain of a material point. */
-    bool
-    is_on_domain(const unsigned int b) const
-    {
-      return records.payload(b)[on_domain_entry] > 0;
-    }
     /** Append the vertices of all points' nodes. */
     void
     touch_vertices(std::vector<unsigned int> &vertices) const;
@@ -153,49 +148,33 @@ namespace isochor
     /** All points of all ranks as text. Collective. */
     std::string
     save_state() const;
-    /** To be called with the same text on all ranks; leaves each its own. */
+    /** To be called with the same text on all ranks, with the @p regions of
+     * seed(); leaves each rank its own. */
     void
-    load_state(const std::string &state);
+    load_state(const std::vector<SurfaceRegion<dim>> &regions,
+               const std::string                     &state);
 
   private:
-    /** Of points that are not on domains: split those that are too large; how
-     * many there were. */
+    /** Split points that are too large; how many there were. */
     unsigned int
     split();
     /** Bring them to the ranks that own their cells, and find their nodes. */
     void
     locate_in_cells(const PointArrays<dim> &body);
-    /** Forget the points on domains, and all stencils. */
-    void
-    drop_points_on_domains();
-    /** Make them anew. */
+    /** Make points on faces of domains. */
     void
     add_points_on_domains(const PointArrays<dim> &body);
-    void
-    add_points_on_domain(const typename SurfaceOnDomains<dim>::Part &part,
-                         const PointArrays<dim>                     &body,
-                         const types::particle_index                 first_id);
-    /** Throws if a part of the surface is no longer there. Collective. */
-    void
-    check_parts(
-      const std::vector<typename SurfaceOnDomains<dim>::Part> &parts) const;
     /** A new id for each of @p n points of this rank, the first of them.
      * Collective. */
     types::particle_index
     new_ids(const std::size_t n) const;
 
-    void
-    save_faces(std::ostream &text) const;
-    void
-    load_faces(std::istream &text);
     /** Entries of a point's payload. */
     static constexpr unsigned int surface_entry      = 0;
     static constexpr unsigned int displacement_entry = 1;
     static constexpr unsigned int area_entry         = 1 + dim;
     static constexpr unsigned int F_entry            = 1 + 2 * dim;
-    /** 1: on a domain; else 0. */
-    static constexpr unsigned int on_domain_entry = 1 + 2 * dim + dim * dim;
-    static constexpr unsigned int n_entries       = 1 + on_domain_entry;
+    static constexpr unsigned int n_entries          = F_entry + dim * dim;
 
     class Candidates;
 
@@ -210,9 +189,8 @@ namespace isochor
     std::unique_ptr<PointLocator<dim>> locator;
     PointRecords<dim>                  records;
     const Quadrature<dim - 1>          rule;
-    SurfaceOnDomains<dim>              on_domains;
-    /** Whether a rank has points that are not on domains. */
-    bool some_are_in_cells = false;
+    bool                               on_domains = false;
+    std::vector<SurfaceRegion<dim>>    regions; ///< of points on domains
 
     std::vector<std::size_t>    stencil_start;
     std::vector<unsigned int>   stencil_vertex;
