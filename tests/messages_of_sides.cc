@@ -164,7 +164,7 @@ namespace
            block("y > 0.7", "y < 1"),
            {"WARNING a surface that goes round an edge",
             "but 11.11 % of its area"});
-    expect("... that doesn't", block("y > 0.9", "y < 1"), {});
+    expect("... that doesn't", block("y > 0.95", "y < 1"), {});
     expect("... all sides", block("y > 0.1", "y < 1"), {});
   }
 } // namespace

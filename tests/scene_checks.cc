@@ -367,6 +367,7 @@ namespace
       }
     expect("surfaces from binary.msh",
            messages<2>(good +
+                       "Quadrature/Type = cell-filled\n"
                        "Boundary conditions/Surfaces of body = roof: y > 0.9\n"
                        "Boundary conditions/Traction on body = roof: 0, 1\n"
                        "Boundary conditions/Mesh of body surfaces = "

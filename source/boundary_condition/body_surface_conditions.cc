@@ -2,8 +2,6 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <deal.II/base/mpi.h>
-
 #include <isochor/base/mpi_sums.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/surface_checks.h>
@@ -126,10 +124,7 @@ namespace isochor
     std::string                          description;
     /** By surface; empty but in the step in which they are seeded: the area of
      * their faces, and the part of it that the body covers. */
-    std::vector<double> candidate_area, covered_area;
-    /** The same, where points see functions linear on their domains: how much
-     * of the area consists of faces of these. */
-    std::vector<double>                 share_on_domains;
+    std::vector<double>                 candidate_area, covered_area;
     std::unique_ptr<SurfaceForces<dim>> forces;
   };
 
@@ -162,7 +157,6 @@ namespace isochor
       {
         seeded = false; // as many as the new faces need
         covered_area.clear();
-        share_on_domains.clear();
       }
     else
       points->change_grid();
@@ -187,10 +181,14 @@ namespace isochor
   BodySurfaceConditions<dim>::seed(const BackgroundGrid<dim> &grid)
   {
     const std::vector<SurfaceRegion<dim>> places = regions();
-    const std::vector<unsigned int>       occupied =
-      union_over_ranks(body->cell, grid.communicator());
-    const auto found =
-      seed_surfaces(grid, *shape, occupied, places, conditions.body_mesh);
+    const auto                            found =
+      points->are_on_domains(*body) ?
+                                   points->find_on_domains(places, *body) :
+                                   seed_surfaces(grid,
+                      *shape,
+                      union_over_ranks(body->cell, grid.communicator()),
+                      places,
+                      conditions.body_mesh);
     points->seed(places, found.faces, *body);
     candidate_area = found.candidate;
     covered_area   = found.covered;
@@ -229,20 +227,9 @@ namespace isochor
   {
     if (!points)
       return;
-    const bool is_new = !seeded;
-    if (is_new)
+    if (!seeded)
       seed(points->background_grid());
     points->locate(*body);
-    if (is_new && points->are_on_domains())
-      {
-        share_on_domains.assign(covered_area.size(), 0.);
-        for (unsigned int b = 0; b < points->size(); ++b)
-          share_on_domains[points->surface(b)] +=
-            points->reference_area(b).norm() / covered_area[points->surface(b)];
-        Utilities::MPI::sum(share_on_domains,
-                            points->background_grid().communicator(),
-                            share_on_domains);
-      }
     points->touch_vertices(vertices);
   }
 
@@ -258,9 +245,7 @@ namespace isochor
     const std::string mesh = this->parameter("Mesh of body surfaces");
     warn_of_uncovered_faces(
       step, conditions, covered_area, candidate_area, mesh);
-    warn_of_loads_beside_domains(step, conditions, share_on_domains, mesh);
     covered_area.clear();
-    share_on_domains.clear();
     std::vector<unsigned int> nodes;
     for (unsigned int b = 0; b < points->size(); ++b)
       if (forces->has_element(b))

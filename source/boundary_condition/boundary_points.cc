@@ -112,6 +112,17 @@ namespace isochor
 
 
   template <int dim>
+  bool
+  BoundaryPoints<dim>::are_on_domains(const PointArrays<dim> &body) const
+  {
+    // a rank may have no points
+    return Utilities::MPI::max(body.displacement.empty() ? 0 : 1,
+                               grid.communicator()) != 0;
+  }
+
+
+
+  template <int dim>
   void
   BoundaryPoints<dim>::seed(const std::vector<SurfaceRegion<dim>> &regions,
                             const std::vector<SurfaceFace<dim>>   &faces,

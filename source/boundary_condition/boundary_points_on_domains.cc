@@ -2,11 +2,65 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-// The member of BoundaryPoints that puts them on faces of domains.
+// The members of BoundaryPoints that put them on faces of domains.
+#include <isochor/base/mpi_sums.h>
 #include <isochor/boundary_condition/boundary_points.h>
 
 namespace isochor
 {
+  template <int dim>
+  SeededSurfaces<dim>
+  BoundaryPoints<dim>::find_on_domains(
+    const std::vector<SurfaceRegion<dim>> &regions,
+    const PointArrays<dim>                &body) const
+  {
+    std::vector<double> values;
+    BodySurface<dim>    surface;
+    surface.find(grid.geometry(), body);
+    for (const auto &face : surface.faces())
+      for (unsigned int s = 0; s < regions.size(); ++s)
+        if (is_of(face, regions[s]))
+          {
+            values.push_back(s);
+            values.push_back(face.area);
+            for (const Tensor<1, dim> &corner : face.corners)
+              for (unsigned int d = 0; d < dim; ++d)
+                values.push_back(face.reference[d] + corner[d]);
+          }
+    SeededSurfaces<dim> result;
+    result.covered.resize(regions.size());
+    for (const auto &of_rank : all_gather_arrays(grid.communicator(), values))
+      for (auto v = of_rank.begin(); v != of_rank.end();)
+        {
+          SurfaceFace<dim> face{};
+          face.surface = static_cast<unsigned int>(*v++);
+          result.covered[face.surface] += *v++;
+          for (Point<dim> &corner : face.corners)
+            for (unsigned int d = 0; d < dim; ++d)
+              corner[d] = *v++;
+          result.faces.push_back(face);
+        }
+    result.candidate = result.covered;
+    for (unsigned int s = 0; s < regions.size(); ++s)
+      AssertThrow(result.covered[s] > 0,
+                  ExcMessage(
+                    regions[s].on_grid_boundary ?
+                      "The body does not touch the boundary <" +
+                        regions[s].name +
+                        "> of the grid at t = 0, where the parameter <" +
+                        regions[s].parameter +
+                        "> puts a condition on the body's surface. Name a "
+                        "boundary that the body touches, or describe the place "
+                        "by <Boundary conditions/Surfaces of body>." :
+                      "The body's surface <" + regions[s].name +
+                        "> of the parameter <" + regions[s].parameter +
+                        "> has no face. Its condition must hold at the centres "
+                        "of faces of the points' domains at t = 0."));
+    return result;
+  }
+
+
+
   template <int dim>
   void
   BoundaryPoints<dim>::add_points_on_domains(const PointArrays<dim> &body)
@@ -17,9 +71,6 @@ namespace isochor
     records = PointRecords<dim>(n_entries);
     for (const auto &face : surface.faces())
       {
-        // what is between bodies belongs to no named surface
-        if (face.meets_other_body)
-          continue;
         const Tensor<2, dim> F      = body.F[face.q];
         const Point<dim>     centre = body.location(geometry, face.k, face.q);
         const Tensor<1, dim> u      = body.displacement[face.q];
@@ -31,12 +82,11 @@ namespace isochor
         for (unsigned int d = 0; d < dim; ++d)
           for (unsigned int e = 0; e < dim; ++e)
             payload[F_entry + d * dim + e] = F[d][e];
-        const Point<dim>          X = BodySurface<dim>::centre(face);
-        std::vector<unsigned int> n_points;
-        for (const SurfaceRegion<dim> &region : regions)
-          n_points.push_back(region.contains(X) ? rule.size() : 0);
         for (unsigned int s = 0; s < regions.size(); ++s)
-          for (unsigned int i = 0; i < n_points[s]; ++i)
+          for (unsigned int i = 0,
+                            n = is_of(face, regions[s]) ? rule.size() : 0;
+               i < n;
+               ++i)
             {
               const Tensor<1, dim> R =
                                      place_on_face<dim>(corners, rule.point(i)),
@@ -48,13 +98,11 @@ namespace isochor
                   payload[area_entry + d] =
                     rule.weight(i) * face.area * face.normal[d];
                 }
-              records.push_back(
-                body.cell[face.k],
-                (BodySurface<dim>::key(face) * regions.size() + s) *
-                    rule.size() +
-                  i,
-                centre + r,
-                ArrayView<const double>(payload.data(), n_entries));
+              records.push_back(body.cell[face.k],
+                                0,
+                                centre + r,
+                                ArrayView<const double>(payload.data(),
+                                                        n_entries));
               // linear on the domain
               for (unsigned int I = 0; I < nodes.n_nodes; ++I)
                 {
@@ -66,12 +114,22 @@ namespace isochor
               stencil_start.push_back(stencil_vertex.size());
             }
       }
+    types::particle_index id =
+      exclusive_and_total_sum(records.size(), grid.communicator()).first;
+    for (types::particle_index &one : records.ids)
+      one = id++;
   }
 
 
 
+  template SeededSurfaces<2>
+  BoundaryPoints<2>::find_on_domains(const std::vector<SurfaceRegion<2>> &,
+                                     const PointArrays<2> &) const;
   template void
   BoundaryPoints<2>::add_points_on_domains(const PointArrays<2> &);
+  template SeededSurfaces<3>
+  BoundaryPoints<3>::find_on_domains(const std::vector<SurfaceRegion<3>> &,
+                                     const PointArrays<3> &) const;
   template void
   BoundaryPoints<3>::add_points_on_domains(const PointArrays<3> &);
 } // namespace isochor

@@ -28,17 +28,15 @@ namespace isochor
       Patterns::Anything(),
       "Parts of the body's surface at t = 0: 'name: place; name: place'. The "
       "place is the name of a boundary of the grid that the body touches, or "
-      "a condition in x, y(, z) at the centres of the free faces of the "
-      "cells that the body fills (or of those of <Mesh of body surfaces>, where the faces on "
-      "planes of symmetry belong to its surface, too: leave them out by the "
-      "condition). Loads and the sections 'Interaction: name - partner' act "
-      "on them. "
-      "Boundary points mark the surface for loads and follow the body. If the "
-      "grid is moved or refined, its faces lie elsewhere, and a condition must "
-      "still hold at their centres; with a mesh it does. Of faces that the "
-      "body covers in part only this part belongs to "
-      "its surface. For interactions the faces are those of the subdomains of "
-      "CPDI.");
+      "a condition in x, y(, z) at the centres of faces. Loads and the sections "
+      "'Interaction: name - partner' act on them. With <Quadrature/Type = CPDI> "
+      "the faces are the outer ones of the points' subdomains, which move with "
+      "the body. With others they are the free faces of the cells that the body "
+      "fills (or those of <Mesh of body surfaces>, where the faces on planes of "
+      "symmetry belong to its surface, too: leave them out by the condition), "
+      "as far as the body covers them; boundary points mark them and follow the "
+      "body. If the grid is moved or refined, these faces lie elsewhere, and a "
+      "condition must still hold at their centres; with a mesh it does.");
     prm.declare_entry(
       "Boundary points per face",
       "3",
@@ -48,12 +46,14 @@ namespace isochor
       "With CPDI the faces are those of the points' domains. "
       "From 2 (2D) or 3 (3D) on, a traction linear on a face is integrated "
       "exactly.");
-    prm.declare_entry("Mesh of body surfaces",
-                      "",
-                      Patterns::Anything(),
-                      "A gmsh .msh file of the body whose boundary faces are "
-                      "its surface where 'Surfaces of body' has a condition. "
-                      "Empty: the cells of the grid that the body fills.");
+    prm.declare_entry(
+      "Mesh of body surfaces",
+      "",
+      Patterns::Anything(),
+      "With other quadratures than CPDI: a gmsh .msh file of the body "
+      "whose boundary faces are "
+      "its surface where 'Surfaces of body' has a condition. "
+      "Empty: the cells of the grid that the body fills.");
     prm.declare_entry("Traction on body",
                       "",
                       Patterns::Anything(),

@@ -56,20 +56,24 @@ namespace isochor
       return grid;
     }
 
-    /** Begin on the surfaces of the @p regions at t = 0, when @p body has been
-     * set up: on the outer faces of its domains, or, without, on @p faces, the
-     * same on all ranks. Collective. */
+    /** Whether points lie on faces of domains when @p body has been set up; see
+     * above. Collective. */
+    bool
+    are_on_domains(const PointArrays<dim> &body) const;
+    /** These faces at t = 0 (but for SurfaceFace::area and cell), by the
+     * centres of which @p regions have them; what is between bodies belongs to
+     * none. The same on all ranks. Collective.
+     * @throws ExcMessage if a region has none. */
+    SeededSurfaces<dim>
+    find_on_domains(const std::vector<SurfaceRegion<dim>> &regions,
+                    const PointArrays<dim>                &body) const;
+
+    /** Begin on the surfaces of the @p regions at t = 0: on faces of domains,
+     * or, without, on @p faces, the same on all ranks. Collective. */
     void
     seed(const std::vector<SurfaceRegion<dim>> &regions,
          const std::vector<SurfaceFace<dim>>   &faces,
          const PointArrays<dim>                &body);
-
-    /** Whether the points are on faces of domains; see above. */
-    bool
-    are_on_domains() const
-    {
-      return on_domains;
-    }
 
     /** The grid has been replaced: go to the new cells. Points in cells that
      * are too large for these are split in two (2D) or four (3D) side by side,
@@ -161,6 +165,13 @@ namespace isochor
     /** Bring them to the ranks that own their cells, and find their nodes. */
     void
     locate_in_cells(const PointArrays<dim> &body);
+    static bool
+    is_of(const typename BodySurface<dim>::Face &face,
+          const SurfaceRegion<dim>              &region)
+    {
+      return !face.meets_other_body &&
+             region.contains(BodySurface<dim>::centre(face));
+    }
     /** Make points on faces of domains. */
     void
     add_points_on_domains(const PointArrays<dim> &body);
