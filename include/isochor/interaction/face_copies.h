@@ -7,8 +7,8 @@
 
 #include <deal.II/numerics/rtree.h>
 
-#include <isochor/equations/surface_stress.h>
 #include <isochor/equations/body_surface.h>
+#include <isochor/equations/surface_stress.h>
 
 #include <utility>
 #include <vector>

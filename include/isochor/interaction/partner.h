@@ -5,8 +5,8 @@
 #ifndef isochor_partner_h
 #define isochor_partner_h
 
-#include <isochor/grid/prescribed_motion.h>
 #include <isochor/equations/body_surface.h>
+#include <isochor/grid/prescribed_motion.h>
 #include <isochor/interaction/interaction_kernel.h>
 
 #include <vector>

@@ -30,13 +30,13 @@ namespace isochor
      * energy, or of that for each cycle: a vibration turns its energy into
      * kinetic energy and back twice, which changes that by four times as much.
      * What goes in the first steps doesn't count, nor in those after a
-     * prescribed motion that starts (@p motion_starts) once in a while: energies
-     * are small beside what is to come, and what sudden motions do faster than
-     * the steps is damped on purpose; but energy that is made there, more than
-     * 10 % of the largest, is told of at their end or that of the run, the step
-     * that @p is_last, and then also what is lost there, if the run has hardly
-     * more steps. Energies at strains of 2e-7 are those of rounding and of
-     * what Newton's method leaves.
+     * prescribed motion that starts (@p motion_starts) once in a while:
+     * energies are small beside what is to come, and what sudden motions do
+     * faster than the steps is damped on purpose; but energy that is made
+     * there, more than 10 % of the largest, is told of at their end or that of
+     * the run, the step that @p is_last, and then also what is lost there, if
+     * the run has hardly more steps. Energies at strains of 2e-7 are those of
+     * rounding and of what Newton's method leaves.
      */
     void
     look(const double   time,
