@@ -326,7 +326,7 @@ test_warning()
       "\nBoundary conditions/Displacement = left: x=0; bottom: y=0\n"
       "Boundary conditions/Traction = top: 0, -t\n");
     for (const auto &warning : problem->all_warnings().all())
-      if (test::one_line(warning.text).find("consist of faces") !=
+      if (test::one_line(warning.text).find("are faces of") !=
           std::string::npos)
         return true;
     return false;

@@ -264,10 +264,6 @@ namespace
     expect("nowhere to go",
            of(surfaces + "top: top\nInteraction: top - place/Law = tie\n"),
            {"ERROR", "<Interaction: top - place/Displacement>", "must say"});
-    expect("faces beside the surface",
-           of("Grid/Subdivisions = 16, 16\n" + surfaces +
-              "top: y > 0.95\nInteraction: top - place" + tie),
-           {"WARNING", "goes round an edge", "<top>"});
     expect("a place that jumps",
            of("Dynamics/Inertia = true\nMaterial/Density = 1\n"
               "Time/Step size = 0.01\nTime/End time = 0.01\n" +

@@ -120,9 +120,9 @@ namespace isochor
     std::unique_ptr<BoundaryPoints<dim>> points;
     bool                                 seeded = false;
     std::string                          description;
-    /** By surface; empty but in the step in which they are seeded: the area of
-     * their faces, and the part of it that the body covers. */
-    std::vector<double> candidate_area, covered_area;
+    /** By surface; empty but in the step in which they are seeded: the part of
+     * the area of their faces that the body covers. */
+    std::vector<double> covered_share;
     /** The same, where points see functions linear on their domains: how much
      * of the area consists of faces of these. */
     std::vector<double>                 share_on_domains;
@@ -157,7 +157,7 @@ namespace isochor
     if (at_start)
       {
         seeded = false; // as many as the new faces need
-        covered_area.clear();
+        covered_share.clear();
         share_on_domains.clear();
       }
     else
@@ -178,9 +178,10 @@ namespace isochor
     const auto found =
       seed_surfaces(grid, *shape, occupied, places, conditions.body_mesh);
     const bool linear_on_domains = points->seed(found.faces, *body);
-    candidate_area               = found.candidate;
-    covered_area                 = found.covered;
-    description                  = describe_surfaces(found, places);
+    covered_share                = found.covered;
+    for (unsigned int s = 0; s < places.size(); ++s)
+      covered_share[s] /= found.candidate[s];
+    description = describe_surfaces(found, places);
     share_on_domains.assign(linear_on_domains ? places.size() : 0, 0.);
     for (const SurfaceFace<dim> &face : points->faces_on_domains())
       share_on_domains[face.surface] +=
@@ -195,19 +196,6 @@ namespace isochor
   BodySurfaceConditions<dim>::check_scene(const StepContext<dim> &step) const
   {
     warn_of_places_without_comparison(step, conditions);
-    warn_of_doubled_loads(step, conditions, points.get());
-    for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
-      {
-        std::vector<SurfacePiece<dim>> pieces;
-        for (unsigned int b = 0; b < points->size(); ++b)
-          if (points->surface(b) == s)
-            {
-              const Tensor<1, dim> a = points->reference_area(b);
-              pieces.push_back(
-                {points->reference_location(b), a / a.norm(), a.norm()});
-            }
-        warn_of_faces_round_an_edge(step, conditions.surfaces[s].place, pieces);
-      }
   }
 
 
@@ -235,10 +223,9 @@ namespace isochor
     if (!points)
       return;
     const std::string mesh = this->parameter("Mesh of body surfaces");
-    warn_of_uncovered_faces(
-      step, conditions, covered_area, candidate_area, mesh);
-    warn_of_loads_beside_domains(step, conditions, share_on_domains, mesh);
-    covered_area.clear();
+    warn_of_surfaces_off_the_body(
+      step, conditions, covered_share, share_on_domains, mesh);
+    covered_share.clear();
     share_on_domains.clear();
     std::vector<unsigned int> nodes;
     for (unsigned int b = 0; b < points->size(); ++b)

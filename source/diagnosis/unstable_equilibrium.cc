@@ -1,0 +1,47 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/base/plain_message.h>
+#include <isochor/diagnosis/diagnosis.h>
+
+namespace isochor
+{
+  /** An equilibrium that a body leaves at the least disturbance. */
+  template <int dim>
+  class UnstableEquilibrium : public Diagnosis<dim>
+  {
+  public:
+    void
+    step_converged(const ConvergedStep<dim> &step) override
+    {
+      if (step.n_unstable_modes > 0)
+        this->warn("up to t = " + rounded(step.result.step.time) + " " +
+                   std::to_string(step.n_unstable_modes) +
+                   " pivots of displacements have become negative: the body "
+                   "would leave this equilibrium at the least disturbance. "
+                   "Give it an imperfection, prescribe displacements, or set "
+                   "<Dynamics/Inertia = true>.");
+    }
+  };
+
+  ISOCHOR_REGISTER_DIAGNOSIS(
+    UnstableEquilibrium,
+    "an equilibrium that isn't stable",
+    ISOCHOR_ESSENTIAL,
+    "statics, at the first step for which it is so: the matrix at the "
+    "equilibrium that was found has more negative pivots than pressure "
+    "equations (in `u`: any). By Sylvester's law of inertia the body can then "
+    "lower its energy by a small motion, as a column that stays straight "
+    "beyond its buckling load. The factorisation at hand tells; where it is "
+    "kept for many steps (`Newton/Reuse factorisation`), that may be late: the "
+    "last step of a run is judged by one of its own. Known with direct solvers "
+    "(MUMPS) and symmetric matrices: not with a follower pressure, nor with "
+    "flow that isn't associated. Where nothing can buckle it may be modes of "
+    "the grid (an incompressible block that is pressed to 0.66 of its height, "
+    "10 by 8 cells, has one, and its force is right to 10⁻⁵), or the point at "
+    "which all yields in homogeneous shear",
+    "a larger imperfection and smaller steps up to there; prescribed "
+    "displacements instead of loads; `Dynamics/Inertia = true`; smaller cells "
+    "or a grid that is kept tell modes of the grid")
+} // namespace isochor
