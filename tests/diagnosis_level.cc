@@ -58,7 +58,7 @@ main(int argc, char **argv)
     "Grid/Subdivisions = 10, 12\nQuadrature/Type = CPDI\n"
     "Material points/Region = x < 1 && y > 0 && y < 0.125\n"
     "Material points/Points per cell = 1\nMaterial/Density = 1000\n"
-    "Material/Young modulus = 2e6\nMaterial/Poisson ratio = 0.499\n"
+    "Material/Young modulus = 1e7\nMaterial/Poisson ratio = 0.499\n"
     "Boundary conditions/Displacement = left: x=0, y=0\n"
     "Postprocess/Point probes = tip: 1, 0.0625\n";
   test_scene("a beam of one cell",

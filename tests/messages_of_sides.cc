@@ -117,7 +117,7 @@ namespace
     expect("a layer that is rounded to domains",
            zone("y < 0.515", ""),
            {"WARNING rounded to the points",
-            "material 1 stand for 0.5 m^2, 2.9"});
+            "material 1 stand for 0.5 m^2, 3.0"});
     expect("... on a side of domains", zone("y < 0.5625", ""), {});
     expect("... by little", zone("y < 0.505", ""), {});
     expect("... with more points",

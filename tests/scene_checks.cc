@@ -56,7 +56,7 @@ namespace
            messages<2>(good +
                        "Boundary conditions/Surfaces of body = roof: y > "
                        "0.9\n"),
-           {"WARNING no effect of <", "<roof>", "Traction on body"});
+           {"WARNING no effect of <", "roof>", "Traction on body"});
     expect("no mistake", messages<2>(good), {});
     expect("no mistake, in a run", messages<2>(good, false), {});
   }

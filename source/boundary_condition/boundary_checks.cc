@@ -167,12 +167,11 @@ namespace isochor
            geometry.vertex_indices(step.points.cell[k]))
         body.include(geometry.vertices()[vertex]);
     body.merge(comm);
-    step.warnings.add(
-      "no material at <" + name + "> of <" + parameter + ">",
-      "it has no effect at the start, as the cells of the body lie in " +
-        body.text() + ", the boundary in " + boundary.text() +
-        ". If the body reaches it later, write <Boundary conditions/Walls = " +
-        name + ": n >= 0>; else check <Grid> and <Material points>.");
+    step.warnings.add("no material at <" + name + "> of <" + parameter + ">",
+                      "no effect at the start: the body's cells lie in " +
+                        body.text() + ", the boundary in " + boundary.text() +
+                        ". If the body reaches it later, use <Walls = " + name +
+                        ": n >= 0>; else check its place.");
   }
 
 

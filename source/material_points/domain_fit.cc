@@ -94,16 +94,16 @@ namespace isochor
     if (n_faces.empty())
       return;
     std::ostringstream text;
-    text << "where cells of different <Material points/Points per cell in "
-            "zones> meet, corners of domains hang on faces of others: ";
+    text << "in <Material points/Points per cell in zones> corners of domains "
+            "hang on faces of others: ";
     for (auto pair = n_faces.begin(); pair != n_faces.end(); ++pair)
       text << (pair == n_faces.begin() ? "" : ", ") << pair->first.first
            << " points beside " << pair->first.second << " at " << pair->second
            << " faces";
-    text << ". Choose numbers that divide faces alike ("
+    text << ". Numbers that divide faces alike: "
          << (dim == 2 ? "1 and 3; 4, 6 and 12; 9 and 27; 16, 24 and 48" :
                         "1 and 4; 8 and 32; 27 and 108")
-         << ").";
+         << '.';
     warnings.add("domains that don't fit together", text.str());
   }
 
