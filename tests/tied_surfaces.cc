@@ -264,13 +264,6 @@ namespace
     expect("nowhere to go",
            of(surfaces + "top: top\nInteraction: top - place/Law = tie\n"),
            {"ERROR", "<Interaction: top - place/Displacement>", "must say"});
-    expect("a place that jumps",
-           of("Dynamics/Inertia = true\nMaterial/Density = 1\n"
-              "Time/Step size = 0.01\nTime/End time = 0.01\n" +
-              surfaces +
-              "top: top\nInteraction: top - place/Displacement = y=0.01\n"),
-           {"WARNING a motion that jumps", "<Interaction: name - place/Disp"},
-           2);
     expect("a name without a partner",
            of(surfaces + "top: top\nInteraction: top/Displacement = y=0\n"),
            {"ERROR", "name - partner"});

@@ -191,8 +191,11 @@ namespace isochor
       std::string text =
         "at t = " + rounded(step.old_time) + " " + rounded(sums[0]) +
         " cells inside of the body, " + rounded(100 * sums[1] / sums[2]) +
-        " % of its volume, hold no points: they resist nothing. Use more "
-        "points (<Material points/Points per cell>) or larger cells";
+        " % of its volume, hold no points and resist nothing; the largest "
+        "point has " +
+        rounded(share) +
+        " times the volume of its cell. Use more points (<Points per cell>, "
+        "<Lattice spacing>)";
       if (const std::string pieces = describe_pieces(grid, points, bare);
           !pieces.empty())
         {
@@ -219,9 +222,11 @@ namespace isochor
       body.insert(bare.begin(), bare.end());
       const unsigned int n_held = n_pieces(grid, {held.begin(), held.end()}),
                          n_body = n_pieces(grid, {body.begin(), body.end()});
-      return n_held > n_body ? ": the body falls apart, into " +
-                                 std::to_string(n_held) + " pieces" :
-                               "";
+      return n_held > n_body ?
+               ": the body falls apart, into " + std::to_string(n_held) +
+                 " pieces that share no face, with the empty cells " +
+                 std::to_string(n_body) :
+               "";
     }
   };
 

@@ -16,10 +16,10 @@ namespace isochor
     step_converged(const ConvergedStep<dim> &step) override
     {
       if (step.n_unstable_modes > 0)
-        this->warn("up to t = " + rounded(step.result.step.time) + " " +
-                   std::to_string(step.n_unstable_modes) +
-                   " pivots of displacements have become negative: the body "
-                   "would leave this equilibrium at the least disturbance. "
+        this->warn("up to t = " + rounded(step.result.step.time) +
+                   " the matrix has " + std::to_string(step.n_unstable_modes) +
+                   " negative pivot(s) of displacements: the body would leave "
+                   "this equilibrium at the least disturbance. "
                    "Give it an imperfection, prescribe displacements, or set "
                    "<Dynamics/Inertia = true>.");
     }
