@@ -150,7 +150,7 @@ namespace
                     sparse.find("<Lattice spacing>") != std::string::npos &&
                       sparse.find("at t = 0 ") == 0 &&
                       // 0.17² over half of 0.25²
-                      sparse.find("has 0.925 times the volume of its cell") !=
+                      sparse.find("has 0.9248 times the volume of its cell") !=
                         std::string::npos,
                     sparse);
       }
