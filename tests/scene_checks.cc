@@ -49,9 +49,6 @@ namespace
     expect("reaction where no material is",
            messages<2>(low + "Postprocess/Reactions = bottom, top\n"),
            {"WARNING", "<top>", "Postprocess/Reactions"});
-    expect("reaction where nothing is held",
-           messages<2>(good + "Postprocess/Reactions = bottom, top\n", false),
-           {"ERROR", "<top>", "Postprocess/Reactions", "is 0"});
     expect("surface without a condition",
            messages<2>(good +
                        "Boundary conditions/Surfaces of body = roof: y > "

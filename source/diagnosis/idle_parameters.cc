@@ -54,8 +54,8 @@ namespace isochor
           return;
         const std::string name = join_path(path);
         warnings.add("no effect of <" + name + ">",
-                     "the value " + entry->second.value + " has no effect " +
-                       why + ".");
+                     "<" + name + " = " + entry->second.value +
+                       "> has no effect " + why + ".");
       }
 
       /** The same for all parameters whose path starts with @p start, but for

@@ -106,26 +106,19 @@ namespace isochor
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           std::array<double, dim> force{};
-          bool                    touched = false, held = false;
           for (const unsigned int vertex : vertices[i])
             {
               const unsigned int node = step.nodes.node(vertex);
               if (node >= step.nodes.n_owned())
                 continue;
-              touched = true;
               for (unsigned int a = 0; a < dim; ++a)
                 {
                   const unsigned int entry = node * step.n_components + a;
                   if (result.system.is_held(entry))
-                    {
-                      force[a] += result.system.reaction().local_element(entry);
-                      held = true;
-                    }
+                    force[a] += result.system.reaction().local_element(entry);
                 }
             }
           sum_over_ranks(force, step.grid.communicator());
-          if (result.time.step == 0)
-            check_that_held(result, i, touched, held);
           for (unsigned int a = 0; a < dim; ++a)
             statistics.set(std::string("Reaction ") + "xyz"[a] + " on " +
                              names[i] + " (N)",
@@ -141,42 +134,6 @@ namespace isochor
       for (const auto &entry : grid.boundary_names())
         known += (known.empty() ? "" : ", ") + entry.first;
       return known;
-    }
-
-    /** Whether a condition names vertices of boundary @p i, or has a column
-     * for it. */
-    bool
-    may_be_held(const StepResult<dim> &result, const unsigned int i) const
-    {
-      for (const auto &condition : result.conditions)
-        if (!condition->force_column(names[i]).empty())
-          return true;
-      for (const auto *const condition :
-           with_role<const ConstrainsNodes<dim>>(result.conditions))
-        for (const unsigned int vertex : condition->held_vertices())
-          if (vertices[i].count(vertex) != 0)
-            return true;
-      return false;
-    }
-
-    void
-    check_that_held(const StepResult<dim> &result,
-                    const unsigned int     i,
-                    const bool             touched,
-                    const bool             held) const
-    {
-      const std::string &name = names[i];
-      const MPI_Comm     comm = result.step.grid.communicator();
-      if (Utilities::MPI::max(static_cast<int>(touched), comm) != 0 &&
-          Utilities::MPI::max(static_cast<int>(held), comm) == 0 &&
-          !may_be_held(result, i))
-        AssertThrow(false,
-                    ExcMessage(
-                      "The reaction on <" + name + "> of the parameter <" +
-                      this->parameter("Reactions") +
-                      "> is 0: no displacement of nodes that the material "
-                      "touches is prescribed there. Interactions and <Periodic "
-                      "sides> have columns of their own."));
     }
 
     std::vector<std::string>            names;
