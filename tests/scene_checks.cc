@@ -42,7 +42,7 @@ namespace
             "[0, 1] x [0, 0.5]",
             "[0, 1] x [1, 1]",
             "reaches it later",
-            "Material points"});
+            "check its place"});
     expect("traction where no material is",
            messages<2>(low + "Boundary conditions/Traction = top: 0, -1\n"),
            {"ERROR", "<top>", "Boundary conditions/Traction"});

@@ -295,7 +295,8 @@ namespace isochor
                                        is_last_step(scene.time),
                                        equilibrium.zero_force(),
                                        n_unstable_modes,
-                                       grid_to_points.volume_excess()};
+                                       grid_to_points.volume_excess(),
+                                       failure_report.softening()};
     diagnoses.each(
       [&](Diagnosis<dim> &diagnosis) { diagnosis.step_converged(converged); });
     {
@@ -303,8 +304,6 @@ namespace isochor
       scene.inertia.finish_step(step, unknowns);
       grid_to_points.transfer(
         step, unknowns, scene.inertia, scene.points, setup.point_arrays());
-      diagnoses.each(
-        [&](Diagnosis<dim> &diagnosis) { diagnosis.points_moved(converged); });
       if (setup.ties_nodes())
         setup.ties().evaluate(step,
                               unknowns,
@@ -313,7 +312,9 @@ namespace isochor
                               statistics);
       equilibrium.remember_motion();
       if (!scene.has_inertia())
-        failure_report.remember(step, unknowns, scene.points, drive());
+        failure_report.remember(step, unknowns, drive());
+      diagnoses.each(
+        [&](Diagnosis<dim> &diagnosis) { diagnosis.points_moved(converged); });
       for (auto &condition : scene.boundary_conditions)
         condition->advance(step, unknowns);
       setup.advance(step, unknowns);

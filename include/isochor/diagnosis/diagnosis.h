@@ -18,6 +18,22 @@
 
 namespace isochor
 {
+  /** How much softer a body without inertia has become. */
+  struct Softening
+  {
+    /** By which the displacement per load has grown where a body flows. */
+    static constexpr double large_growth = 10;
+
+    /** Steps up to now, one after the other, whose displacement per time, and
+     * per change of the loads, was larger by so much than in the stiffest step
+     * of the same loading. */
+    unsigned int n_steps = 0;
+    double       since   = -1; ///< when they began
+    double       way     = 0;  ///< of all of them, in cells
+    double       growth  = -1; ///< of the last one
+    std::string  measure = ""; ///< "load" or "time"
+  };
+
   /** What a diagnosis may look at when a step has converged; all of it belongs
    * to others. */
   template <int dim>
@@ -34,6 +50,8 @@ namespace isochor
     /** Once the points have moved, in the u-p form: by point, in the order of
      * step.points, θ^e - p/K. */
     const std::vector<double> &volume_excess;
+    /** Once the points have moved, without inertia. */
+    const Softening &softening;
   };
 
   /**
