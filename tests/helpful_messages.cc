@@ -187,7 +187,7 @@ namespace
            {});
     expect("a yield stress in MPa",
            law("Material/Model = J2\nMaterial/J2/Yield stress = 0.9\n"),
-           {"WARNING a parameter that is hardly meant",
+           {"WARNING doubtful units",
             "<J2/Yield stress> = 0.9 Pa is only 9e-07 of <Young modulus>",
             "MPa"});
     expect("a low one",
@@ -213,13 +213,13 @@ namespace
     const std::string plain = "Formulation/Type = u\n";
     expect("the form u near the incompressible limit",
            law(plain + "Material/Poisson ratio = 0.49\n"),
-           {"WARNING", "elements that lock", "Poisson ratio", "u-p"});
+           {"WARNING", "volumetric locking", "Poisson ratio", "u-p"});
     expect("... and far from it",
            law(plain + "Material/Poisson ratio = 0.45\n"),
            {});
     expect("... with a law that yields",
            law(plain + "Material/Model = J2\nMaterial/J2/Yield stress = 1e3\n"),
-           {"WARNING", "elements that lock", "yields", "u-p"});
+           {"WARNING", "volumetric locking", "yields", "u-p"});
   }
 
   /** A block that is pressed by a plate on a part of its top
@@ -240,13 +240,13 @@ namespace
     };
     const std::string far = pressed("0.35");
     test::check("volumes that are wrong where the body is sheared",
-                far.find("volumes of the points wander") != std::string::npos &&
+                far.find("volume drift") != std::string::npos &&
                   far.find("weighted with the shear strain") !=
                     std::string::npos,
                 far);
     const std::string near = pressed("0.02");
     test::check("... and right",
-                near.find("wander") == std::string::npos,
+                near.find("volume drift") == std::string::npos,
                 near);
   }
 
@@ -291,8 +291,7 @@ namespace
       warnings.add("a", "of a");
     test("one", "1 warning, see above: a (7 times).");
     warnings.add("b", "of b");
-    test("two",
-         "2 warnings, see above: a (7 times), b.");
+    test("two", "2 warnings, see above: a (7 times), b.");
   }
 } // namespace
 

@@ -27,7 +27,7 @@ namespace isochor
 
   ISOCHOR_REGISTER_DIAGNOSIS(
     DoubtfulMaterials,
-    "a parameter that is hardly meant",
+    "doubtful units",
     ISOCHOR_ESSENTIAL,
     "a yield stress or cohesion above Young's modulus, or below 10⁻⁶ of it (of "
     "a cohesion: without friction), as if one were in MPa or kPa and the other "

@@ -48,7 +48,7 @@ namespace isochor
 
   ISOCHOR_REGISTER_DIAGNOSIS(
     FreeBodies,
-    "a body that nothing holds",
+    "rigid-body mode",
     ISOCHOR_ESSENTIAL,
     "statics: a body can move as a rigid one without force (the free motions "
     "of the first of such bodies are listed; several bodies each for itself; "

@@ -33,7 +33,7 @@ namespace isochor
 
   ISOCHOR_REGISTER_DIAGNOSIS(
     FreePressure,
-    "a pressure that nothing determines",
+    "undetermined pressure",
     ISOCHOR_ESSENTIAL,
     "u-p with ν = 0.5: the whole surface of the body is held, so that a "
     "pressure that is the same everywhere acts on nothing (all bodies "

@@ -83,27 +83,23 @@ namespace isochor
 
   ISOCHOR_REGISTER_DIAGNOSIS(
     LimitLoad,
-    "the body gives way",
+    "limit load",
     ISOCHOR_ESSENTIAL,
-    "statics: in five steps in succession the largest displacement per "
-    "time, and per change of the loads where they change, was more than ten"
-    " times that of the stiffest step of the same loading (with other "
-    "quadratures than CPDI, whose forces jump when points change cells, the"
-    " body has also gone more than a fiftieth of the smallest cell in "
-    "them). A loading lasts as long as the loads change in one direction "
-    "(all forces on the nodes together, up to 25 degrees). Where nothing "
-    "has yielded it is issued only if a point is also strained or turned by"
-    " more than 2 %: such a body buckles, snaps or is deformed far, and "
-    "there is no limit load. Steps don't count in which the body rests "
-    "(less than 1e-9 of a cell), or is moved by what is prescribed (more "
-    "than 1 % of the largest displacement). The time is a bracket: the "
-    "limit load lies between the one there (last step before the growth) "
-    "and the last equilibrium that is found. Measured: blocks and strip "
-    "loads that yield within a few steps, 0 to 7 % above the time given; a "
-    "sphere under inner pressure, where the plastic zone grows bit by bit, "
-    "12 to 15 % above it, while the last equilibrium is 0.5 % below. A grid"
-    " that is too coarse raises both (a slope, φ = ψ = 20° at 45°: by 5 % "
-    "with 16 cells over its height)",
-    "look at the time given. Prescribe displacements, or `Dynamics/Inertia "
-    "= true` to follow it")
+    "statics: in five steps in succession the largest displacement per time, "
+    "and per change of the loads where they change, was more than ten times "
+    "that of the stiffest step of the same loading (with other quadratures "
+    "than CPDI the body has also gone more than a fiftieth of the smallest "
+    "cell in them). A loading lasts as long as the loads change in one "
+    "direction (all forces on the nodes together, up to 25 degrees). Where "
+    "nothing has yielded a point must also be strained or turned by more than "
+    "2 %: such a body buckles, snaps or is deformed far. Steps don't count in "
+    "which the body rests (less than 1e-9 of a cell), or is moved by what is "
+    "prescribed (more than 1 % of the largest displacement). The limit load "
+    "lies between the time given (last step before the growth) and the last "
+    "equilibrium that is found: of blocks and strip loads that yield within a "
+    "few steps 0 to 7 % above the former, of a sphere under inner pressure, "
+    "where the plastic zone grows bit by bit, 0.5 % above the latter. Coarse "
+    "grids raise both (a slope, φ = ψ = 20° at 45°: by 5 % with 16 cells over "
+    "its height)",
+    "prescribed displacements, or `Dynamics/Inertia = true` to follow it")
 } // namespace isochor

@@ -35,7 +35,7 @@ namespace isochor
 
   ISOCHOR_REGISTER_DIAGNOSIS(
     Locking,
-    "elements that lock",
+    "volumetric locking",
     ISOCHOR_ESSENTIAL,
     "`Formulation/Type = u` with a Poisson ratio above 0.48, or with a law "
     "that yields: linear displacements can't keep the volume of each element "

@@ -158,7 +158,7 @@ namespace isochor
 
   ISOCHOR_REGISTER_DIAGNOSIS(
     TooCoarseGrid,
-    "a grid that is too coarse",
+    "coarse grid",
     ISOCHOR_ESSENTIAL,
     "in the last step of statics, unless it unloads the body or strains are "
     "below 10⁻⁶; at the end of a run in dynamics, for the first ten steps and "

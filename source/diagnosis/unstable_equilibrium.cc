@@ -27,7 +27,7 @@ namespace isochor
 
   ISOCHOR_REGISTER_DIAGNOSIS(
     UnstableEquilibrium,
-    "an equilibrium that isn't stable",
+    "unstable equilibrium",
     ISOCHOR_ESSENTIAL,
     "statics, at the first step for which it is so: the matrix at the "
     "equilibrium that was found has more negative pivots than pressure "

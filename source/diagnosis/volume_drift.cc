@@ -90,7 +90,7 @@ namespace isochor
 
   ISOCHOR_REGISTER_DIAGNOSIS(
     VolumeDrift,
-    "volumes of the points wander",
+    "volume drift",
     ISOCHOR_ESSENTIAL,
     "u-p: the volumes of the material points differ by more than 5 % (root "
     "mean square, over the body or weighted with the shear strain \\|dev "

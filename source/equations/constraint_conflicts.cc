@@ -129,7 +129,7 @@ namespace isochor
                                ". Nothing tells which one is meant: leave "
                                "these nodes out of one of them."));
         step.warnings.add(
-          "conditions that contradict each other",
+          "contradictory conditions",
           "at t = " + rounded(step.time) + " " + names +
             " determine the same " + where +
             (group.difference > 0 ?
@@ -144,7 +144,7 @@ namespace isochor
 
   ISOCHOR_EXPLAIN(
     contradiction,
-    "conditions that contradict each other",
+    "contradictory conditions",
     ISOCHOR_ESSENTIAL,
     "a wall or periodic side asks for something else than a condition that "
     "comes first: displacements, walls, periodic sides; of the same kind "

@@ -28,7 +28,7 @@ namespace isochor
     {
       const auto &all = warnings.all();
       if (std::none_of(all.begin(), all.end(), [](const auto &warning) {
-            return warning.subject == "a pressure that nothing determines";
+            return warning.subject == "undetermined pressure";
           }))
         return "";
       return "The material is incompressible and the whole surface of the body "
