@@ -253,9 +253,7 @@ namespace isochor
     "a cell; in statics, if the body touches it, by more than 1 % of the "
     "body's length in this direction. The row of cells with the gap is "
     "strained more than the body, whose forces are too small by up to twice"
-    " the share that the way has of its length (block of 8 cells, ν = "
-    "0.499, CPDI: -0.9, -1.9, -5.1, -10.7 % as the boundary has come 0.10, "
-    "0.14, 0.29, 0.48 cells)",
+    " the share that the way has of its length",
     "`Grid/Stretch`, a kept grid, or `Interaction: name - place`")
 
 

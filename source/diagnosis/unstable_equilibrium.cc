@@ -32,15 +32,13 @@ namespace isochor
     "statics, at the first step for which it is so: the matrix at the "
     "equilibrium that was found has more negative pivots than pressure "
     "equations (in `u`: any). By Sylvester's law of inertia the body can then "
-    "lower its energy by a small motion, as a column that stays straight "
-    "beyond its buckling load. The factorisation at hand tells; where it is "
-    "kept for many steps (`Newton/Reuse factorisation`), that may be late: the "
-    "last step of a run is judged by one of its own. Known with direct solvers "
-    "(MUMPS) and symmetric matrices: not with a follower pressure, nor with "
-    "flow that isn't associated. Where nothing can buckle it may be modes of "
-    "the grid (an incompressible block that is pressed to 0.66 of its height, "
-    "10 by 8 cells, has one, and its force is right to 10⁻⁵), or the point at "
-    "which all yields in homogeneous shear",
+    "lower its energy by a small motion, as a column beyond its buckling load. "
+    "The factorisation at hand tells; where it is kept for many steps "
+    "(`Newton/Reuse factorisation`), that may be late: the last step of a run "
+    "is judged by one of its own. Known with direct solvers (MUMPS) and "
+    "symmetric matrices: not with a follower pressure, nor with flow that "
+    "isn't associated. Where nothing can buckle it may be a mode of the grid, "
+    "or homogeneous yielding",
     "a larger imperfection and smaller steps up to there; prescribed "
     "displacements instead of loads; `Dynamics/Inertia = true`; smaller cells "
     "or a grid that is kept tell modes of the grid")
