@@ -149,34 +149,6 @@ test_column()
     1e-4);
 }
 
-/** Whether the estimate of the error is said to see jumps of the stress. */
-bool
-warns_of_jumps(const std::string &settings)
-{
-  const auto column = run<2>("column", "column", settings);
-  for (const auto &warning : column.problem->all_warnings().all())
-    if (warning.subject == "error indicator and points without domains")
-      return true;
-  return false;
-}
-
-void
-test_warning()
-{
-  const std::string coarse = "Adaptive grid/Target of relative error = 0.04\n"
-                             "Time/End time = 0.4\n";
-  test::check("column: no warning with CPDI", !warns_of_jumps(coarse), "warns");
-  test::check("column: a warning of cell-filled",
-              warns_of_jumps(coarse + "Quadrature/Type = cell-filled\n"),
-              "none");
-  // the first step alone, repeated: no point has changed its cell
-  test::check("column: no warning in the first step",
-              !warns_of_jumps("Time/End time = 0.025\n"
-                              "Adaptive grid/Repetitions of first step = 10\n"
-                              "Quadrature/Type = cell-filled\n"),
-              "warns");
-}
-
 /** Grids that are to follow the body, and can't. */
 void
 test_never_changes()
@@ -197,10 +169,6 @@ test_never_changes()
   };
   const std::string target = "Adaptive grid/Target of relative error",
                     zones  = "Adaptive grid/Cell size in plastic zones";
-  test::check("a grid that is never put back",
-              is_told(target + " = 0.1\nGrid reset/Steps between resets = 0\n",
-                      "an adaptive grid that isn't put back"),
-              "no warning");
   test::check("a grid that never changes",
               is_told(target + " = 0.1\n"
                                "Adaptive grid/Resets between changes = 0\n",
@@ -237,7 +205,6 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_points_on_faces();
   test_column();
-  test_warning();
   test_never_changes();
   test_square_footing();
   test_vertical_cut();

@@ -47,7 +47,7 @@ CASES = {
         "bar.prm",
         {"Boundary conditions/Displacement": ""},
         {},
-        ["Nothing holds a body against: translation in x, translation in y, rotation"],
+        ["nothing holds a body against: translation in x, translation in y, rotation"],
         1,
     ),
     "small": (
@@ -61,7 +61,7 @@ CASES = {
         "bar.prm",
         {"Quadrature/Type": "points"},
         {},
-        ["46.5 % of the material points have changed their cell"],
+        ["No equilibrium found near t = 0.6, and the material is elastic."],
         1,
     ),
 }  # fmt: skip
@@ -96,7 +96,8 @@ def run(program, name):
     )
     if result.returncode != expected_code:
         return [f"{name}: exit code {result.returncode}: {result.stdout[-1000:]}"]
-    wrong = [f"{name}: no message '{m}'" for m in messages if m not in result.stdout]
+    said = " ".join(result.stdout.split())
+    wrong = [f"{name}: no message '{m}'" for m in messages if m not in said]
     row = last_row(directory / "statistics.txt") if values else {}
     for column, quoted in values.items():
         unit = 10.0 ** -len(quoted.partition(".")[2])

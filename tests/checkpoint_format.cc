@@ -128,8 +128,6 @@ main(int argc, char **argv)
   print_layout<LoadStepping>("time");
   print_layout<LastMotion>("last motion");
   print_layout<GridReset<2>>("grid reset");
-  const BackgroundGrid<2> grid(MPI_COMM_WORLD);
-  print_layout("watch", BodyWatch<2>(grid));
   print_layout<PointArrays<2>>("points of a kept grid");
 
   // a valid file with less in it than this version saves

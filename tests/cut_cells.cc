@@ -148,7 +148,7 @@ namespace
     test::check("a body thinner than a cell",
                 std::abs(force - 0.995) < 0.02 &&
                   has_warned(test::all_warnings(*problem),
-                             "unsupported nodes that could not be tied"),
+                             "a part of the body too thin for the grid"),
                 details.str());
   }
 

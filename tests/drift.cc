@@ -43,11 +43,11 @@ main(int argc, char **argv)
     cantilever + clamp + up_and_down + "Time/End time = 4\n";
   expect("up and down, CPDI",
          messages<2>(cycles, false),
-         {"WARNING a body that drifts", "<Grid reset/Steps between resets>"});
+         {"WARNING energy balance", "<Grid reset/Steps between resets>"});
   expect("up and down, with boundary",
          messages<2>(cycles + "Quadrature/Type = cell-filled + boundary\n",
                      false),
-         {"WARNING a body that drifts", "<Quadrature/Type = CPDI>"});
+         {"WARNING energy balance", "<Quadrature/Type = CPDI>"});
   expect("up and down, grid that stays with the body",
          messages<2>(cycles + "Grid reset/Steps between resets = 0\n"
                               "Grid reset/Smallest element quality = 0\n",

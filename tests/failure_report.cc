@@ -150,12 +150,9 @@ namespace
     test::check("weight: its time",
                 first > 0.5 && first < last && last < 1,
                 std::to_string(first) + " to " + std::to_string(last));
-    test::check(
-      "weight: warning and error say the same",
-      number_after("Since t = ", warnings) == first &&
-        number_after("The limit load on this grid isn't below the one at t = ",
-                     warnings) == first,
-      warnings);
+    test::check("weight: warning and error say the same",
+                number_after("since t = ", warnings) == first,
+                warnings);
   }
 
   /** A layer of soil, here in the first second of "time", and a strip load of
@@ -387,7 +384,7 @@ namespace
       "Boundary conditions/Displacement = bottom: x = 0, y = 0";
     const auto expect_quiet = [](const std::string &what) {
       test::check(what,
-                  warnings.find("the body gives way") == std::string::npos,
+                  warnings.find("limit load") == std::string::npos,
                   warnings);
     };
     const auto run = [&](const std::string &what, const std::string &settings) {
@@ -424,7 +421,7 @@ namespace
                     "Boundary conditions/Gravity = 0, 4*t^2\n"
                     "Time/Step size = 0.01\n"
                     "Time/Minimum step size = 0.0003\n");
-    const double since = number_after("Since t = ", warnings);
+    const double since = number_after("since t = ", warnings);
     test::check("a weight that grows as t^2 beyond the limit load",
                 since * since > 0.5 && since * since < 1 &&
                   warnings.find("displacement per load") != std::string::npos,

@@ -19,7 +19,6 @@ namespace
   struct Result
   {
     double force, volume;
-    bool   cavity; ///< whether one is warned of
   };
 
   /** A block under tension. The rows of cells in its lower half become ten
@@ -44,13 +43,9 @@ namespace
       (solid ? "; front: z=0; back: z=0" : "") +
       "\nPostprocess/Reactions = top\nTime/Step size = 0.25\n");
     const Statistics &statistics = test::last_statistics(*problem);
-    bool              cavity     = false;
-    for (const auto &warning : test::all_warnings(*problem).all())
-      cavity = cavity || warning.subject == "a cavity has opened";
     return {statistics.get("Reaction y on top (N)"),
             statistics.get("Volume in the grid " +
-                           std::string(solid ? "(m^3)" : "(m^2)")),
-            cavity};
+                           std::string(solid ? "(m^3)" : "(m^2)"))};
   }
 
   template <int dim>
@@ -66,7 +61,6 @@ namespace
     test::check_error(what + ": force",
                       std::abs(gap.force / whole.force - 1),
                       1e-9);
-    test::check(what + ": no cavity", !gap.cavity && !whole.cavity, "");
   }
 
   /** A cavity that the body has from the start stays empty, also where points,
@@ -93,56 +87,6 @@ namespace
                       std::abs(force[1] / force[0] - 1),
                       0.01);
   }
-
-  /** A gap of few cells that becomes many as the grid is refined, and is too
-   * large for a hole then. */
-  void
-  test_cavity()
-  {
-    const auto problem = test::run_scene<2>(
-      "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
-      "Grid/Subdivisions = 4, 4\n"
-      "Adaptive grid/Cell size = if(t > 0.1, 0.07, 1)\n"
-      "Material/Young modulus = 100\nMaterial/Density = 0\n"
-      "Material points/Region = (x - 0.54)^2 + (y - 0.6)^2 > 0.2^2\n"
-      "Quadrature/Type = cell-filled\nFormulation/Type = u-p\n"
-      "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: y=0; "
-      "top: y=0\nTime/Step size = 0.25\n");
-    bool told = false;
-    for (const auto &warning : test::all_warnings(*problem).all())
-      told = told || warning.subject == "a cavity has opened";
-    test::check("a cavity is warned of", told, "");
-  }
-
-  /** The same in a body with a cavity of its own. */
-  void
-  test_cavity_besides()
-  {
-    for (const bool opens : {false, true})
-      {
-        const auto problem = test::run_scene<2>(
-          "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
-          "Grid/Upper corner = 2, 1\nGrid/Subdivisions = 8, 4\n"
-          "Adaptive grid/Cell size = if(t > 0.1 && x < 1, 0.07, 1)\n"
-          "Material/Young modulus = 100\nMaterial/Density = 0\n"
-          "Material points/Region = (abs(x - 1.5) > 0.26 || abs(y - 0.5) > "
-          "0.26)" +
-          std::string(opens ? " && (x - 0.54)^2 + (y - 0.6)^2 > 0.2^2" : "") +
-          "\nQuadrature/Type = cell-filled\nFormulation/Type = u-p\n"
-          "Boundary conditions/Displacement = left: x=0; right: x=0; bottom: "
-          "y=0; top: y=0\nTime/Step size = 0.25\n");
-        std::string told;
-        for (const auto &warning : test::all_warnings(*problem).all())
-          if (warning.subject == "a cavity has opened")
-            told = warning.text;
-        test::check(std::string("a body with a cavity: ") +
-                      (opens ? "a new one is warned of" : "its own is not"),
-                    opens ?
-                      told.find("seeded: 2, at t = 0 1.") != std::string::npos :
-                      told.empty(),
-                    told);
-      }
-  }
 } // namespace
 
 int
@@ -155,6 +99,4 @@ main(int argc, char **argv)
       test_gap<3>("(x - 0.5)^2 + (y - 0.2)^2 + (z - 0.5)^2 > 0.13^2", split);
     }
   test_own_cavity();
-  test_cavity();
-  test_cavity_besides();
 }

@@ -38,7 +38,7 @@ namespace
                          "y < 0.75\n",
                        true,
                        2),
-           {"WARNING", "<Material 2>", "later zones hold", "the last one"});
+           {"WARNING no effect of <Material 2>", "later zone"});
   }
 
   /** What is printed at the start of a body of several materials. */
@@ -117,33 +117,6 @@ namespace
   }
 
   void
-  test_doubled_loads()
-  {
-    const auto two = [](const std::string &second, const std::string &loads) {
-      return messages<2>(good +
-                         "Boundary conditions/Surfaces of body = a: y > "
-                         "0.99; b: " +
-                         second + "\nBoundary conditions/" + loads + "\n");
-    };
-    const std::string twice = "Pressure on body = a: t; b: 2*t";
-    expect("two pressures on the same place",
-           two("top", twice),
-           {"WARNING loads that count twice", "<a>", "<b>", "their sum acts"});
-    expect("... of which one has a part only",
-           two("y > 0.99 && x < 0.5", twice),
-           {});
-    expect("... of which one begins later",
-           two("top", "Pressure on body = a: t; b: max(0, t-1)"),
-           {});
-    expect("two tractions in the same direction",
-           two("top", "Traction on body = a: 0, -t; b: t, -t"),
-           {"WARNING loads that count twice"});
-    expect("... in others",
-           two("top", "Traction on body = a: 0, -t; b: t, 0"),
-           {});
-  }
-
-  void
   test_bore()
   {
     expect(
@@ -156,8 +129,7 @@ namespace
         "conditions/Pressure on body = bore: 1e3*t\n"),
       {"WARNING surface in part off the body",
        "only 20 %",
-       "load acts on this part, and is too small",
-       "smaller cells do not cure that",
+       "its load acts on this part alone",
        "<Material points/Body mesh>"});
   }
 
@@ -178,10 +150,12 @@ namespace
     };
     expect("steps of a fourth of the vibration, a short run",
            dropped("0.2"),
-           {"WARNING energy lost at the start", "<Time/Step size>"});
+           {"WARNING energy balance",
+            "in the first steps",
+            "<Time/Step size>"});
     const std::string fine = dropped("0.05");
     test::check("... of a fifteenth",
-                fine.find("at the start") == std::string::npos,
+                fine.find("in the first steps") == std::string::npos,
                 fine);
   }
 
@@ -215,7 +189,7 @@ namespace
            {});
     expect("a yield stress in MPa",
            law("Material/Model = J2\nMaterial/J2/Yield stress = 0.9\n"),
-           {"WARNING a parameter that is hardly meant",
+           {"WARNING doubtful units",
             "<J2/Yield stress> = 0.9 Pa is only 9e-07 of <Young modulus>",
             "MPa"});
     expect("a low one",
@@ -238,24 +212,16 @@ namespace
     expect("a tolerance that is too large",
            messages<2>(good + "Newton/Tolerance = 0.1\n"),
            {"ERROR", "<Newton/Tolerance> is 0.1", "at most 0.01"});
-    expect("a stabilisation that softens",
-           messages<2>(good + "Formulation/PPP coefficient = 8.1\n"),
-           {"WARNING a stabilisation that softens",
-            "<Formulation/PPP coefficient> = 8.1",
-            "Take 1"});
-    expect("one as in the paper",
-           messages<2>(good + "Formulation/PPP coefficient = 8\n"),
-           {});
     const std::string plain = "Formulation/Type = u\n";
     expect("the form u near the incompressible limit",
            law(plain + "Material/Poisson ratio = 0.49\n"),
-           {"WARNING", "elements that lock", "Poisson ratio", "u-p"});
+           {"WARNING", "volumetric locking", "Poisson ratio", "u-p"});
     expect("... and far from it",
            law(plain + "Material/Poisson ratio = 0.45\n"),
            {});
     expect("... with a law that yields",
            law(plain + "Material/Model = J2\nMaterial/J2/Yield stress = 1e3\n"),
-           {"WARNING", "elements that lock", "yields", "u-p"});
+           {"WARNING", "volumetric locking", "yields", "u-p"});
   }
 
   /** A block that is pressed by a plate on a part of its top
@@ -276,13 +242,13 @@ namespace
     };
     const std::string far = pressed("0.35");
     test::check("volumes that are wrong where the body is sheared",
-                far.find("volumes of the points wander") != std::string::npos &&
+                far.find("volume drift") != std::string::npos &&
                   far.find("weighted with the shear strain") !=
                     std::string::npos,
                 far);
     const std::string near = pressed("0.02");
     test::check("... and right",
-                near.find("wander") == std::string::npos,
+                near.find("volume drift") == std::string::npos,
                 near);
   }
 
@@ -329,29 +295,6 @@ namespace
     warnings.add("b", "of b");
     test("two", "2 warnings, see above: a (7 times), b.");
   }
-
-  void
-  test_volumes_that_differ()
-  {
-    const auto problem = test::run_scene<2>(
-      "Grid/Upper corner = 4, 1.5\nGrid/Subdivisions = 16, 6\n"
-      "Material points/Region = x < 2 && y < 1\n"
-      "Material points/Lattice spacing = 0.125\n"
-      "Quadrature/Type = cell-filled\nMaterial/Young modulus = 1000\n"
-      "Material/Poisson ratio = 0\nTime/End time = 0.7\n"
-      "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
-      "Boundary conditions/Surfaces of body = end: x > 1.99\n"
-      "Boundary conditions/Traction on body = end: 400*t, 0\n"
-      "Time/Step size = 0.05\n");
-    const std::string told =
-      test::warning_of(*problem,
-                       "volume in the grid differs from the "
-                       "material's");
-    test::check("volumes that differ at five resets",
-                told.find("5 resets of the grid: the volumes differ by ") !=
-                  std::string::npos,
-                told);
-  }
 } // namespace
 
 
@@ -366,7 +309,6 @@ main(int argc, char **argv)
   test_list_of_materials();
   test_places_far_away();
   test_loads_on_supports();
-  test_doubled_loads();
   test_bore();
   test_losses_at_start();
   test_hinge();
@@ -374,5 +316,4 @@ main(int argc, char **argv)
   test_wandering_volumes();
   test_untouched();
   test_summary();
-  test_volumes_that_differ();
 }

@@ -5,9 +5,8 @@
 
 // Two layers, one on the other, between smooth sides: the mean stress jumps
 // between them, which pressures at shared nodes can't. Their error is of first
-// order in the size of cells, and told of, whatever Poisson's ratios are; the u
-// form has none. With CPDI each material has gradients and pressures of its
-// own, wherever the interface lies in its cells.
+// order in the size of cells; the u form has none. With CPDI each material has
+// gradients and pressures of its own, wherever the interface lies in its cells.
 
 #include <algorithm>
 #include <array>
@@ -18,8 +17,7 @@ using namespace isochor;
 
 namespace
 {
-  constexpr double  E_below = 1e7, E_above = 1e5, load = 100;
-  const std::string subject = "materials that share pressures";
+  constexpr double E_below = 1e7, E_above = 1e5, load = 100;
 
   /** Of the oedometer, below. */
   double
@@ -28,16 +26,10 @@ namespace
     return E_below * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
   }
 
-  /** Of ν = 0.499 as that of the lower layer with ν = 0.49. */
-  const std::string same_shear_modulus =
-    "Material 2/Young modulus = " + std::to_string(E_below * 1.499 / 1.49) +
-    "\n";
-
   struct Result
   {
-    double      settlement; ///< of the interface (m)
-    double      top;        ///< the same of the top
-    std::string told;       ///< the warning
+    double settlement; ///< of the interface (m)
+    double top;        ///< the same of the top
   };
 
   const std::string lying = "Material points/Materials in zones = 2: y > 0.5\n";
@@ -63,11 +55,8 @@ namespace
              "top: 0.25, 1\n"
           << settings;
     const auto problem = test::run_scene<2>(scene.str());
-    Result     result{test::get(*problem, "Displacement y of middle (m)"),
-                  test::get(*problem, "Displacement y of top (m)"),
-                  ""};
-    result.told = test::warning_of(*problem, subject);
-    return result;
+    return {test::get(*problem, "Displacement y of middle (m)"),
+            test::get(*problem, "Displacement y of top (m)")};
   }
 
   /** Of the settlement of the interface, if Poisson's ratios are 0.3 and 0.499.
@@ -75,14 +64,9 @@ namespace
   double
   error(const std::string &form,
         const unsigned int n_rows,
-        const bool         told,
         const std::string &settings = "")
   {
     const Result result = settle(form, n_rows, 0.3, 0.499, lying + settings);
-    test::check("told of the interface, " + form + ", " +
-                  std::to_string(n_rows) + " rows",
-                result.told.empty() != told,
-                result.told);
     return result.settlement / (-load / 2 / modulus(0.3)) - 1;
   }
 
@@ -184,7 +168,7 @@ namespace
       settle_under(2000, 4, thin + "Quadrature/Type = cell-filled + boundary")
         .told;
     test::check("told with one strain in each cell",
-                filled.find("At t = 0 s") == 0 &&
+                filled.find("at t = 0 ") == 0 &&
                   filled.find("<Quadrature/Type = CPDI>") != std::string::npos,
                 filled);
     test_silence("Material 2/Young modulus = 1.2e5");
@@ -222,7 +206,6 @@ namespace
                                  compression(E_upper, nu_upper) -
                                1),
                       4e-3);
-    test::check("not told, " + name.str(), result.told.empty(), result.told);
   }
 
   /** The stretch of an oedometer at which @p stress (of Cauchy, by the stretch)
@@ -305,8 +288,8 @@ main(int argc, char **argv)
 {
   test::MPISession mpi(argc, argv);
   // strains are below 1e-5
-  test::check_error("u", std::abs(error("u", 8, false)), 2e-5);
-  const double coarse = error("u-p", 8, true), fine = error("u-p", 32, true);
+  test::check_error("u", std::abs(error("u", 8)), 2e-5);
+  const double coarse = error("u-p", 8), fine = error("u-p", 32);
   test::check("u-p is of first order",
               std::abs(coarse / fine - 4) < 1 && std::abs(coarse) > 0.05,
               std::to_string(coarse) + ", " + std::to_string(fine));
@@ -327,42 +310,9 @@ main(int argc, char **argv)
     "Mohr-Coulomb", 1e7, {{1e4, 1e5}}, 4e5, "Formulation/Type = u-p\n");
 
   // the lower layer lets the upper one give way: as wrong as above
-  const Result incompressible = settle("u-p", 8, 0.49, 0.499);
-  const double K_error =
-    incompressible.settlement / (-load / 2 / modulus(0.49)) - 1;
-  test::check("told where both are nearly incompressible",
-              !incompressible.told.empty() && std::abs(K_error) > 0.05,
-              std::to_string(K_error) + incompressible.told);
-  const Result bulk = settle("u-p", 8, 0.49, 0.499, lying + same_shear_modulus);
-  test::check("told of bulk moduli", !bulk.told.empty(), bulk.told);
-  const Result alike =
-    settle("u-p", 8, 0.49, 0.49, lying + "Material 2/Young modulus = 1.3e7\n");
-  test::check("not told where moduli are alike",
-              alike.told.empty(),
-              alike.told);
-
-  // 9 of 27 nodes, wherever ranks meet
-  const Result upright = settle(
-    "u-p", 8, 0.3, 0.499, "Material points/Materials in zones = 2: x > 0.25\n");
-  test::check("the nodes between materials",
-              upright.told.find("meet at 33.33 % of the nodes") !=
-                std::string::npos,
-              upright.told);
-
-  // steel on the ground, which does not touch the rubber above
-  const Result apart =
-    settle("u-p",
-           8,
-           0.49,
-           0.499,
-           "Material points/Materials in zones = 2: y < 0.25\n"
-           "Material points/Region = y < 0.25 || y > 0.5\n"
-           "Boundary conditions/Displacement = left: x=0; right: x=0; "
-           "bottom: y=0; top: y=0\nBoundary conditions/Traction = \n"
-           "Boundary conditions/Gravity = 0, -1*t\n"
-           "Postprocess/Point probes = middle: 0.25, 0.6; top: 0.25, 1\n"
-           "Material 2/Young modulus = 1e9\nMaterial 2/Poisson ratio = 0.3\n");
-  test::check("not told of one that does not meet the other",
-              apart.told.empty(),
-              apart.told);
+  const double incompressible =
+    settle("u-p", 8, 0.49, 0.499).settlement / (-load / 2 / modulus(0.49)) - 1;
+  test::check("wrong where both are nearly incompressible",
+              std::abs(incompressible) > 0.05,
+              std::to_string(incompressible));
 }

@@ -41,9 +41,9 @@ main(int argc, char **argv)
   test::MPISession               mpi(argc, argv);
   const std::vector<std::string> filled   = {"Material points/Region",
                                              "does not hold in places of",
-                                             "a gap, a slit or a hole"},
+                                             "a gap is filled"},
                                  left_out = {"holds in places of",
-                                             "a part of the body is thinner"};
+                                             "a part of the body is left out"};
   const std::vector<std::string> no_message;
   test_region<2>("y < 0.5 || y > 0.505", 20, filled);
   test_region<2>("abs(y - x) > 0.0025", 20, filled);

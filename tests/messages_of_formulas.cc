@@ -59,13 +59,13 @@ namespace
            {}); // 1.8 %
     expect("the same of a body of revolution",
            messages<2>(inside + "Formulation/Geometry = axisymmetric\n"),
-           {"WARNING a region that is rounded to the points",
+           {"WARNING rounded to the points",
             "stand for 0.7854 m^3, 3.", // 3.5, by samples of the cells
-            "% less"});
+            "less"});
     expect("a region that compares nothing",
            messages<2>(region + "y\n"),
-           {"WARNING a region that leaves nothing out",
-            "<Material points/Region = y>",
+           {"WARNING a condition that compares nothing",
+            "<Material points/Region>",
             "'y < 0.5'"});
     for (const std::string formula :
          {"0.25 - y", "if(x, y, x)", "x + y > 0", "2"})

@@ -13,25 +13,6 @@ using namespace isochor;
 namespace
 {
   void
-  test_periodic_sides()
-  {
-    const auto periodic = [](const std::string &region) {
-      return messages<2>(good +
-                         "Boundary conditions/Periodic sides = left: right\n"
-                         "Material points/Region = " +
-                         region + "\n");
-    };
-    expect("periodic sides, material at other heights",
-           periodic("(x < 0.5 && y < 0.25) || (x > 0.5 && y < 0.75)"),
-           {"WARNING periodic sides that differ",
-            "Of 4 places of <left> and <right>",
-            "2 have some on both"});
-    expect("... a row of cells higher",
-           periodic("(x < 0.5 && y < 0.5) || (x > 0.5 && y < 0.75)"),
-           {});
-  }
-
-  void
   test_planes()
   {
     const auto stretch = [](const std::string &plane) {
@@ -40,9 +21,7 @@ namespace
     };
     expect("a plane that isn't in the grid",
            stretch("2"),
-           {"WARNING a plane outside of the grid",
-            "at y = 2 m",
-            "from 0 to 1 m"});
+           {"ERROR", "at y = 2 m", "from 0 to 1 m"});
     expect("... a little beside it", stretch("1.05"), {});
   }
 
@@ -137,7 +116,7 @@ namespace
     };
     expect("a layer that is rounded to domains",
            zone("y < 0.515", ""),
-           {"WARNING zones that are rounded to the points",
+           {"WARNING rounded to the points",
             "material 1 stand for 0.5 m^2, 3.0"});
     expect("... on a side of domains", zone("y < 0.5625", ""), {});
     expect("... by little", zone("y < 0.505", ""), {});
@@ -145,39 +124,15 @@ namespace
            zone("y < 0.515", "Material points/Points per cell = 1024\n"),
            {});
   }
-
-  /** A surface whose condition holds on faces at the ends of the sides, too. */
-  void
-  test_surface_round_an_edge()
-  {
-    const auto block = [](const std::string &place, const std::string &region) {
-      return messages<2>(
-        "Grid/Subdivisions = 16, 4\nGrid/Upper corner = 4, 1\n"
-        "Material/Young modulus = 1e6\nQuadrature/Type = CPDI\n"
-        "Material points/Region = " +
-        region +
-        "\nBoundary conditions/Displacement = bottom: x=0, y=0\n"
-        "Boundary conditions/Surfaces of body = top: " +
-        place + "\nBoundary conditions/Pressure on body = top: 1e3*t\n");
-    };
-    expect("a surface that goes round an edge",
-           block("y > 0.7", "y < 1"),
-           {"WARNING a surface that goes round an edge",
-            "but 11.11 % of its area"});
-    expect("... that doesn't", block("y > 0.95", "y < 1"), {});
-    expect("... all sides", block("y > 0.1", "y < 1"), {});
-  }
 } // namespace
 
 int
 main(int argc, char **argv)
 {
   test::MPISession mpi(argc, argv);
-  test_periodic_sides();
   test_planes();
   test_load_between_walls();
   test_shared_cells();
   test_layers_of_one_domain();
   test_rounded_zones();
-  test_surface_round_an_edge();
 }

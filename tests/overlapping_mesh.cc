@@ -4,8 +4,8 @@
  * --------------------------------------------------------------------- */
 
 // Two blocks in the mesh of a body that have a part in common, where mass and
-// stiffness would count twice: told. Blocks that touch, with the same vertices
-// or others, and those that a region or a group leaves out, are not.
+// stiffness would count twice: an error. Blocks that touch, with the same
+// vertices or others, and those that a region or a group leaves out, are not.
 
 #include "mesh_file.h"
 #include "scene_messages.h"
@@ -79,8 +79,7 @@ namespace
   {
     const std::string told = messages<dim>(boxes<dim>(from) + settings);
     bool              has_all =
-      !words.empty() ==
-      (told.find("a body mesh that overlaps itself") != std::string::npos);
+      !words.empty() == (told.find("overlap each other") != std::string::npos);
     for (const std::string &word : words)
       has_all = has_all && told.find(word) != std::string::npos;
     test::check(std::to_string(dim) + "D, " + what, has_all, told);

@@ -33,16 +33,6 @@ struct Squeezed
            1;
   }
 
-  /** The first warning of @p subject, in one line; empty if there is none. */
-  std::string
-  warning(const std::string &subject) const
-  {
-    for (const auto &warning : test::all_warnings(*problem).all())
-      if (warning.subject == subject)
-        return test::one_line(warning.text);
-    return {};
-  }
-
   double                    end_time;
   std::string               force;
   test::ProblemPointer<dim> problem;
@@ -104,9 +94,6 @@ test_exact(const std::string &quadrature, const std::string &axis)
     0.8,
     axis);
   test::check_error(what + ": force", std::abs(block.error_of_force()), 1e-6);
-  test::check(what + ": no warning about its surface",
-              block.warning("stress at the body's surface").empty(),
-              "there is one");
 }
 
 /** On coarse cells points that have just come into a cell have most of their
@@ -125,37 +112,6 @@ test_small_parts()
                         std::abs(block.error_of_force()),
                         1e-6);
     }
-}
-
-/** With 'cell-filled' the force is wrong where points beside the surface count
- * for another volume than the body has there. As soon as it is wrong by more
- * than one per cent, the program says so, and by how much. */
-void
-test_warning()
-{
-  const std::string settings =
-    fine_at_surface + "Quadrature/Type = cell-filled\n";
-  const Squeezed<2> block(settings, 0.2);
-  std::string       text = block.warning("stress at the body's surface");
-  test::check("cell-filled warns", !text.empty(), "no warning");
-  if (text.empty())
-    return;
-  std::replace(text.begin(), text.end(), ',', ' ');
-  std::istringstream words(text.substr(text.find("t = ") + 4));
-  double             time, percent;
-  words >> time;
-  words = std::istringstream(text.substr(text.find("off by ") + 7));
-  words >> percent;
-
-  const Squeezed<2> then(settings, time), before(settings, time - 0.02);
-  test::check("when the force is off by 1 %",
-              std::abs(then.error_of_force()) > 0.01 &&
-                std::abs(before.error_of_force()) < 0.01,
-              std::to_string(before.error_of_force()) + ", then " +
-                std::to_string(then.error_of_force()));
-  test::check_error("by how much it is",
-                    std::abs(percent - 100 * std::abs(then.error_of_force())),
-                    2e-3);
 }
 
 /** In the plane the free sides of any such block wrinkle at λ = 0.5437, the
@@ -197,7 +153,6 @@ main(int argc, char **argv)
       test_exact<3>(quadrature, "y");
     }
   test_small_parts();
-  test_warning();
   test_stability();
   return 0;
 }

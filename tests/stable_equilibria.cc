@@ -56,7 +56,7 @@ namespace
     constexpr double  step = 0.02, too_stiff = 0.04;
     const double      t     = time_of_buckling();
     const std::string text  = messages<2>(column(type, 0.66, step), false);
-    const std::string start = "The step to t = ";
+    const std::string start = "| up to t = ";
     const std::size_t place = text.find(start);
     const bool        told =
       place != std::string::npos && text.find(subject) != std::string::npos;

@@ -264,10 +264,6 @@ namespace
     expect("nowhere to go",
            of(surfaces + "top: top\nInteraction: top - place/Law = tie\n"),
            {"ERROR", "<Interaction: top - place/Displacement>", "must say"});
-    expect("faces beside the surface",
-           of("Grid/Subdivisions = 16, 16\n" + surfaces +
-              "top: y > 0.95\nInteraction: top - place" + tie),
-           {"WARNING", "goes round an edge", "<top>"});
     expect("a name without a partner",
            of(surfaces + "top: top\nInteraction: top/Displacement = y=0\n"),
            {"ERROR", "name - partner"});

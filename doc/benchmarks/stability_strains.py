@@ -149,7 +149,7 @@ def cycles(bench):
         volume = numbers["Material volume (m^2)"]
         axis.semilogy(np.arange(len(drift)), np.maximum(drift, 1e-12), label=name)
         far = np.flatnonzero(drift > 0.05)
-        told = time_of_warning(place, "the work done on the elastic body is")
+        told = time_of_warning(place, "energy balance")
         bench.check(
             "cycles",
             f"{name}: drift {drift[min(9, len(drift) - 1)]:.2g} of the amplitude after "
@@ -167,8 +167,8 @@ def cycles(bench):
     bench.save(figure, "cycles")
 
 
-def time_of_warning(place, words):
-    """When the run in @p place has first warned with @p words, or None."""
+def time_of_warning(place, name):
+    """When the run in @p place has issued the warning @p name, or None."""
     text = (place / "isochor.log").read_text(errors="replace")
-    found = re.search(r"Warning: By t = ([0-9.e+-]+) " + words, text)
+    found = re.search(rf"warning \[{name}\]: up to t = ([0-9.e+-]+)", text)
     return float(found.group(1)) if found else None

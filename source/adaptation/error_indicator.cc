@@ -61,12 +61,6 @@ namespace isochor
       return target_error > 0 || target_number > 0 || estimates;
     }
 
-    bool
-    follows_stresses() const override
-    {
-      return target_error > 0 || target_number > 0;
-    }
-
     unsigned int
     largest_number_of_leaves() const override
     {

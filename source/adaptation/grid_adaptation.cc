@@ -6,6 +6,7 @@
 
 #include <isochor/adaptation/grid_adaptation.h>
 #include <isochor/adaptation/leaf_weights.h>
+#include <isochor/base/explanation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,13 +44,11 @@ namespace isochor
       if (n_limited <= 0.01 * n)
         return;
       std::ostringstream text;
-      text << "At t = " << state.time << ", " << 100 * n_limited / n
-           << " % of the material points ask for smaller cells (down to "
-           << smallest << " m) than <Adaptive grid/Maximum level = " << maximum
-           << "> allows. Raise it, or ask for less"
-           << (by_number ? ": for a smaller <Adaptive grid/Target number of "
-                           "leaves>, which can't be met." :
-                           ".");
+      text << "at t = " << state.time << ' ' << 100 * n_limited / n
+           << " % of the points ask for smaller cells (down to " << smallest
+           << " m) than <Adaptive grid/Maximum level = " << maximum
+           << "> allows. Raise it, or ask for "
+           << (by_number ? "a smaller <Target number of leaves>." : "less.");
       warnings.add("grid at its maximum level", text.str());
     }
   } // namespace
@@ -223,38 +222,6 @@ namespace isochor
         return criterion->largest_number_of_leaves() > 0;
       });
     warn_of_maximum_level(state, rule.maximum, sizes, by_number, step.warnings);
-    constexpr unsigned int many_steps = 10;
-    if (++n_waiting == many_steps && n_resets <= 1 && resets_between > 0)
-      step.warnings.add(
-        "an adaptive grid that isn't put back",
-        "The grid is to follow the body (<Adaptive grid/Cell size in plastic "
-        "zones>, <Cell size at surface of body> or a target of the error), "
-        "which it can do only when it is put back. That has not happened in " +
-          std::to_string(many_steps) +
-          " steps: the grid still is that of t = 0. Set <Grid reset/Steps "
-          "between resets>, or <Adaptive grid/Repetitions of first step> if "
-          "the grid of the first step is to be kept.");
-    // after a few steps points have changed cells
-    constexpr unsigned int few_resets = 5;
-    if (resets_between > 0 && n_resets >= few_resets + n_repetitions &&
-        Utilities::MPI::max(step.points.domain.size(),
-                            step.grid.communicator()) == 0 &&
-        std::any_of(criteria.begin(), criteria.end(), [](const auto &c) {
-          return c->follows_stresses();
-        }))
-      step.warnings.add(
-        "error indicator and points without domains",
-        "The grid has been put back " + std::to_string(n_resets) +
-          " times and is to follow the error of the stresses (<Adaptive "
-          "grid/Target of relative error>, <Target number of leaves>). With "
-          "this <Quadrature/Type> stresses jump where points change cells or "
-          "are split; the estimate takes this for an error, which smaller "
-          "cells don't reduce, so that cells and points may become ever more. "
-          "Set <Quadrature/Type = CPDI> or 'cell-filled + boundary', a "
-          "<Target number of leaves> beside the target of the error, which "
-          "then is about the largest, or <Adaptive grid/Resets between changes "
-          "= 0> with <Repetitions of "
-          "first step>.");
     points.for_each([&](const unsigned int /*k*/,
                         const unsigned int q,
                         Point<dim> & /*location*/,
@@ -380,7 +347,6 @@ namespace isochor
   bool
   GridAdaptation<dim>::is_due()
   {
-    n_waiting = 0;
     return resets_between > 0 && n_resets++ % resets_between == 0;
   }
 
@@ -471,6 +437,18 @@ namespace isochor
                        [&]() { return grid.change(leaves, owners, 0.); });
     return true;
   }
+
+
+
+  ISOCHOR_EXPLAIN(
+    maximum_level,
+    "grid at its maximum level",
+    ISOCHOR_ADVICE,
+    "adaptive grid: more than 1 % of the material points ask for smaller "
+    "cells than `Adaptive grid/Maximum level` allows, by a criterion that "
+    "depends on the solution (not by formulas)",
+    "raise it, or ask for less (`Target of relative error`, `Cell size in "
+    "plastic zones`, ...)")
 
 
 

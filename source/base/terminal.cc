@@ -89,6 +89,7 @@ namespace isochor
     if (warnings.all().empty())
       pcout << warnings.summary() << std::endl;
     else if (first_rank)
-      std::cerr << warnings.summary() << std::endl;
+      std::cerr << warnings.summary()
+                << "\n(isochor --explain NAME tells more of one.)" << std::endl;
   }
 } // namespace isochor

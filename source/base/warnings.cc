@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/explanation.h>
 #include <isochor/base/warnings.h>
 
 #include <algorithm>
@@ -12,6 +13,11 @@ namespace isochor
   void
   Warnings::add(const std::string &subject, const std::string &text)
   {
+    const Explanation *const explanation = find_explanation(subject);
+    if (level == Level::none ||
+        (level == Level::essential && explanation != nullptr &&
+         !explanation->is_essential))
+      return;
     const auto known = std::find_if(warnings.begin(),
                                     warnings.end(),
                                     [&](const Warning &warning) {
@@ -24,7 +30,15 @@ namespace isochor
       }
     warnings.push_back({subject, text, 1});
     if (prints)
-      std::cerr << "Warning: " << text << std::endl;
+      std::cerr << printed(subject, text) << std::endl;
+  }
+
+
+
+  std::string
+  Warnings::printed(const std::string &subject, const std::string &text)
+  {
+    return wrapped("warning [" + subject + "]: " + text);
   }
 
 

@@ -19,12 +19,6 @@ namespace isochor
     }
 
     bool
-    bears_changes_of_cells() const override
-    {
-      return false;
-    }
-
-    bool
     ties_cut_cells() const override
     {
       return false;

@@ -122,9 +122,9 @@ namespace isochor
     std::unique_ptr<BoundaryPoints<dim>> points;
     bool                                 seeded = false;
     std::string                          description;
-    /** By surface; empty but in the step in which they are seeded: the area of
-     * their faces, and the part of it that the body covers. */
-    std::vector<double>                 candidate_area, covered_area;
+    /** By surface; empty but in the step in which they are seeded: the part of
+     * the area of their faces that the body covers. */
+    std::vector<double>                 covered_share;
     std::unique_ptr<SurfaceForces<dim>> forces;
   };
 
@@ -156,7 +156,7 @@ namespace isochor
     if (at_start)
       {
         seeded = false; // as many as the new faces need
-        covered_area.clear();
+        covered_share.clear();
       }
     else
       points->change_grid();
@@ -190,10 +190,11 @@ namespace isochor
                       places,
                       conditions.body_mesh);
     points->seed(places, found.faces, *body);
-    candidate_area = found.candidate;
-    covered_area   = found.covered;
-    description    = describe_surfaces(found, places);
-    seeded         = true;
+    covered_share = found.covered;
+    for (unsigned int s = 0; s < places.size(); ++s)
+      covered_share[s] /= found.candidate[s];
+    description = describe_surfaces(found, places);
+    seeded      = true;
   }
 
 
@@ -203,19 +204,6 @@ namespace isochor
   BodySurfaceConditions<dim>::check_scene(const StepContext<dim> &step) const
   {
     warn_of_places_without_comparison(step, conditions);
-    warn_of_doubled_loads(step, conditions, points.get());
-    for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
-      {
-        std::vector<SurfacePiece<dim>> pieces;
-        for (unsigned int b = 0; b < points->size(); ++b)
-          if (points->surface(b) == s)
-            {
-              const Tensor<1, dim> a = points->reference_area(b);
-              pieces.push_back(
-                {points->reference_location(b), a / a.norm(), a.norm()});
-            }
-        warn_of_faces_round_an_edge(step, conditions.surfaces[s].place, pieces);
-      }
   }
 
 
@@ -243,9 +231,8 @@ namespace isochor
     if (!points)
       return;
     const std::string mesh = this->parameter("Mesh of body surfaces");
-    warn_of_uncovered_faces(
-      step, conditions, covered_area, candidate_area, mesh);
-    covered_area.clear();
+    warn_of_surfaces_off_the_body(step, conditions, covered_share, mesh);
+    covered_share.clear();
     std::vector<unsigned int> nodes;
     for (unsigned int b = 0; b < points->size(); ++b)
       if (forces->has_element(b))

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/explanation.h>
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/boundary_condition/boundary_checks.h>
@@ -166,55 +167,11 @@ namespace isochor
            geometry.vertex_indices(step.points.cell[k]))
         body.include(geometry.vertices()[vertex]);
     body.merge(comm);
-    step.warnings.add(
-      "no material at <" + name + "> of <" + parameter + ">",
-      "The entry for <" + name + "> of the parameter <" + parameter +
-        "> has no effect at the start, as the material doesn't touch that "
-        "boundary: the cells of the body lie in " +
-        body.text() + ", the boundary in " + boundary.text() +
-        ". What holds nodes stops a body that comes to it up to a cell early "
-        "and doesn't let it go: if the body is to reach a wall later, write "
-        "<Boundary conditions/Walls = " +
-        name +
-        ": n >= 0>. Otherwise check the name of the boundary, <Grid> and the place of the body in "
-        "<Material points>.");
-  }
-
-
-
-  template <int dim>
-  void
-  warn_of_unequal_sides(
-    const StepContext<dim>                                   &step,
-    const std::string                                        &parameter,
-    const std::string                                        &first,
-    const std::string                                        &second,
-    const std::vector<std::pair<unsigned int, unsigned int>> &same_places)
-  {
-    // surfaces may meet the sides a row of cells higher or lower
-    constexpr double most        = 0.7;
-    const auto       with_points = vertices_at_points(step);
-    unsigned int     n_first = 0, n_second = 0, n_both = 0;
-    for (const auto &[a, b] : same_places)
-      {
-        const unsigned int has_a = with_points.count(a),
-                           has_b = with_points.count(b);
-        n_first += has_a;
-        n_second += has_b;
-        n_both += has_a * has_b;
-      }
-    const unsigned int n_any = n_first + n_second - n_both;
-    // of a side without material there is another warning
-    if (n_first == 0 || n_second == 0 || n_both >= most * n_any)
-      return;
-    step.warnings.add(
-      "periodic sides that differ",
-      "Of " + std::to_string(n_any) + " places of <" + first + "> and <" +
-        second + "> of <" + parameter +
-        "> at which there is material on one of the two sides, " +
-        std::to_string(n_both) +
-        " have some on both. Elsewhere the body ends at the side, with a free "
-        "surface. What is periodic should meet both sides at the same places.");
+    step.warnings.add("no material at <" + name + "> of <" + parameter + ">",
+                      "no effect at the start: the body's cells lie in " +
+                        body.text() + ", the boundary in " + boundary.text() +
+                        ". If the body reaches it later, use <Walls = " + name +
+                        ": n >= 0>; else check its place.");
   }
 
 
@@ -258,26 +215,46 @@ namespace isochor
       return;
     step.warnings.add(
       "a boundary that leaves the body behind",
-      "Until t = " + rounded(step.old_time) + " <" + condition +
-        "> has pushed the body by " + rounded(along) +
-        " m away from the boundary <" + boundary +
+      "until t = " + rounded(step.old_time) + " <" + condition +
+        "> has pushed the body by " + rounded(along) + " m away from <" +
+        boundary +
         (step.grid.is_moving() ? ">, beyond what <Grid/Stretch> moves it" :
                                  ">") +
         " (a cell has " + rounded(size) + " m" +
-        (strains ? ", the body " + rounded(length) + " m" : "") +
-        "), but the grid is put back after each step, and the boundary with "
-        "it: the row of cells there is partly empty and strained more than the "
-        "body, " +
-        (along > 0.5 * size ?
-           "and beyond half of a cell, where it is, the boundary loses the "
-           "body: forces are far too small" :
-           "whose forces are too small by up to twice the share that the way "
-           "has of the body's length; beyond half of a cell the boundary loses "
-           "the body") +
-        ". Let the grid follow (<Grid/Stretch>), keep it "
-        "(<Grid reset/Steps between resets>), or move the body's own surface "
-        "(<Interaction: name - place>).");
+        (strains ? ", the body " + rounded(length) + " m" : "") + "): " +
+        (along > 0.5 * size ? "the boundary loses the body, forces are" :
+                              "forces are") +
+        " too small. Use <Grid/Stretch>, or <Grid reset/Steps between resets = "
+        "0>.");
   }
+
+
+
+  ISOCHOR_EXPLAIN(
+    no_material,
+    "no material at <boundary> of <parameter>",
+    ISOCHOR_ESSENTIAL,
+    "an entry of `Displacement`, `Walls`, `Periodic sides` or `Reactions` "
+    "names a boundary that the material does not touch at the start: it has"
+    " no effect then. What holds nodes stops a body that comes to it up to "
+    "a cell early and doesn't let it go",
+    "nothing, if the body reaches the wall later (`Walls = name: n >= 0`); "
+    "else correct the name, the grid or the place of the body")
+
+
+
+  ISOCHOR_EXPLAIN(
+    left_behind,
+    "a boundary that leaves the body behind",
+    ISOCHOR_ESSENTIAL,
+    "`Displacement` or `Walls` push the body away from a boundary of a grid"
+    " that is reset (`Displacement`: beyond what `Grid/Stretch` moves it, "
+    "so that a stretch with a wrong sign is found, too): by more than half "
+    "a cell; in statics, if the body touches it, by more than 1 % of the "
+    "body's length in this direction. The row of cells with the gap is "
+    "strained more than the body, whose forces are too small by up to twice"
+    " the share that the way has of its length",
+    "`Grid/Stretch`, a kept grid, or `Interaction: name - place`")
 
 
 
@@ -299,20 +276,6 @@ namespace isochor
                        const types::boundary_id,
                        const bool,
                        const bool);
-  template void
-  warn_of_unequal_sides(
-    const StepContext<2> &,
-    const std::string &,
-    const std::string &,
-    const std::string &,
-    const std::vector<std::pair<unsigned int, unsigned int>> &);
-  template void
-  warn_of_unequal_sides(
-    const StepContext<3> &,
-    const std::string &,
-    const std::string &,
-    const std::string &,
-    const std::vector<std::pair<unsigned int, unsigned int>> &);
   template void
   warn_of_lost_body(const StepContext<2> &,
                     const std::string &,

@@ -42,27 +42,14 @@ namespace isochor
     void
     check_scene(const StepContext<dim> &step) const override
     {
-      const auto &points = step.points;
-      for (unsigned int m = 0; m < step.kernel.materials.size(); ++m)
-        {
-          bool weightless = false;
-          for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
-            for (unsigned int q = points.cell_start[k];
-                 q < points.cell_start[k + 1] && !gravity.empty();
-                 ++q)
-              weightless =
-                weightless || (points.material[q] == m && points.mass[q] == 0);
-          if (Utilities::MPI::max(static_cast<int>(weightless),
-                                  step.grid.communicator()) == 0)
-            continue;
-          const std::string section =
-            m == 0 ? "Material" : "Material " + std::to_string(m + 1);
-          step.warnings.add("weight without density",
-                            "The parameter <" + this->parameter("Gravity") +
-                              "> has no effect on points of <" + section +
-                              ">, as <" + section +
-                              "/Density> is 0. Give it a density (kg/m^3).");
-        }
+      double mass = 0;
+      for (unsigned int q = 0; q < step.points.n_points(); ++q)
+        mass = std::max<double>(mass, step.points.mass[q]);
+      AssertThrow(gravity.empty() ||
+                    Utilities::MPI::max(mass, step.grid.communicator()) > 0,
+                  ExcMessage("The parameter <" + this->parameter("Gravity") +
+                             "> has no effect, as <Material/Density> is 0. "
+                             "Give it a density (kg/m^3)."));
     }
 
     void

@@ -96,16 +96,15 @@ namespace isochor
     std::string text;
     for (unsigned int d = 0; d < dim; ++d)
       text += (d > 0 ? ", " : "(") + rounded(reference[vertex][d]);
-    step.warnings.add(
-      "a displacement that folds",
-      "At t = " + rounded(t) +
-        " s a formula of <Boundary conditions/Displacement> brings no material "
-        "to a node of its boundary, or material from several places, " +
-        text +
-        "): on a grid that is put back it can't be told what the node does. It "
-        "moves as what was there at t = 0 does. Check how the formula depends "
-        "on the place, or keep the grid: <Grid reset/Steps between resets = "
-        "0>.");
+    AssertThrow(false,
+                ExcMessage(
+                  "At t = " + rounded(t) +
+                  " s a formula of <Boundary conditions/Displacement> brings "
+                  "no material to a node of its boundary, or material from "
+                  "several places, " +
+                  text +
+                  "). Check how the formula depends on the place, or keep the "
+                  "grid: <Grid reset/Steps between resets = 0>."));
     return reference[vertex];
   }
 

@@ -6,7 +6,6 @@
 #include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/periodic_vertices.h>
-#include <isochor/equations/pressure_groups.h>
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
@@ -116,24 +115,16 @@ namespace isochor
     void
     check_scene(const StepContext<dim> &step) const override
     {
-      for (unsigned int p = 0; p < pairs.size(); ++p)
-        {
-          for (const std::string &side : {pairs[p].first, pairs[p].second})
-            warn_if_untouched(step,
-                              parameter(),
-                              side,
-                              step.grid.boundary_id(side, parameter()),
-                              false,
-                              true);
-          warn_of_unequal_sides(step,
-                                parameter(),
-                                pairs[p].first,
-                                pairs[p].second,
-                                vertices.images_by(p));
-        }
+      for (const Pair &pair : pairs)
+        for (const std::string &side : {pair.first, pair.second})
+          warn_if_untouched(step,
+                            parameter(),
+                            side,
+                            step.grid.boundary_id(side, parameter()),
+                            false,
+                            true);
       if (hold_corner)
-        warn_if_no_corner(step);
-      warn_of_shared_pressures(step);
+        check_corner(step);
     }
 
     std::string
@@ -258,10 +249,9 @@ namespace isochor
     evaluate(const StepContext<dim> &step,
              const NodalField       &unknowns,
              const MixedSystem<dim> &system,
-             const NodalConstraints &constraints,
-             Statistics             &statistics) const override
+             const NodalConstraints & /*constraints*/,
+             Statistics &statistics) const override
     {
-      warn_of_pinned_jumps(step, constraints);
       for (unsigned int k = 0; k < pairs.size(); ++k)
         {
           std::array<double, 2 * dim> values{};
@@ -329,36 +319,8 @@ namespace isochor
     }
 
   private:
-    /** In the mixed form tell of different materials on both sides, where the
-     * mean stress may jump, but not the pressure, which is one unknown. */
     void
-    warn_of_shared_pressures(const StepContext<dim> &step) const
-    {
-      const MaterialGroups groups(step.kernel, much_stiffer);
-      if (!step.mixed() || groups.size() < 2)
-        return;
-      const PressureGroups pressures(step, groups);
-      for (const auto &image : vertices.images())
-        if (!pressures.has_several(image.vertex) &&
-            !pressures.has_several(image.root) &&
-            pressures.has_several(image.vertex, image.root))
-          {
-            step.warnings.add(
-              "materials that share pressures",
-              "Materials of other stiffness, or that yield, meet where the "
-              "first and the second of <" +
-                parameter() +
-                "> do. Both sides have the same pressures there, so that the "
-                "mean stress can't jump, as it may: it is wrong in the cells "
-                "along the sides (14 % in an example), and forces by as much "
-                "as these are of the body. Lay the sides through one "
-                "material.");
-            return;
-          }
-    }
-
-    void
-    warn_if_no_corner(const StepContext<dim> &step) const
+    check_corner(const StepContext<dim> &step) const
     {
       const auto corners = vertices.corners();
       const int  any =
@@ -368,16 +330,17 @@ namespace isochor
       if (Utilities::MPI::max(any, step.grid.communicator()) != 0)
         return;
       const std::string name = NamedPlugin::parameter("Hold periodic corner");
-      step.warnings.add(
-        "no effect of <" + name + ">",
-        "<" + name + "> has no effect: " +
-          (corners.empty() ?
-             "no vertex of the grid belongs to one of <" + parameter() +
-               "> in each direction (" + std::to_string(pairs.size()) +
-               " given)" :
-             "there is no material at the corners of the periodic cell") +
-          ". Hold the body by <Boundary conditions/Displacement> instead, or "
-          "leave the parameter out.");
+      AssertThrow(false,
+                  ExcMessage(
+                    "<" + name + "> holds nothing: " +
+                    (corners.empty() ?
+                       "no vertex of the grid belongs to one of <" +
+                         parameter() + "> in each direction (" +
+                         std::to_string(pairs.size()) + " given)" :
+                       "there is no material at the corners of the periodic "
+                       "cell") +
+                    ". Hold the body by <Boundary conditions/Displacement> "
+                    "instead."));
     }
 
     using Formula = std::unique_ptr<Expression<dim>>;
@@ -424,31 +387,6 @@ namespace isochor
                              "> must have the form <x = formula> or <force x "
                              "= formula>, with a component out of " +
                              std::string("xyz").substr(0, dim) + "."));
-    }
-
-    /** A force on a jump that nodes on both sides determine does nothing but to
-     * them. */
-    void
-    warn_of_pinned_jumps(const StepContext<dim> &step,
-                         const NodalConstraints &constraints) const
-    {
-      for (unsigned int k = 0; k < pairs.size(); ++k)
-        for (unsigned int a = 0; a < dim; ++a)
-          {
-            // known on all ranks
-            const unsigned int jump = control(step, k);
-            if (jump == numbers::invalid_unsigned_int || !pairs[k].force[a] ||
-                constraints.constrained[jump * step.n_components + a] !=
-                  NodalConstraints::follows)
-              continue;
-            step.warnings.add(
-              "a jump that can't follow its force",
-              std::string("<") + parameter() + "> gives the force " + "xyz"[a] +
-                " through <" + pairs[k].first + "> and <" + pairs[k].second +
-                ">, but other conditions determine nodes on both sides, and "
-                "with them the jump. The force then acts on what holds these "
-                "nodes. Leave them out there, or prescribe the jump.");
-          }
     }
 
     static double

@@ -76,35 +76,6 @@ namespace isochor
 
 
 
-  template <int dim>
-  void
-  WallJoints<dim>::warn_of_seams(const StepContext<dim> &step) const
-  {
-    for (unsigned int w = 0; w < walls.size(); ++w)
-      for (const auto &seam : walls[w].surface.seams())
-        {
-          const SmoothWall<dim> &other = walls[seam.other];
-          if (seam.other < w)
-            continue;
-          const Point<dim> &x = step.grid.geometry().vertices()[seam.vertex];
-          std::string       place = "(";
-          for (unsigned int d = 0; d < dim; ++d)
-            place += (d > 0 ? ", " : "") + rounded(x[d]);
-          step.warnings.add(
-            "walls that meet smoothly and move differently",
-            "The boundaries <" + walls[w].boundary + "> and <" +
-              other.boundary + "> of <" + parameter + "> meet at an angle of " +
-              rounded(seam.angle / numbers::PI * 180) + " degrees, as at " +
-              place + "), but 'n = " + walls[w].formula +
-              "' and 'n = " + other.formula +
-              "' are not the same there. Nodes between them are held by both, "
-              "and can't slide from one to the other. If they are one surface, "
-              "give both the same formula.");
-        }
-  }
-
-
-
   template class WallJoints<2>;
   template class WallJoints<3>;
 } // namespace isochor

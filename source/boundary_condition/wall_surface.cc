@@ -237,35 +237,6 @@ namespace isochor
 
   template <int dim>
   void
-  WallSurface<dim>::find_seams(const std::vector<NamedFace> &named,
-                               const unsigned int            own,
-                               const GoesOn                 &goes_on)
-  {
-    std::map<unsigned int, Seam> sharpest;
-    for (const auto &[vertex, here] : faces_at_vertices(named))
-      for (const unsigned int i : here)
-        for (const unsigned int j : here)
-          {
-            const NamedFace &a = named[i], &b = named[j];
-            if (a.boundary != own || b.boundary == own ||
-                !meet_smoothly(a, b) || goes_on(own, b.boundary, vertex))
-              continue;
-            const Seam seam{b.boundary,
-                            vertex,
-                            std::acos(std::min(cosine(a.area, b.area), 1.))};
-            const auto old = sharpest.insert({b.boundary, seam}).first;
-            if (old->second.angle < seam.angle)
-              old->second = seam;
-          }
-    all_seams.clear();
-    for (const auto &entry : sharpest)
-      all_seams.push_back(entry.second);
-  }
-
-
-
-  template <int dim>
-  void
   WallSurface<dim>::set_normals(const std::vector<NamedFace> &named,
                                 std::vector<Piece>           &pieces)
   {
@@ -319,7 +290,6 @@ namespace isochor
                                const Shift                           &shift)
   {
     std::vector<NamedFace> named = faces_of(grid, vertices, ids);
-    find_seams(named, own, goes_on);
     leave_out_others(named, ids.size(), own, goes_on);
     std::vector<Piece> pieces = find_pieces(named, goes_on);
 

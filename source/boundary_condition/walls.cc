@@ -130,7 +130,6 @@ namespace isochor
                           parameter(),
                           wall.boundary,
                           step.grid.boundary_id(wall.boundary, parameter()));
-      joints().warn_of_seams(step);
     }
 
     std::vector<unsigned int>

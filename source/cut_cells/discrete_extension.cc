@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/explanation.h>
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/cut_cells/discrete_extension.h>
@@ -379,26 +380,18 @@ namespace isochor
     const double share = sums[3] > 0 ? sums[2] / sums[3] : 0.;
     statistics.set("Tied nodes", sums[0]);
     statistics.set("Share of ties in internal work", share);
-    if (share > 0.01)
+    if (share > 0.01 || sums[1] > 0)
       step.warnings.add(
-        "nodes tied to the body carry load",
-        "At t = " + rounded(step.time) + " s " +
-          std::to_string(static_cast<unsigned int>(sums[0])) +
-          " nodes that hardly any material touches hand " +
-          rounded(100 * share) +
-          " % of the internal work on to the cells they are tied to. A part of "
-          "the body is too thin for the grid: use smaller cells there, or a "
-          "smaller <Cut cells/Smallest support>.");
-    if (sums[1] > 0)
-      step.warnings.add(
-        "unsupported nodes that could not be tied",
-        "At t = " + rounded(step.time) + " s " +
-          std::to_string(static_cast<unsigned int>(sums[1])) +
-          " nodes are touched by hardly any material (less than the part "
-          "<Cut cells/Smallest support> of the cells around them), and no cell "
-          "nearby is filled well enough to tie them to. The matrix may be badly "
-          "conditioned. A part of the body is thin or small against the cells: "
-          "use smaller cells there.");
+        "a part of the body too thin for the grid",
+        "at t = " + rounded(step.time) + " " +
+          (share > 0.01 ?
+             "nodes that hardly any material touches hand " +
+               rounded(100 * share) +
+               " % of the internal work on to cells they are tied to" :
+             rounded(sums[1]) +
+               " nodes that hardly any material touches have no cell nearby "
+               "that they could be tied to") +
+          ". Use smaller cells there.");
   }
 
 
@@ -456,6 +449,20 @@ namespace isochor
     arm /= tie.masters.size();
     return force * (symmetrize(gradient) * arm);
   }
+
+
+
+  ISOCHOR_EXPLAIN(
+    thin_part,
+    "a part of the body too thin for the grid",
+    ISOCHOR_ESSENTIAL,
+    "nodes that hardly any material touches hand more than 1 % of a step's "
+    "internal work (in dynamics: and kinetic energy) on to the cells they "
+    "are tied to; or nodes with less than `Cut cells/Smallest support` "
+    "around them have no well filled cell nearby, so that the matrix may be"
+    " badly conditioned. The body is thin or small against the cells there",
+    "smaller cells where the body is thin, or a smaller `Cut cells/Smallest"
+    " support`")
 
 
 

@@ -22,7 +22,7 @@ namespace isochor
         if (cell != none && this->content(cell) == nullptr)
           candidates.insert(cell);
 
-    cavities.clear();
+    has_cavity = false;
     std::vector<Content> holes;
     while (!candidates.empty())
       {
@@ -117,7 +117,7 @@ namespace isochor
         hole.volume_times_G   = G / J;
       }
     else
-      remember_cavity(gap);
+      has_cavity = true;
     return hole;
   }
 
@@ -136,102 +136,10 @@ namespace isochor
 
 
   template <int dim>
-  void
-  CellOccupancy<dim>::remember_cavity(const std::set<unsigned int> &gap)
+  bool
+  CellOccupancy<dim>::has_cavities() const
   {
-    const SimplexGeometry<dim> &geometry = grid.geometry();
-    cavities.push_back(
-      {*gap.begin(),
-       static_cast<unsigned int>(gap.size()),
-       volume_of(gap),
-       geometry.vertices()[geometry.vertex_indices(*gap.begin())[0]]});
-  }
-
-
-
-  template <int dim>
-  std::vector<typename CellOccupancy<dim>::Cavity>
-  CellOccupancy<dim>::all_cavities() const
-  {
-    const MPI_Comm comm = grid.communicator();
-    if (Utilities::MPI::max(cavities.size(), comm) == 0)
-      return {};
-    std::vector<double> values;
-    for (const Cavity &cavity : cavities)
-      {
-        values.insert(values.end(),
-                      {double(cavity.cell),
-                       double(cavity.n_cells),
-                       cavity.volume});
-        for (unsigned int d = 0; d < dim; ++d)
-          values.push_back(cavity.place[d]);
-      }
-    std::map<unsigned int, Cavity> by_cell;
-    for (const auto &of_rank : all_gather_arrays(comm, values))
-      for (std::size_t i = 0; i < of_rank.size(); i += 3 + dim)
-        {
-          const double *const in = &of_rank[i];
-          Point<dim>          place;
-          for (unsigned int d = 0; d < dim; ++d)
-            place[d] = in[3 + d];
-          const unsigned int cell = in[0];
-          by_cell[cell]           = {cell,
-                                     static_cast<unsigned int>(in[1]),
-                                     in[2],
-                                     place};
-        }
-    std::vector<Cavity> all;
-    for (const auto &cavity : by_cell)
-      all.push_back(cavity.second);
-    std::stable_sort(all.begin(),
-                     all.end(),
-                     [](const Cavity &a, const Cavity &b) {
-                       return a.volume > b.volume;
-                     });
-    return all;
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  CellOccupancy<dim>::n_large_cavities() const
-  {
-    if (!compares_with_seeding)
-      return 0;
-    constexpr unsigned int      none     = SimplexGeometry<dim>::no_cell;
-    const SimplexGeometry<dim> &geometry = grid.geometry();
-    std::vector<unsigned int>   cells;
-    for (const Content &content : contents)
-      cells.push_back(content.cell);
-    std::vector<bool> is_seen(geometry.n_cells(), false);
-    for (const unsigned int cell : union_over_ranks(cells, grid.communicator()))
-      is_seen[cell] = true;
-    unsigned int n = 0;
-    for (unsigned int start = 0; start < geometry.n_cells(); ++start)
-      {
-        if (is_seen[start])
-          continue;
-        is_seen[start]                      = true;
-        std::vector<unsigned int> to_follow = {start};
-        unsigned int              n_cells   = 0;
-        bool                      is_inside = true;
-        for (; !to_follow.empty(); ++n_cells)
-          {
-            const unsigned int cell = to_follow.back();
-            to_follow.pop_back();
-            for (const unsigned int next : geometry.neighbours(cell))
-              if (next == none)
-                is_inside = false;
-              else if (!is_seen[next])
-                {
-                  is_seen[next] = true;
-                  to_follow.push_back(next);
-                }
-          }
-        n += is_inside && n_cells > most_cells;
-      }
-    return n;
+    return Utilities::MPI::max(has_cavity ? 1 : 0, grid.communicator()) == 1;
   }
 
 
@@ -277,14 +185,10 @@ namespace isochor
 
   template void
   CellOccupancy<2>::find_hole_cells();
-  template std::vector<CellOccupancy<2>::Cavity>
-  CellOccupancy<2>::all_cavities() const;
-  template unsigned int
-  CellOccupancy<2>::n_large_cavities() const;
+  template bool
+  CellOccupancy<2>::has_cavities() const;
   template void
   CellOccupancy<3>::find_hole_cells();
-  template std::vector<CellOccupancy<3>::Cavity>
-  CellOccupancy<3>::all_cavities() const;
-  template unsigned int
-  CellOccupancy<3>::n_large_cavities() const;
+  template bool
+  CellOccupancy<3>::has_cavities() const;
 } // namespace isochor

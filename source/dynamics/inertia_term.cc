@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/explanation.h>
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/body_quadrature/body_quadrature.h>
@@ -217,12 +218,12 @@ namespace isochor
       error = solve(true);
     if (!(error < 1e-8))
       step.warnings.add("projection of velocities",
-                        "Velocities or accelerations of the points could not "
-                        "be projected to the nodes to more than " +
+                        "velocities or accelerations of the points are "
+                        "projected to the nodes to " +
                           rounded(error) +
-                          " of their size. Use more <Material points/Points "
-                          "per cell>, larger steps or, with <Quadrature/Type = "
-                          "CPDI>, <Dynamics/Acceleration = carried>.");
+                          " of their size only. Use more <Material "
+                          "points/Points per cell>, larger steps or, with "
+                          "CPDI, <Dynamics/Acceleration = carried>.");
   }
 
 
@@ -423,6 +424,17 @@ namespace isochor
       }
     return properties[layout.mass] / 2 * motion.first.norm_square();
   }
+
+
+
+  ISOCHOR_EXPLAIN(
+    projection,
+    "projection of velocities",
+    ISOCHOR_ESSENTIAL,
+    "dynamics: conjugate gradients for the projection of velocities or "
+    "accelerations to the nodes stop above 1e-8 of the load",
+    "more `Material points/Points per cell`, larger steps, or "
+    "`Dynamics/Acceleration = carried` with CPDI")
 
 
 

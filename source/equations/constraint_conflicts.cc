@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/explanation.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/equations/constraint_conflicts.h>
 
@@ -128,20 +129,28 @@ namespace isochor
                                ". Nothing tells which one is meant: leave "
                                "these nodes out of one of them."));
         step.warnings.add(
-          "conditions that contradict each other",
-          "At t = " + rounded(step.time) + " s " + names +
+          "contradictory conditions",
+          "at t = " + rounded(step.time) + " " + names +
             " determine the same " + where +
             (group.difference > 0 ?
                ", otherwise" + by :
-               std::string(
-                 ", and for the second one they depend on what is "
-                 "free to move: it can part from these nodes there")) +
-            ". The first one counts there. If that isn't meant, let both "
-            "prescribe the same, or leave these nodes out of one of them (the "
-            "order is that of doc/method.md: displacements, walls, "
-            "periodic sides; of the same kind the one named first).");
+               std::string(", and the second one may part from these")) +
+            ". The first one counts. Let both prescribe the same, or leave "
+            "these nodes out of one.");
       }
   }
+
+
+
+  ISOCHOR_EXPLAIN(
+    contradiction,
+    "contradictory conditions",
+    ISOCHOR_ESSENTIAL,
+    "a wall or periodic side asks for something else than a condition that "
+    "comes first: displacements, walls, periodic sides; of the same kind "
+    "the one named first (\"Conditions on nodes\" in "
+    "[method.md](method.md)). Two displacements that differ are an error",
+    "let both prescribe the same, or leave the nodes out of one")
 
 
 

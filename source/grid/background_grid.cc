@@ -311,9 +311,9 @@ namespace isochor
 
   template <int dim>
   void
-  BackgroundGrid<dim>::check_motion(Warnings &warnings) const
+  BackgroundGrid<dim>::check_motion() const
   {
-    stretch.check_planes(reference_vertices, warnings);
+    stretch.check_planes(reference_vertices);
   }
 
 

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/plain_message.h>
-#include <isochor/base/warnings.h>
 #include <isochor/grid/extent.h>
 #include <isochor/grid/grid_stretch.h>
 
@@ -104,8 +103,7 @@ namespace isochor
 
   template <int dim>
   void
-  GridStretch<dim>::check_planes(const std::vector<Point<dim>> &vertices,
-                                 Warnings                      &warnings) const
+  GridStretch<dim>::check_planes(const std::vector<Point<dim>> &vertices) const
   {
     // a grid may be moved against its planes by part of a cell
     constexpr double slack = 0.1;
@@ -116,16 +114,15 @@ namespace isochor
       grid.include(vertex);
     const double low = grid.lower[axis], high = grid.upper[axis];
     for (const double plane : planes)
-      if (plane < low - slack * (high - low) ||
-          plane > high + slack * (high - low))
-        warnings.add(
-          "a plane outside of the grid",
-          std::string("The parameter <Grid/Stretch> moves a plane at ") +
-            "xyz"[axis] + " = " + rounded(plane) +
-            " m, but the grid reaches from " + rounded(low) + " to " +
-            rounded(high) +
-            " m: its side there moves by the part of it that interpolation "
-            "between the planes gives. To move the side, name its coordinate.");
+      AssertThrow(plane >= low - slack * (high - low) &&
+                    plane <= high + slack * (high - low),
+                  ExcMessage(
+                    std::string("The parameter <Grid/Stretch> moves a plane "
+                                "at ") +
+                    "xyz"[axis] + " = " + rounded(plane) +
+                    " m, but the grid reaches from " + rounded(low) + " to " +
+                    rounded(high) +
+                    " m: name the coordinate of the side that is to move."));
   }
 
 

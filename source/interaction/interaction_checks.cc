@@ -13,7 +13,7 @@ namespace isochor
   std::string
   check_faces(
     const std::vector<std::unique_ptr<Interaction<dim>>>     &interactions,
-    const std::vector<std::vector<SurfacePiece<dim>>>        &pieces,
+    const std::vector<std::vector<double>>                   &areas_here,
     const std::vector<std::pair<unsigned int, unsigned int>> &tied_twice,
     const MPI_Comm                                            comm)
   {
@@ -22,9 +22,9 @@ namespace isochor
     std::vector<double>       areas(n);
     for (unsigned int i = 0; i < n; ++i)
       {
-        n_faces[i] = pieces[i].size();
-        for (const SurfacePiece<dim> &piece : pieces[i])
-          areas[i] += piece.area;
+        n_faces[i] = areas_here[i].size();
+        for (const double area : areas_here[i])
+          areas[i] += area;
       }
     for (const auto &[i, j] : tied_twice)
       both_tie[i * n + j] = 1;
@@ -63,12 +63,12 @@ namespace isochor
 
   template std::string
   check_faces(const std::vector<std::unique_ptr<Interaction<2>>> &,
-              const std::vector<std::vector<SurfacePiece<2>>> &,
+              const std::vector<std::vector<double>> &,
               const std::vector<std::pair<unsigned int, unsigned int>> &,
               const MPI_Comm);
   template std::string
   check_faces(const std::vector<std::unique_ptr<Interaction<3>>> &,
-              const std::vector<std::vector<SurfacePiece<3>>> &,
+              const std::vector<std::vector<double>> &,
               const std::vector<std::pair<unsigned int, unsigned int>> &,
               const MPI_Comm);
 } // namespace isochor

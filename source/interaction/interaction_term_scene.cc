@@ -15,9 +15,9 @@ namespace isochor
   void
   InteractionTerm<dim>::check_surfaces()
   {
-    std::vector<std::vector<SurfacePiece<dim>>> pieces;
+    std::vector<std::vector<double>> areas;
     for (unsigned int i = 0; i < interactions.size(); ++i)
-      pieces.push_back(pieces_of(i));
+      areas.push_back(areas_of(i));
     std::vector<std::pair<unsigned int, unsigned int>> tied_twice;
     for (const FaceElement &element : faces)
       {
@@ -29,54 +29,36 @@ namespace isochor
           tied_twice.emplace_back(ties[0], ties[1]);
       }
     description =
-      check_faces(interactions, pieces, tied_twice, grid->communicator());
+      check_faces(interactions, areas, tied_twice, grid->communicator());
     is_checked = true;
   }
 
 
 
   template <int dim>
-  std::vector<SurfacePiece<dim>>
-  InteractionTerm<dim>::pieces_of(const unsigned int interaction) const
+  std::vector<double>
+  InteractionTerm<dim>::areas_of(const unsigned int interaction) const
   {
-    std::vector<SurfacePiece<dim>> pieces;
+    std::vector<double> areas;
     for (const FaceElement &element : faces)
       {
         const auto &face = surface.faces()[element.face];
         if (std::find(element.partners.begin(),
                       element.partners.end(),
                       interaction) != element.partners.end())
-          pieces.push_back(
-            {BodySurface<dim>::centre(face), face.normal, face.area});
+          areas.push_back(face.area);
       }
-    return pieces;
-  }
-
-
-
-  template <int dim>
-  void
-  InteractionTerm<dim>::check_scene(const StepContext<dim> &step) const
-  {
-    for (unsigned int i = 0; i < interactions.size(); ++i)
-      if (interactions[i]->region)
-        warn_of_faces_round_an_edge(step,
-                                    *interactions[i]->region,
-                                    pieces_of(i));
+    return areas;
   }
 
 
 
   template void
   InteractionTerm<2>::check_surfaces();
-  template std::vector<SurfacePiece<2>>
-  InteractionTerm<2>::pieces_of(const unsigned int) const;
-  template void
-  InteractionTerm<2>::check_scene(const StepContext<2> &) const;
+  template std::vector<double>
+  InteractionTerm<2>::areas_of(const unsigned int) const;
   template void
   InteractionTerm<3>::check_surfaces();
-  template std::vector<SurfacePiece<3>>
-  InteractionTerm<3>::pieces_of(const unsigned int) const;
-  template void
-  InteractionTerm<3>::check_scene(const StepContext<3> &) const;
+  template std::vector<double>
+  InteractionTerm<3>::areas_of(const unsigned int) const;
 } // namespace isochor

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/explanation.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/linear_solver/linear_solver_choice.h>
 
@@ -180,11 +181,22 @@ namespace isochor
     failed_pattern        = A.pattern_id;
     warnings.add("the iterative linear solver failed",
                  failure + " The direct solver " + direct_name +
-                   " takes over for the " + std::to_string(A.n_equations) +
-                   " equations as long as their pattern stays. If it comes up "
-                   "often, set <Linear solver/Solver = " +
-                   direct_name + ">, or raise <Linear solver/" +
-                   iterative_name + "/Maximum iterations>.");
+                   " takes over. If it comes up often, set <Linear "
+                   "solver/Solver = " +
+                   direct_name + ">, or raise <" + iterative_name +
+                   "/Maximum iterations>.");
     return direct->factorise(A);
   }
+
+
+
+  ISOCHOR_EXPLAIN(
+    iterative_solver,
+    "the iterative linear solver failed",
+    ISOCHOR_ADVICE,
+    "block FGMRES did not reach the accuracy in `Block FGMRES/Maximum "
+    "iterations`, or the matrix is indefinite or singular; MUMPS takes over"
+    " as long as the pattern of the matrix stays, and results are the same",
+    "nothing, if it stays rare; else `Linear solver/Solver = MUMPS`, or "
+    "more iterations ([solvers.md](solvers.md))")
 } // namespace isochor

@@ -70,9 +70,7 @@ namespace isochor
       return "<" + parameter + "> = " + rounded(strength) + " Pa is only " +
              rounded(strength / E) + " of <Young modulus> = " + rounded(E) +
              " Pa: the material yields under hardly any load. Are both in the "
-             "same unit, not one in MPa or kPa and the other in Pa? If it shall "
-             "be as good as rigid before it yields, " +
-             rounded(1 / least) + " times the strength are enough.";
+             "same unit, not one in MPa or kPa and the other in Pa?";
     if (strength <= E)
       return "";
     return "<" + parameter + "> = " + rounded(strength) +

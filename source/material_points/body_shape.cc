@@ -104,7 +104,7 @@ namespace isochor
 
   template <int dim>
   void
-  BodyShape<dim>::check_mesh(Warnings &warnings) const
+  BodyShape<dim>::check_mesh() const
   {
     if (!mesh)
       return;
@@ -122,9 +122,10 @@ namespace isochor
       return;
     std::ostringstream place;
     place << found.place;
-    warnings.add(
-      "a body mesh that overlaps itself",
-      "Cells of the mesh <" + body_mesh +
+    AssertThrow(
+      false,
+      ExcMessage(
+        "Cells of the mesh <" + body_mesh +
         "> of the parameter <Material points/Body mesh> overlap each other, at " +
         std::to_string(found.n_overlapping) + " of the " +
         std::to_string(found.n_faces) + " faces at its surface, as near (" +
@@ -135,7 +136,7 @@ namespace isochor
         ". Bodies that share a place have to be cut out of each other, or made "
         "one (gmsh: BooleanFragments, BooleanDifference, Coherence); name "
         "groups in <Material points/Physical groups> if the file has more than "
-        "the body.");
+        "the body."));
   }
 
 

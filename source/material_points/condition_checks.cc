@@ -63,18 +63,14 @@ namespace isochor
     if (!parameters.body_mesh.empty() || !compares_nothing(parameters.region))
       return;
     const Expression<dim> in_body(parameters.region, "Material points/Region");
+    std::vector<double>   values;
     for (unsigned int cell = 0; cell < grid.geometry().n_cells_of_first_layer();
          ++cell)
-      if (!(in_body(cell_centroid(grid.geometry(), cell), 0.) > 0))
-        return;
-    warnings.add("a region that leaves nothing out",
-                 "The parameter <Material points/Region = " +
-                   parameters.region +
-                   "> compares nothing: the body is where the formula is above "
-                   "0, which it is in all cells of the grid. Write a "
-                   "comparison, as 'y < 0.5', or a formula that is below 0 "
-                   "outside of the body; leave the parameter out if the body "
-                   "fills the grid.");
+      values.push_back(in_body(cell_centroid(grid.geometry(), cell), 0.));
+    warn_of_formula_for_condition(parameters.region,
+                                  "Material points/Region",
+                                  values,
+                                  warnings);
   }
 
 

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/explanation.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/body_seeding.h>
 
@@ -93,22 +94,33 @@ namespace isochor
     if (n_faces.empty())
       return;
     std::ostringstream text;
-    text << "The domains of the points don't fit together where cells of "
-            "different zones of <Material points/Points per cell in zones> "
-            "meet: ";
+    text << "in <Material points/Points per cell in zones> corners of domains "
+            "hang on faces of others: ";
     for (auto pair = n_faces.begin(); pair != n_faces.end(); ++pair)
       text << (pair == n_faces.begin() ? "" : ", ") << pair->first.first
            << " points beside " << pair->first.second << " at " << pair->second
            << " faces";
-    text << ". Corners of domains hang on faces of others there, and even a "
-            "homogeneous stress has forces on them. Choose numbers that divide "
-            "the faces of cells alike ("
+    text << ". Numbers that divide faces alike: "
          << (dim == 2 ? "1 and 3; 4, 6 and 12; 9 and 27; 16, 24 and 48" :
                         "1 and 4; 8 and 32; 27 and 108")
-         << "), the same everywhere, or a <Quadrature/Type> that "
-            "does not integrate over domains (points, cell-filled).";
+         << '.';
     warnings.add("domains that don't fit together", text.str());
   }
+
+
+
+  ISOCHOR_EXPLAIN(
+    domain_fit,
+    "domains that don't fit together",
+    ISOCHOR_ESSENTIAL,
+    "`Points per cell in zones` with domains (CPDI, `cell-filled + "
+    "boundary`), at the start: cells meet whose numbers of points divide "
+    "the face between them differently. Corners of domains hang on faces of"
+    " others, and even a homogeneous stress has forces there",
+    "numbers that divide faces alike (1 and 3; 4, 6 and 12; 9 and 27; 16, "
+    "24 and 48; 3D: 1 and 4; 8 and 32; 27 and 108), one number everywhere, "
+    "or a quadrature that doesn't integrate over domains (`points`, `cell-"
+    "filled`)")
 
 
 

@@ -7,14 +7,12 @@
 
 #include <isochor/base/expression.h>
 #include <isochor/base/plain_message.h>
-#include <isochor/base/thickness.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/body_seeding.h>
 #include <isochor/material_points/places_in_cells.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <sstream>
 
 namespace isochor
@@ -85,154 +83,38 @@ namespace isochor
       return result;
     }
 
-    /** What points make of a region where its surface goes through cells
-     * (m^dim, of a body of revolution m^3). */
-    struct RoundedRegion
-    {
-      double body    = 0; ///< what the points stand for
-      double added   = 0; ///< what they have and the region hasn't
-      double n_cut   = 0; ///< cells through which the surface goes
-      double n_steps = 0; ///< those in which points and region differ much
-    };
-
-    /** In the @p cells, of which points in the region stand for the part @p
-     * filled; below 0 in cells that no body is seeded in. Cells of a body of
-     * revolution (@p axisymmetric) stand for rings. */
-    template <int dim>
-    RoundedRegion
-    measure_rounding(const SimplexGeometry<dim>      &geometry,
-                     const std::vector<unsigned int> &cells,
-                     const std::vector<double>       &filled,
-                     const std::vector<unsigned int> &surroundings,
-                     const Expression<dim>           &in_body,
-                     const bool                       axisymmetric)
-    {
-      const auto ring = [axisymmetric](const Point<dim> &x) {
-        return thickness(axisymmetric, x[0]);
-      };
-      const auto is_cut = [&](const unsigned int cell) {
-        unsigned int around = 0;
-        for (const unsigned int v : geometry.vertex_indices(cell))
-          around |= surroundings[v];
-        return (around & body) != 0 && (around & no_body) != 0;
-      };
-      // enough places for the sum, and for each cell
-      constexpr unsigned int in_all = 100000, least = 64, most = 256;
-      const unsigned int     n_cut =
-        std::count_if(cells.begin(), cells.end(), is_cut);
-      const unsigned int n_places =
-        std::min(most, std::max(least, in_all / std::max(1U, n_cut)));
-      RoundedRegion result;
-      for (unsigned int k = 0; k < cells.size(); ++k)
-        {
-          if (filled[k] < 0)
-            continue;
-          const double size      = geometry.measure(cells[k]),
-                       of_points = size * filled[k] *
-                                   ring(cell_centroid(geometry, cells[k]));
-          result.body += of_points;
-          if (!is_cut(cells[k]))
-            continue;
-          const auto   corners = corners_of(geometry, cells[k]);
-          unsigned int n_in    = 0;
-          double       rings   = 0;
-          for (unsigned int i = 0; i < n_places; ++i)
-            {
-              const Point<dim> x =
-                spread_place<dim>(corners,
-                                  std::size_t(cells[k]) * n_places + i);
-              const bool is_in = in_body(x, 0.) > 0;
-              n_in += is_in;
-              rings += is_in ? ring(x) : 0.;
-            }
-          const double part = double(n_in) / n_places;
-          if ((n_in == 0 || n_in == n_places) && filled[k] == part)
-            continue;
-          result.added += of_points - size * rings / n_places;
-          // more than the places tell wrongly
-          const double much = 0.05 + 4. / n_places;
-          result.n_cut += 1;
-          result.n_steps += std::abs(filled[k] - part) > much ? 1 : 0;
-        }
-      return result;
-    }
-
-    /** Warn if the points have another volume than the region. Returns whether
-     * the surface has steps. Collective. */
-    inline bool
-    warn_of_rounding(const RoundedRegion &own,
-                     const unsigned int   dim_of_volume,
-                     const MPI_Comm       comm,
-                     Warnings            &warnings)
-    {
-      constexpr double much = 0.02, few = 0.1;
-      const double     body = Utilities::MPI::sum(own.body, comm),
-                   n_cut    = Utilities::MPI::sum(own.n_cut, comm),
-                   added    = Utilities::MPI::sum(own.added, comm),
-                   n_steps  = Utilities::MPI::sum(own.n_steps, comm);
-      if (std::abs(added) > much * body)
-        warnings.add(
-          "a region that is rounded to the points",
-          "The points that <Material points/Region> holds stand for " +
-            rounded(body) + " m^" + std::to_string(dim_of_volume) + ", " +
-            rounded(100 * std::abs(added) / (body - added)) + " % " +
-            (added > 0 ? "more" : "less") +
-            " than the region in the grid: a point belongs to the body as a "
-            "whole or not at all, so that the surface of the body is made of "
-            "cells and the parts of them that points stand for. Put sides of "
-            "the region on lines of cells or of these parts, take smaller "
-            "cells or more points, or <Material points/Body mesh>, a mesh of "
-            "the body itself.");
-      return n_steps > few * n_cut;
-    }
   } // namespace
 
 
 
   template <int dim>
-  bool
+  void
   BodySeeding<dim>::check_fineness(const BackgroundGrid<dim> &grid,
                                    const bool                 with_domains,
-                                   const bool                 axisymmetric,
                                    Warnings                  &warnings) const
   {
     if (names_in_formula(parameters.region).empty() ||
         !parameters.body_mesh.empty() || parameters.lattice_spacing > 0)
-      return false;
+      return;
     const SimplexGeometry<dim> &geometry = grid.geometry();
     const MPI_Comm              comm     = grid.communicator();
     const unsigned int          rank  = Utilities::MPI::this_mpi_process(comm);
     const std::vector<Zone>     zones = create_zones(with_domains);
     const Expression<dim> in_body(parameters.region, "Material points/Region");
     std::vector<unsigned int> own, surroundings(geometry.vertices().size(), 0);
-    std::vector<double>       filled; // the part of the cells
     for (unsigned int cell = 0; cell < geometry.n_cells_of_first_layer();
          ++cell)
       if (geometry.owner(cell) == rank)
         {
           own.push_back(cell);
           unsigned int here = 0;
-          double       part = 0;
           if (!in_groups(geometry.cell_iterator(cell)->material_id(),
                          parameters.groups,
                          grid.group_ids()))
-            {
-              here = no_body;
-              part = -1;
-            }
+            here = no_body;
           else
-            {
-              const auto places = places_in_cell(geometry, cell, zones);
-              for (const Point<dim> &x : places)
-                if (in_body(x, 0.) > 0)
-                  {
-                    here |= body;
-                    part += 1. / places.size();
-                  }
-                else
-                  here |= no_body;
-            }
-          filled.push_back(part);
+            for (const Point<dim> &x : places_in_cell(geometry, cell, zones))
+              here |= in_body(x, 0.) > 0 ? body : no_body;
           for (unsigned int v = 0; v <= dim; ++v)
             if (geometry.neighbours(cell)[v] == SimplexGeometry<dim>::no_cell)
               for (unsigned int w = 0; w <= dim; ++w)
@@ -251,12 +133,9 @@ namespace isochor
           surroundings[v] |= has_bit[v];
       }
     LostParts<dim> found;
-    RoundedRegion  rounding;
     try
       {
-        found    = look_between_points(geometry, own, surroundings, in_body);
-        rounding = measure_rounding(
-          geometry, own, filled, surroundings, in_body, axisymmetric);
+        found = look_between_points(geometry, own, surroundings, in_body);
       }
     catch (const StandardExceptions::ExcMessage &)
       {} // the formula need have values at the points only
@@ -279,17 +158,12 @@ namespace isochor
             std::string(what == 0 ? "does not hold" : "holds") +
             " in places of " + std::to_string(n_cells) +
             (n_cells == 1 ? " cell" : " cells") + ", as at (" + place.str() +
-            "), where all points around " +
-            (what == 0 ?
-               "belong to the body: a gap, a slit or a hole is narrower than "
-               "the distance of the points, and filled" :
-               "are outside of the body: a part of the body is thinner than the "
-               "distance of the points, and left out") +
-            ". Where that matters take smaller cells, more points (<Material "
-            "points/Points per cell in zones>) or a <Body mesh>; what has no "
-            "meaning leave out of the formula.");
+            "), where all points around are " +
+            (what == 0 ? "in the body: a gap is filled" :
+                         "outside: a part of the body is left out") +
+            ". Use smaller cells, more points (<Points per cell in zones>) or "
+            "a <Body mesh>.");
       }
-    return warn_of_rounding(rounding, axisymmetric ? 3 : dim, comm, warnings);
   }
 
 
@@ -316,14 +190,12 @@ namespace isochor
 
 
 
-  template bool
+  template void
   BodySeeding<2>::check_fineness(const BackgroundGrid<2> &,
                                  const bool,
-                                 const bool,
                                  Warnings &) const;
-  template bool
+  template void
   BodySeeding<3>::check_fineness(const BackgroundGrid<3> &,
-                                 const bool,
                                  const bool,
                                  Warnings &) const;
 } // namespace isochor

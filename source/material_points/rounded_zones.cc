@@ -2,12 +2,14 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-// The member of BodySeeding that looks at what points make of the zones of
-// materials.
+// The member of BodySeeding that looks at what points make of the region and
+// the zones of materials.
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/explanation.h>
 #include <isochor/base/expression.h>
 #include <isochor/base/plain_message.h>
+#include <isochor/base/thickness.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/body_seeding.h>
 #include <isochor/material_points/places_in_cells.h>
@@ -19,7 +21,7 @@ namespace isochor
 {
   namespace
   {
-    /** Volumes of a material (m^dim). */
+    /** Volumes of a material (m^dim, of a body of revolution m^3). */
     struct Volumes
     {
       double points = 0, ///< what its points stand for
@@ -32,47 +34,87 @@ namespace isochor
         zones += to_zones;
       }
     };
+
+    /** Warn of the material, of all but the last of the @p volumes, that is
+     * rounded most. Collective. */
+    void
+    warn_of_rounding(const std::vector<Volumes> &volumes,
+                     const unsigned int          dim_of_volume,
+                     const MPI_Comm              comm,
+                     Warnings                   &warnings)
+    {
+      constexpr double much  = 0.02;
+      unsigned int     worst = 0;
+      double           most = much, of_points = 0, sign = 0;
+      for (unsigned int k = 0; k + 1 < volumes.size(); ++k)
+        {
+          const double points = Utilities::MPI::sum(volumes[k].points, comm),
+                       zones  = Utilities::MPI::sum(volumes[k].zones, comm),
+                       difference = points - zones;
+          // of no points at all another warning tells
+          if (points > 0 && std::abs(difference) > most * zones)
+            {
+              worst     = k;
+              most      = std::abs(difference) / zones;
+              of_points = points;
+              sign      = difference;
+            }
+        }
+      if (most > much)
+        warnings.add("rounded to the points",
+                     "the points of material " + std::to_string(worst + 1) +
+                       " stand for " + rounded(of_points) + " m^" +
+                       std::to_string(dim_of_volume) + ", " +
+                       rounded(100 * most) + " % " +
+                       (sign > 0 ? "more" : "less") +
+                       " than its region and zones. Let their sides lie on "
+                       "lines of cells, use smaller cells or more points, or "
+                       "<Material points/Body mesh>.");
+    }
   } // namespace
 
 
 
   template <int dim>
   void
-  BodySeeding<dim>::check_material_zones(const BackgroundGrid<dim> &grid,
-                                         const bool with_domains,
-                                         Warnings  &warnings) const
+  BodySeeding<dim>::check_rounding(const BackgroundGrid<dim> &grid,
+                                   const bool                 with_domains,
+                                   const bool                 axisymmetric,
+                                   Warnings                  &warnings) const
   {
-    if (parameters.material_zones.empty() || parameters.lattice_spacing > 0)
+    if ((parameters.material_zones.empty() &&
+         names_in_formula(parameters.region).empty()) ||
+        parameters.lattice_spacing > 0)
       return;
-    constexpr double        much  = 0.02;
     const MPI_Comm          comm  = grid.communicator();
     const MaterialZones     zones = create_material_zones();
     const std::vector<Zone> rules = create_zones(with_domains);
     const Expression<dim> in_body(parameters.region, "Material points/Region");
-    const auto            material = [&](const Point<dim> &x) {
-      return material_at(zones, x);
-    };
-    int n_materials = 1;
+    int                   n_materials = 1;
     for (const auto &zone : zones)
       n_materials = std::max(n_materials, zone.first);
-    std::vector<Volumes> volumes(n_materials);
+    // what is outside of the region is a material, too, the last one
+    const auto material = [&](const Point<dim> &x) {
+      return in_body(x, 0.) > 0 ? int(material_at(zones, x)) : n_materials;
+    };
+    const auto ring = [axisymmetric](const Point<dim> &x) {
+      return thickness(axisymmetric, x[0]);
+    };
+    std::vector<Volumes> volumes(n_materials + 1);
     const auto look_at_mixed = [&](const SimplexGeometry<dim> &geometry,
                                    const unsigned int          cell,
                                    const unsigned int          n_places) {
-      const auto places = places_in_cell(geometry, cell, rules);
-      // what a region is rounded to is another matter
-      if (!std::all_of(places.begin(), places.end(), [&](const auto &x) {
-            return in_body(x, 0.) > 0;
-          }))
-        return;
+      const auto   places  = places_in_cell(geometry, cell, rules);
       const double size    = geometry.measure(cell);
       const auto   corners = corners_of(geometry, cell);
       for (const Point<dim> &x : places)
-        volumes[material(x)].add(size / places.size(), 0.);
+        volumes[material(x)].add(ring(x) * size / places.size(), 0.);
       for (unsigned int i = 0; i < n_places; ++i)
-        volumes[material(
-                  spread_place<dim>(corners, std::size_t(cell) * n_places + i))]
-          .add(0., size / n_places);
+        {
+          const Point<dim> x =
+            spread_place<dim>(corners, std::size_t(cell) * n_places + i);
+          volumes[material(x)].add(0., ring(x) * size / n_places);
+        }
     };
     const auto look =
       [&](const SimplexGeometry<dim>                      &body,
@@ -86,8 +128,7 @@ namespace isochor
             const Point<dim> centroid = cell_centroid(body, cell);
             if (!in_groups(body.cell_iterator(cell)->material_id(),
                            parameters.groups,
-                           ids) ||
-                !(in_body(centroid, 0.) > 0))
+                           ids))
               continue;
             const int own      = material(centroid);
             bool      is_mixed = false;
@@ -97,13 +138,14 @@ namespace isochor
                   at_vertex[v] = material(body.vertices()[v]);
                 is_mixed = is_mixed || at_vertex[v] != own;
               }
+            const double size = ring(centroid) * body.measure(cell);
             if (is_mixed)
               mixed.push_back(cell);
             else
-              volumes[own].add(body.measure(cell), body.measure(cell));
+              volumes[own].add(size, size);
           }
         // enough places for the sum, and for each cell
-        constexpr std::size_t in_all = 100000, least = 16, most = 256;
+        constexpr std::size_t in_all = 100000, least = 64, most = 256;
         for (const unsigned int cell : mixed)
           look_at_mixed(body,
                         cell,
@@ -116,46 +158,35 @@ namespace isochor
     catch (const StandardExceptions::ExcMessage &)
       {
         // a formula need have values at the points only
-        volumes.assign(n_materials, Volumes());
+        volumes.assign(n_materials + 1, Volumes());
       }
-    unsigned int worst = 0;
-    double       most  = much;
-    for (int k = 0; k < n_materials; ++k)
-      {
-        Volumes &here = volumes[k];
-        here          = {Utilities::MPI::sum(here.points, comm),
-                         Utilities::MPI::sum(here.zones, comm)};
-        // of no points at all another warning tells
-        if (here.points > 0 &&
-            std::abs(here.points - here.zones) > most * here.zones)
-          {
-            worst = k;
-            most  = std::abs(here.points - here.zones) / here.zones;
-          }
-      }
-    if (most > much)
-      warnings.add(
-        "zones that are rounded to the points",
-        "The points of material " + std::to_string(worst + 1) + " stand for " +
-          rounded(volumes[worst].points) + " m^" + std::to_string(dim) + ", " +
-          rounded(100 * most) + " % " +
-          (volumes[worst].points > volumes[worst].zones ? "more" : "less") +
-          " than <Material points/Materials in zones> gives it: a point is of "
-          "one material as a whole, so that materials meet at the sides of "
-          "cells or of the parts of them that points stand for, as near to "
-          "the zone's side as these are. Put sides of zones on lines of cells "
-          "or of these parts, take smaller cells or more points (<Points per "
-          "cell>), or a <Body mesh> whose faces lie in them.");
+    warn_of_rounding(volumes, axisymmetric ? 3 : dim, comm, warnings);
   }
 
 
 
+  ISOCHOR_EXPLAIN(
+    rounded,
+    "rounded to the points",
+    ISOCHOR_ESSENTIAL,
+    "the points that `Region` and, by material, `Materials in zones` hold "
+    "stand for a volume that differs by more than 2 % from theirs: a point "
+    "belongs to the body, and to a material, as a whole, so that sides lie "
+    "on lines of cells, or of the parts of them that points stand for (two "
+    "layers with their interface at 1.03 m on cells of 0.25 m met at 1 m, "
+    "and settled by 2.5 % too much)",
+    "sides on such lines, smaller cells, more points, or `Body mesh`")
+
+
+
   template void
-  BodySeeding<2>::check_material_zones(const BackgroundGrid<2> &,
-                                       const bool,
-                                       Warnings &) const;
+  BodySeeding<2>::check_rounding(const BackgroundGrid<2> &,
+                                 const bool,
+                                 const bool,
+                                 Warnings &) const;
   template void
-  BodySeeding<3>::check_material_zones(const BackgroundGrid<3> &,
-                                       const bool,
-                                       Warnings &) const;
+  BodySeeding<3>::check_rounding(const BackgroundGrid<3> &,
+                                 const bool,
+                                 const bool,
+                                 Warnings &) const;
 } // namespace isochor

@@ -2,11 +2,12 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/explanation.h>
+#include <isochor/base/plain_message.h>
 #include <isochor/postprocess/energy_loss.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -54,41 +55,16 @@ namespace isochor
     if (std::abs(loss) <=
         std::max(threshold * size, rounding * balance.stiffness))
       return;
-    std::ostringstream text;
-    text.precision(3);
-    text << "By t = " << time << " the scheme has "
-         << (loss > 0 ? "lost " : "created ") << std::abs(loss) << " J, "
-         << 100 * std::abs(loss) / size
-         << " % of the largest energy of the body"
-         << (size > largest ? " per cycle" : "")
-         << ", see 'Energy lost by the scheme' in the statistics. ";
-    const std::string keep =
-      "a grid that is kept (<Grid reset/Steps between resets = 0>; where "
-      "bodies have come together or cells are distorted it is put back all "
-      "the same)";
-    if (!is_cpdi && !grid_is_kept)
-      text << "Points that change cells take their stresses with them: "
-              "<Quadrature/Type = CPDI> or "
-           << keep
-           << " hardly lose any. Else smaller steps (<Time/Step size>) and "
-              "cells.";
-    else if (told[loss > 0 ? 1 : 0])
-      text << "It has " << (loss > 0 ? "created" : "lost")
-           << " energy before, so that another <Dynamics/Spectral radius> "
-              "helps against one only: use smaller steps (<Time/Step size>) "
-              "and cells"
-           << (grid_is_kept ? "" : ", or " + keep) << '.';
-    else
-      text << "Use "
-           << (loss > 0 ? "smaller steps (<Time/Step size>) and cells, a "
-                          "larger" :
-                          "a smaller")
-           << " <Dynamics/Spectral radius>"
-           << (grid_is_kept ? "" : ", or " + keep) << '.';
-    told[loss > 0 ? 0 : 1] = true;
-    warnings.add(loss > 0 ? "energy lost by the scheme" :
-                            "energy created by the scheme",
-                 text.str());
+    report(time,
+           loss,
+           loss / size,
+           size > largest ? "by the scheme, per cycle" : "by the scheme",
+           is_cpdi || grid_is_kept ?
+             "Use smaller steps (<Time/Step size>) and cells, or another "
+             "<Dynamics/Spectral radius>." :
+             "Use <Quadrature/Type = CPDI>, or <Grid reset/Steps between "
+             "resets = 0>.",
+           warnings);
   }
 
 
@@ -106,27 +82,15 @@ namespace isochor
     const double     much = lost_at_starts > 0 ? much_lost : much_created;
     const double     size = std::abs(lost_at_starts);
     if (size <= std::max(much * largest, rounding * balance.stiffness) ||
-        (lost_at_starts > 0 && (!is_last || told[0])))
+        (lost_at_starts > 0 && !is_last))
       return;
-    std::ostringstream text;
-    text.precision(3);
-    text << "By t = " << time << " the steps at the start have "
-         << (lost_at_starts > 0 ? "lost " : "created ") << size << " J, "
-         << 100 * size / largest
-         << " % of the largest energy of the body: they don't resolve what "
-            "happens in them, ";
-    if (lost_at_starts > 0)
-      text << "a load that acts at once or a vibration for example, which is "
-              "damped. Use smaller steps (<Time/Step size>), a tenth of the "
-              "shortest vibration that matters or less, and loads and motions "
-              "that begin smoothly.";
-    else
-      text << "an impact for example. Use smaller steps "
-              "(<Time/Step size>) that don't grow (<Time/Growth factor = 1>), "
-              "or let their error choose them (<Time/Tolerated error>).";
-    warnings.add(lost_at_starts > 0 ? "energy lost at the start" :
-                                      "energy created at the start",
-                 text.str());
+    report(time,
+           lost_at_starts,
+           lost_at_starts / largest,
+           "in the first steps, which don't resolve what happens in them",
+           "Use smaller steps (<Time/Step size>), and loads and motions that "
+           "begin smoothly.",
+           warnings);
   }
 
 
@@ -147,20 +111,32 @@ namespace isochor
     if (std::abs(loss) <=
         std::max(threshold * largest, rounding * balance.stiffness))
       return;
-    std::ostringstream text;
-    text.precision(3);
-    text
-      << "By t = " << time << " the work done on the elastic body is "
-      << std::abs(loss) << " J " << (loss > 0 ? "more" : "less")
-      << " than what it has stored, " << 100 * std::abs(loss) / largest
-      << " % of its largest energy. If it has not snapped, this comes from "
-         "putting the grid back: each time the body finds another "
-         "equilibrium, and what this changes adds up. Under loads that come "
-         "and go it drifts, in the end by as much as it moves. Put the grid "
-         "back less often or never (<Grid reset/Steps between resets>), take "
-         "fewer steps and smaller cells"
-      << (is_cpdi ? "." : ", or <Quadrature/Type = CPDI>.");
-    warnings.add("a body that drifts", text.str());
+    report(time,
+           loss,
+           loss / largest,
+           "by resets of the grid, if the body has not snapped",
+           is_cpdi ? "Use fewer resets (<Grid reset/Steps between resets>) or "
+                     "smaller cells." :
+                     "Use <Quadrature/Type = CPDI>, or fewer resets (<Grid "
+                     "reset/Steps between resets>).",
+           warnings);
+  }
+
+
+
+  void
+  EnergyLoss::report(const double       time,
+                     const double       loss,
+                     const double       share,
+                     const std::string &by_what,
+                     const std::string &remedy,
+                     Warnings          &warnings)
+  {
+    warnings.add("energy balance",
+                 "up to t = " + rounded(time) + " " + rounded(std::abs(loss)) +
+                   " J were " + (loss > 0 ? "lost " : "created ") + by_what +
+                   ", " + rounded(100 * std::abs(share)) +
+                   " % of the largest energy of the body. " + remedy);
   }
 
 
@@ -180,4 +156,26 @@ namespace isochor
     state >> largest >> kinetic >> kinetic_change >> lost >> lost_at_starts >>
       n_since_start;
   }
+
+
+
+  ISOCHOR_EXPLAIN(
+    energy_balance,
+    "energy balance",
+    ISOCHOR_ESSENTIAL,
+    "dynamics: since the tenth step kinetic and strain energy and plastic "
+    "work have fallen behind, or grown beyond, the external work by more "
+    "than 1 % of the largest energy, per cycle of a vibration; or the first"
+    " ten steps (those behind a jump) have created more than 10 %, or lost "
+    "more than 5 % at the end of a run of less than 50. Statics, elastic "
+    "materials, from the eleventh step on: external work and stored energy "
+    "have come apart by more than 5 %. If the body has not snapped, this is"
+    " what resets of the grid set free; with it places of the body drift, "
+    "under loads that come and go by 0.1 to 0.2 of that share of the "
+    "amplitude ([stability.md](stability.md#cycles))",
+    "`Quadrature/Type = CPDI`; a grid that is kept (`Grid reset/Steps "
+    "between resets = 0`, with `Smallest element quality = 0`); smaller "
+    "steps and cells; loads and motions that begin smoothly; where energy "
+    "is created, a smaller `Dynamics/Spectral radius`, or `Time/Tolerated "
+    "error`")
 } // namespace isochor

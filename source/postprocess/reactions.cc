@@ -106,26 +106,19 @@ namespace isochor
       for (unsigned int i = 0; i < names.size(); ++i)
         {
           std::array<double, dim> force{};
-          bool                    touched = false, held = false;
           for (const unsigned int vertex : vertices[i])
             {
               const unsigned int node = step.nodes.node(vertex);
               if (node >= step.nodes.n_owned())
                 continue;
-              touched = true;
               for (unsigned int a = 0; a < dim; ++a)
                 {
                   const unsigned int entry = node * step.n_components + a;
                   if (result.system.is_held(entry))
-                    {
-                      force[a] += result.system.reaction().local_element(entry);
-                      held = true;
-                    }
+                    force[a] += result.system.reaction().local_element(entry);
                 }
             }
           sum_over_ranks(force, step.grid.communicator());
-          if (result.time.step == 0 && !tell_column(result, names[i]))
-            warn_if_free(result, i, touched, held);
           for (unsigned int a = 0; a < dim; ++a)
             statistics.set(std::string("Reaction ") + "xyz"[a] + " on " +
                              names[i] + " (N)",
@@ -141,66 +134,6 @@ namespace isochor
       for (const auto &entry : grid.boundary_names())
         known += (known.empty() ? "" : ", ") + entry.first;
       return known;
-    }
-
-    /** Warn of a boundary whose force is in a column of its condition's own;
-     * whether it is. */
-    bool
-    tell_column(const StepResult<dim> &result, const std::string &name) const
-    {
-      for (const auto &condition : result.conditions)
-        {
-          const std::string column = condition->force_column(name);
-          if (column.empty())
-            continue;
-          result.step.warnings.add(
-            "the force on <" + name + "> is in another column",
-            "<" + this->parameter("Reactions") + "> names the boundary <" +
-              name + "> of <" +
-              condition->parameter(
-                condition->name.substr(0, condition->name.find(':'))) +
-              ">. <Reaction x on " + name +
-              " (N)> has only what nodes carry that something else holds; "
-              "the force through all other nodes is in the column <" +
-              column +
-              "> and those of the other components. The whole force is the "
-              "sum of both.");
-          return true;
-        }
-      return false;
-    }
-
-    /** Whether a condition names vertices of a boundary. */
-    bool
-    may_be_held(const StepResult<dim>        &result,
-                const std::set<unsigned int> &of_boundary) const
-    {
-      for (const auto *const condition :
-           with_role<const ConstrainsNodes<dim>>(result.conditions))
-        for (const unsigned int vertex : condition->held_vertices())
-          if (of_boundary.count(vertex) != 0)
-            return true;
-      return false;
-    }
-
-    void
-    warn_if_free(const StepResult<dim> &result,
-                 const unsigned int     i,
-                 const bool             touched,
-                 const bool             held) const
-    {
-      const StepContext<dim> &step = result.step;
-      const std::string      &name = names[i];
-      const MPI_Comm          comm = step.grid.communicator();
-      if (Utilities::MPI::max(static_cast<int>(touched), comm) != 0 &&
-          Utilities::MPI::max(static_cast<int>(held), comm) == 0 &&
-          !may_be_held(result, vertices[i]))
-        step.warnings.add(
-          "no reaction on <" + name + ">",
-          "The reaction on <" + name + "> of the parameter <" +
-            this->parameter("Reactions") +
-            "> is 0: no displacement of nodes that the material "
-            "touches is prescribed there.");
     }
 
     std::vector<std::string>            names;

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
+#include <isochor/base/explanation.h>
 #include <isochor/base/parameter_file.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/base/plugin_registry.h>
@@ -205,6 +206,12 @@ namespace isochor
                         options.overrides.end());
 
       load_shared_libraries(statements);
+      if (options.explains)
+        {
+          if (is_root)
+            std::cout << explanation_text(options.explain);
+          return;
+        }
       ParameterHandler   prm;
       const unsigned int dim = read_parameters(statements, program, prm);
 

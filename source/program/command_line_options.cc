@@ -26,6 +26,8 @@ namespace isochor
     "  --validate                Read the scene and set everything up to the\n"
     "                            equations of the first step, but don't run\n"
     "                            it or write any file.\n"
+    "  --explain [NAME]          Print what a warning means, when it is issued\n"
+    "                            and what to do, or the names of all.\n"
     "  --set Section/Entry=value Override a parameter of the scene.\n"
     "                            Can be repeated; the last one wins.\n"
     "  --output-directory DIR    The same as --set Output/Directory=DIR.\n"
@@ -86,6 +88,12 @@ namespace isochor
         {"--validate",
          false,
          [this](const auto &) { options.validate = true; }},
+        {"--explain",
+         true,
+         [this](const auto &name) {
+           options.explains = true;
+           options.explain  = name;
+         }},
         {"--set",
          true,
          [this](const auto &text) { override_with(text, "--set"); }},
@@ -133,6 +141,12 @@ namespace isochor
           std::string value = has_value ? argument->substr(equals + 1) : "";
           if (option.takes_value && !has_value)
             {
+              // without a name all are listed
+              if (option.name == "--explain" && argument + 1 == arguments.end())
+                {
+                  option.apply("");
+                  break;
+                }
               if (++argument == arguments.end())
                 throw ParameterError("the option " + option.name +
                                      " needs a value");
@@ -140,8 +154,8 @@ namespace isochor
             }
           option.apply(value);
         }
-      const bool needs_scene =
-        !options.help && !options.version && !options.print_parameters;
+      const bool needs_scene = !options.help && !options.version &&
+                               !options.print_parameters && !options.explains;
       if (options.n_grid_offsets > 0 &&
           (options.validate || options.print_parameters))
         throw ParameterError("the option --grid-offsets runs the scene; it has "

@@ -33,6 +33,7 @@ namespace isochor
     std::string  grid_reset;
     /** What boundary conditions and post-processors remember, by name. */
     std::map<std::string, std::string> boundary_conditions, postprocessors;
+    std::string                        diagnoses;
 
     /** The points in the order of the handler: per point the cell, the id, the
      * coordinates (dim in space, dim in the reference cell) and properties. */
@@ -46,8 +47,8 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &n_ranks &grid_fingerprint &problem &settings &time &last_motion
-        &grid_reset &boundary_conditions &postprocessors &n_properties &cells
-          &ids &coordinates &properties;
+        &grid_reset &boundary_conditions &postprocessors &diagnoses
+          &n_properties &cells &ids &coordinates &properties;
     }
   };
 
@@ -305,6 +306,7 @@ namespace isochor
       c.boundary_conditions[condition->name] = condition->save_state();
     for (const auto &postprocessor : state.postprocessors)
       c.postprocessors[postprocessor->name] = postprocessor->save_state();
+    c.diagnoses = state.diagnoses.save_state();
 
     const auto &handler = state.points.handler();
     c.n_properties      = handler.n_properties_per_particle();
@@ -454,6 +456,7 @@ namespace isochor
     state.setup.load_state(c.grid_reset);
     load_states(c.boundary_conditions, state.boundary_conditions);
     load_states(c.postprocessors, state.postprocessors);
+    state.diagnoses.load_state(c.diagnoses);
 
     // in the order saved, which is then that of the handler: sums over points
     // must not change by rounding

@@ -8,7 +8,6 @@
 #include <isochor/equations/constraint_conflicts.h>
 #include <isochor/equations/pressure_mapping.h>
 #include <isochor/step/equilibrium.h>
-#include <isochor/step/scene_checks.h>
 
 #include <algorithm>
 #include <cmath>

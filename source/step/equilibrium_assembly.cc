@@ -7,10 +7,10 @@
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/step/equilibrium.h>
-#include <isochor/step/scene_checks.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace isochor
 {
@@ -26,11 +26,11 @@ namespace isochor
     const ResidualNorms    norms =
       measure_residual(status, is_pending || is_dragged);
     terminal.work().count("assemblies of the matrix", with_matrix);
-    if (with_matrix && !scene_checked)
+    if (with_matrix && look_at_matrix)
       {
-        scene_checked = true;
+        const auto look = std::exchange(look_at_matrix, nullptr);
         if (scene.time.step == 0) // resumed: said when it started
-          check_first_step(scene, step, system.matrix());
+          look(step, system.matrix());
       }
     return norms;
   }

@@ -50,7 +50,7 @@ namespace isochor
           " times that of the stiffest step of this loading in the last step "
           "that converged";
     if (soft_since >= 0)
-      text += " (more than " + rounded(large_growth) +
+      text += " (more than " + rounded(Softening::large_growth) +
               " times since t = " + rounded(soft_since) + ")";
     if (growth_of_trial >= 0)
       text += ", " + rounded(growth_of_trial) +

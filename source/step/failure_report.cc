@@ -6,6 +6,7 @@
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
+#include <isochor/diagnosis/yielded_share.h>
 #include <isochor/postprocess/grid_fields.h>
 #include <isochor/postprocess/point_fields.h>
 #include <isochor/step/failure_report.h>
@@ -27,7 +28,7 @@ namespace isochor
     {
       const auto &all = warnings.all();
       if (std::none_of(all.begin(), all.end(), [](const auto &warning) {
-            return warning.subject == "a pressure that nothing determines";
+            return warning.subject == "undetermined pressure";
           }))
         return "";
       return "The material is incompressible and the whole surface of the body "
@@ -93,7 +94,7 @@ namespace isochor
     if (!trial.is_of_other_loading())
       {
         evidence.growth     = last.growth(stiffest);
-        evidence.soft_since = soft_since;
+        evidence.soft_since = soft.since;
         evidence.measure    = last.measure(stiffest);
       }
     // nor does an iterate say anything where the step before doesn't, or which

@@ -5,32 +5,20 @@
 // How much the body has lost of its stiffness, by the steps that converge.
 #include <deal.II/base/mpi.h>
 
-#include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/equations/smallest_cell.h>
 #include <isochor/step/failure_report.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace isochor
 {
   namespace
   {
-    /** So many steps one after the other that are this fast are worth a
-     * warning. */
-    constexpr unsigned int many_steps = 5;
-    /** And so far, in cells: where points change cells, a body at rest moves a
-     * little in each step, by more or less. */
-    constexpr double far = 0.02;
     /** Directions in which loads change are the same up to this cosine (25
      * degrees). */
     constexpr double alike = 0.9;
-    /** A body that doesn't yield gives way only by what its geometry does: if
-     * it is strained, or parts of it are turned, by more than this. */
-    constexpr double much_distorted = 0.02;
-
 
 
     /** The largest displacement of the step (m) on this rank. */
@@ -52,64 +40,7 @@ namespace isochor
         }
       return std::sqrt(largest);
     }
-
-
-
-    /** The largest |F - 1| of all material points. Collective. */
-    template <int dim>
-    double
-    largest_distortion(const StepContext<dim>    &step,
-                       const MaterialPoints<dim> &points)
-    {
-      double largest = 0;
-      for (const auto &particle : points.handler())
-        {
-          Tensor<2, dim> F =
-            deformation_gradient<dim>(particle.get_properties().data(),
-                                      points.layout());
-          for (unsigned int d = 0; d < dim; ++d)
-            F[d][d] -= 1;
-          largest = std::max(largest, F.norm());
-        }
-      return Utilities::MPI::max(largest, step.grid.communicator());
-    }
   } // namespace
-
-
-
-  template <int dim>
-  double
-  FailureReport<dim>::yielded_share(const MaterialPoints<dim> &points,
-                                    const MixedKernel<dim>    &kernel,
-                                    const MPI_Comm             comm)
-  {
-    constexpr unsigned int    none = numbers::invalid_unsigned_int;
-    std::vector<unsigned int> index;
-    for (const auto &material : kernel.materials)
-      {
-        const auto names = material->history_names();
-        const auto found =
-          std::find(names.begin(), names.end(), "equivalent_plastic_strain");
-        index.push_back(found == names.end() ? none : found - names.begin());
-      }
-    if (std::all_of(index.begin(), index.end(), [](const unsigned int i) {
-          return i == none;
-        }))
-      return -1;
-    const PointLayout    &l = points.layout();
-    std::array<double, 2> volumes{};
-    for (const auto &particle : points.handler())
-      {
-        const auto         values = particle.get_properties();
-        const unsigned int i =
-          index[static_cast<unsigned int>(values[l.material])];
-        volumes[0] += values[l.volume];
-        if (i != none && values[l.history + i] > 0)
-          volumes[1] += values[l.volume];
-      }
-    sum_over_ranks(volumes, comm);
-    return volumes[1] / volumes[0];
-  }
 
 
 
@@ -229,74 +160,24 @@ namespace isochor
 
   template <int dim>
   void
-  FailureReport<dim>::remember(const StepContext<dim>    &step,
-                               const NodalField          &unknowns,
-                               const MaterialPoints<dim> &points,
-                               const Drive               &drive)
+  FailureReport<dim>::remember(const StepContext<dim> &step,
+                               const NodalField       &unknowns,
+                               const Drive            &drive)
   {
     last = softness(step, unknowns, drive);
     take_yardstick({step.old_time, step.time});
-    if (!(last.growth(stiffest) > large_growth))
+    const double growth = last.growth(stiffest);
+    if (!(growth > Softening::large_growth))
       {
-        soft_since = -1;
-        n_soft     = 0;
-        soft_way   = 0;
-        told       = false;
+        soft = Softening();
         return;
       }
-    if (soft_since < 0)
-      soft_since = step.old_time;
-    ++n_soft;
-    soft_way += last.in_cells;
-    // with CPDI points that change cells don't move a body at rest
-    const MPI_Comm comm    = step.grid.communicator();
-    const int      is_cpdi = step.points.has_stencils();
-    const bool     moves =
-      soft_way > far || Utilities::MPI::max(is_cpdi, comm) == 1;
-    if (told || n_soft < many_steps || !moves)
-      return;
-    const double yielded = yielded_share(points, step.kernel, comm);
-    if (yielded <= 0 && largest_distortion(step, points) < much_distorted)
-      return;
-    told = true;
-    warn(step, yielded);
-  }
-
-
-
-  template <int dim>
-  void
-  FailureReport<dim>::warn(const StepContext<dim> &step,
-                           const double            plastic_share) const
-  {
-    const std::string since = "t = " + rounded(soft_since);
-    std::string       text  = "Since " + since + " the displacement per " +
-                       last.measure(stiffest) + " is more than " +
-                       rounded(large_growth) +
-                       " times that of the stiffest step of this loading (" +
-                       rounded(last.growth(stiffest)) +
-                       " times at t = " + rounded(step.time) + "). ";
-    if (plastic_share <= 0)
-      text += std::string(plastic_share < 0 ? "The material is elastic" :
-                                              "No material point has yielded") +
-              ", so that this is no limit load: the body buckles, snaps or is "
-              "deformed far, and its steps are hardly small enough to tell at "
-              "which load it begins to.";
-    else
-      text +=
-        "If loads drive the body, they come to or are beyond what it can "
-        "carry as it is: it flows or falls, and without inertia its "
-        "speed means nothing. The limit load on this grid isn't below the one at " +
-        since +
-        " (a coarse one bears more than a fine one, often by a tenth); "
-        "where the body yields bit by bit in small strains it may be "
-        "above by a quarter, near the last equilibrium that is found. "
-        "Else more is carried only by a law that hardens, by the body as it "
-        "has been deformed, or by a grid that is too coarse.";
-    step.warnings.add("the body gives way",
-                      text +
-                        " To follow the body beyond, use <Dynamics/Inertia "
-                        "= true>.");
+    if (soft.n_steps == 0)
+      soft.since = step.old_time;
+    ++soft.n_steps;
+    soft.way += last.in_cells;
+    soft.growth  = growth;
+    soft.measure = last.measure(stiffest);
   }
 
 
@@ -321,14 +202,9 @@ namespace isochor
   FailureReport<2>::largest_prescribed(const StepContext<2> &, const Drive &);
   template bool
   FailureReport<2>::is_dragged(const StepContext<2> &, const Drive &);
-  template double
-  FailureReport<2>::yielded_share(const MaterialPoints<2> &,
-                                  const MixedKernel<2> &,
-                                  const MPI_Comm);
   template void
   FailureReport<2>::remember(const StepContext<2> &,
                              const NodalField &,
-                             const MaterialPoints<2> &,
                              const Drive &);
   template typename FailureReport<2>::Softness
   FailureReport<2>::softness(const StepContext<2> &,
@@ -338,14 +214,9 @@ namespace isochor
   FailureReport<3>::largest_prescribed(const StepContext<3> &, const Drive &);
   template bool
   FailureReport<3>::is_dragged(const StepContext<3> &, const Drive &);
-  template double
-  FailureReport<3>::yielded_share(const MaterialPoints<3> &,
-                                  const MixedKernel<3> &,
-                                  const MPI_Comm);
   template void
   FailureReport<3>::remember(const StepContext<3> &,
                              const NodalField &,
-                             const MaterialPoints<3> &,
                              const Drive &);
   template typename FailureReport<3>::Softness
   FailureReport<3>::softness(const StepContext<3> &,

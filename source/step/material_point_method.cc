@@ -7,7 +7,6 @@
 #include <isochor/base/plain_message.h>
 #include <isochor/equations/cells_crossed.h>
 #include <isochor/step/material_point_method.h>
-#include <isochor/step/scene_checks.h>
 
 #include <limits>
 
@@ -41,8 +40,7 @@ namespace isochor
       }
     terminal.print_times();
     print_work();
-    if (!coarse_grid_watch.describe().empty())
-      terminal.out() << coarse_grid_watch.describe() << std::endl;
+    terminal.out() << diagnoses.run_ended() << std::flush;
     terminal.print_summary(scene.warnings);
   }
 
@@ -69,12 +67,9 @@ namespace isochor
   MaterialPointMethod<dim>::run_steps()
   {
     if (scene.time.finished())
-      scene.warnings.add("nothing left to do",
-                         "The checkpoint is of t = " +
-                           std::to_string(scene.time.time) +
-                           ", <Time/End time> is " +
-                           std::to_string(scene.time.end_time()) +
-                           ": no step was made. Set a later end to go on.");
+      terminal.out() << "Nothing left to do: the checkpoint is of t = "
+                     << scene.time.time << ", <Time/End time> is "
+                     << scene.time.end_time() << '.' << std::endl;
     while (!scene.time.finished())
       {
         try
@@ -122,6 +117,13 @@ namespace isochor
     if (scene.has_inertia())
       look_for_starts();
     equilibrium.start_step();
+    if (setup.was_laid_out())
+      diagnoses.each([&](Diagnosis<dim> &diagnosis) {
+        diagnosis.grid_reset(scene,
+                             setup.context(),
+                             setup.all_elements(),
+                             !setup.reset().always());
+      });
   }
 
 
@@ -160,24 +162,21 @@ namespace isochor
     NewtonReport report = equilibrium.solve();
     if (report.converged && scene.time.follows_error())
       check_error(report);
-    if (report.converged && !scene.has_inertia() && !is_unstable)
+    if (report.converged && !scene.has_inertia() && n_unstable_modes <= 0)
       check_stability(report);
     return report;
   }
 
 
 
-  /** What is told once isn't looked for again. The last step must not go by a
+  /** What is known isn't looked for again. The last step must not go by a
    * factorisation of an earlier one. */
   template <int dim>
   void
   MaterialPointMethod<dim>::check_stability(const NewtonReport &report)
   {
-    const long n = equilibrium.n_unstable_modes(is_last_step(scene.time) &&
-                                                report.n_factorisations == 0);
-    is_unstable  = n > 0;
-    if (is_unstable)
-      warn_of_instability(scene, setup.context(), n);
+    n_unstable_modes = equilibrium.n_unstable_modes(
+      is_last_step(scene.time) && report.n_factorisations == 0);
   }
 
 
@@ -197,32 +196,6 @@ namespace isochor
                          "its displacements are wrong by " + rounded(error) +
                            " m, more than <Time/Tolerated error>" :
                          "the body moves by " + rounded(crossed) + " cells";
-    else if (scene.time.exceeds_error())
-      scene.warnings.add(
-        "error of the smallest step",
-        "At t = " + rounded(step.time) + " displacements are wrong by " +
-          rounded(error) +
-          " m after a step of <Time/Minimum step size>, more than <Time/"
-          "Tolerated error>. Allow smaller steps, or a larger error: what "
-          "jumps, as the velocity of nodes that meet a wall does, is not "
-          "resolved by any step.");
-    else if (crossed > 1)
-      scene.warnings.add(
-        "a step of many cells",
-        "At t = " + rounded(step.time) + " the body moves by " +
-          rounded(crossed) +
-          " cells in a step of <Time/Minimum step size>, and may go through "
-          "what it should meet. Allow smaller steps.");
-    const int has_domains = step.points.has_stencils();
-    if (scene.time.step == 1 && !step.grid_is_kept &&
-        Utilities::MPI::max(has_domains, comm) == 0)
-      scene.warnings.add(
-        "an error that isn't the step's",
-        "<Time/Tolerated error> judges steps by how accelerations change. With "
-        "this <Quadrature/Type> they jump when points change cells, however "
-        "small the step is: steps become ever smaller, and with them the body "
-        "less stable. Choose <Quadrature/Type = CPDI>, keep the grid (<Grid "
-        "reset/Steps between resets = 0>), or use steps of one size.");
   }
 
 
@@ -266,13 +239,17 @@ namespace isochor
       statistics.set_owner("");
       if (scene.adaptation.needs_sizes())
         scene.adaptation.set_sizes(step, unknowns, scene.points, statistics);
-      coarse_grid_watch.look(step,
-                             unknowns,
-                             scene.has_inertia(),
-                             scene.time.step + 1,
-                             is_last_step(scene.time));
       setup.evaluate(statistics);
     }
+    const ConvergedStep<dim> converged{scene,
+                                       result,
+                                       is_last_step(scene.time),
+                                       equilibrium.zero_force(),
+                                       n_unstable_modes,
+                                       grid_to_points.volume_excess(),
+                                       failure_report.softening()};
+    diagnoses.each(
+      [&](Diagnosis<dim> &diagnosis) { diagnosis.step_converged(converged); });
     {
       TimerOutput::Scope scope(terminal.timer(), "convective phase");
       scene.inertia.finish_step(step, unknowns);
@@ -286,14 +263,14 @@ namespace isochor
                               statistics);
       equilibrium.remember_motion();
       if (!scene.has_inertia())
-        failure_report.remember(step, unknowns, scene.points, drive());
+        failure_report.remember(step, unknowns, drive());
+      diagnoses.each(
+        [&](Diagnosis<dim> &diagnosis) { diagnosis.points_moved(converged); });
       for (auto &condition : scene.boundary_conditions)
         condition->advance(step, unknowns);
       setup.advance(step, unknowns);
       if (setup.reset().due())
         grid_to_points.forget_unseen_volume(step, scene.points);
-      warn_if_nothing_moves(scene, newton, unknowns);
-      warn_of_rounding(scene, newton, equilibrium.zero_force());
       scene.time.accept(newton.n_factorisations);
     }
     {

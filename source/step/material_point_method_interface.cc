@@ -10,8 +10,8 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/safe_file.h>
 #include <isochor/postprocess/body_summary.h>
-#include <isochor/step/idle_parameters.h>
 #include <isochor/step/material_point_method.h>
+#include <isochor/step/scene_checks.h>
 
 namespace isochor
 {
@@ -22,6 +22,7 @@ namespace isochor
     , scene(comm)
     , setup(scene, terminal.timer())
     , equilibrium(scene, setup, terminal)
+    , diagnoses(terminal.timer())
   {}
 
 
@@ -41,6 +42,7 @@ namespace isochor
     StepSetup<dim>::declare_parameters(prm);
     Equilibrium<dim>::declare_parameters(prm);
     Checkpoint<dim>::declare_parameters(prm);
+    Diagnoses<dim>::declare_parameters(prm);
     prm.enter_subsection("Output");
     prm.declare_entry("Directory",
                       "output",
@@ -66,7 +68,8 @@ namespace isochor
                               LoadStepping::changeable_parameters(),
                               NewtonSolver::changeable_parameters(),
                               LinearSolver::changeable_parameters(),
-                              Postprocessor<dim>::changeable_parameters()})
+                              Postprocessor<dim>::changeable_parameters(),
+                              Diagnoses<dim>::changeable_parameters()})
       changeable.insert(changeable.end(), paths.begin(), paths.end());
     checkpoint.parse_parameters(prm, changeable);
 
@@ -75,7 +78,17 @@ namespace isochor
     terminal.parse_parameters(prm);
     prm.leave_subsection();
     scene.warnings.print_here(Utilities::MPI::this_mpi_process(comm) == 0);
-    warn_of_idle_parameters(prm, scene, setup.reset());
+    diagnoses.parse_parameters(prm, scene.warnings);
+    diagnoses.each([&](Diagnosis<dim> &diagnosis) {
+      diagnosis.scene_read(prm, scene, setup.reset());
+    });
+    equilibrium.look_at_first_matrix(
+      [this](const StepContext<dim> &step, const SparseSystem &matrix) {
+        check_first_step(scene, step);
+        diagnoses.each([&](Diagnosis<dim> &diagnosis) {
+          diagnosis.step_set_up(scene, step, matrix);
+        });
+      });
   }
 
 
@@ -186,7 +199,8 @@ namespace isochor
             equilibrium.motion(),
             setup,
             scene.boundary_conditions,
-            scene.postprocessors};
+            scene.postprocessors,
+            diagnoses};
   }
 
 

@@ -24,7 +24,6 @@ namespace isochor
   StepSetup<dim>::StepSetup(Scene<dim> &scene, TimerOutput &timer)
     : scene(scene)
     , timer(timer)
-    , watch(scene.grid)
     , occupancy(scene.grid)
     , extension(scene.grid, occupancy)
     , nodes(scene.grid)
@@ -248,16 +247,10 @@ namespace isochor
       scene.grid.set_vertices(scene.grid.vertices_at_time(time));
     grid_reset.start(time);
     // here and not after the last step, which may end outside of the grid
-    const auto n_changed = [&]() {
+    {
       TimerOutput::Scope scope(timer, "relocation");
-      return scene.points.relocate(*locator);
-    }();
-    if (!scene.bears_changes_of_cells() && scene.time.step > 0)
-      watch.spacing.watch_changes_of_cells(
-        n_changed,
-        scene.points.handler().n_global_particles(),
-        time,
-        scene.warnings);
+      scene.points.relocate(*locator);
+    }
     const bool is_due = scene.grid.is_adaptive() && scene.adaptation.is_due();
     if (is_due)
       {
@@ -285,19 +278,11 @@ namespace isochor
         disturbed = true;
     }
     scene.points.gather(arrays);
-    occupancy.allow_large_holes(scene.time.step > 0 &&
-                                !watch.cavities.body_has_small_ones());
+    occupancy.allow_large_holes(scene.time.step > 0 && !body_has_cavities);
     scene.quadrature->set_up(
       arrays, *locator, scene.kernel, needs_occupancy, occupancy);
-    watch.spacing.check(arrays, time, scene.time.step == 0, scene.warnings);
-    watch.spacing.compare_volumes(arrays, time, scene.warnings);
-    warn_of_interfaces_in_cells(
-      arrays, scene.kernel, scene.grid.communicator(), time, scene.warnings);
-    if (needs_occupancy)
-      watch.cavities.look(occupancy,
-                          time,
-                          scene.time.step == 0,
-                          scene.warnings);
+    if (needs_occupancy && scene.time.step == 0)
+      body_has_cavities = occupancy.has_cavities();
     touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched_vertices);
@@ -389,10 +374,6 @@ namespace isochor
         first_element.push_back(elements.size());
         term->collect_elements(step, elements);
       }
-    watch.contact.look(step,
-                       elements,
-                       scene.time.step == 0,
-                       !grid_reset.always());
   }
 
 
@@ -458,7 +439,7 @@ namespace isochor
     std::ostringstream              stream(std::ios::binary);
     boost::archive::binary_oarchive archive(stream);
     archive << scene.adaptation.save_state(scene.grid) << partition.save_state()
-            << grid_reset << watch << free_nodes;
+            << grid_reset << body_has_cavities << free_nodes;
     if (!grid_reset.due())
       archive << touched_vertices << arrays << extension;
     return stream.str();
@@ -478,7 +459,7 @@ namespace isochor
       grid_changed();
     if (partition.load_state(division, scene.grid, scene.points, *locator))
       owners_changed();
-    archive >> grid_reset >> watch >> free_nodes;
+    archive >> grid_reset >> body_has_cavities >> free_nodes;
     is_current = false;
     is_resumed = true;
     if (!grid_reset.due())

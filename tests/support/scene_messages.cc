@@ -5,6 +5,10 @@
 
 #include "../scene_messages.h"
 
+#include <isochor/base/explanation.h>
+
+#include <algorithm>
+
 #include "../scene.h"
 
 template <int dim>
@@ -38,7 +42,15 @@ messages(const std::string &settings,
     }
   std::cerr.rdbuf(original);
   for (const auto &warning : problem.all_warnings().all())
-    text += "WARNING " + warning.subject + " | " + warning.text + ' ';
+    {
+      text += "WARNING " + warning.subject + " | " + warning.text + ' ';
+      const std::string printed =
+        Warnings::printed(warning.subject, warning.text);
+      if (find_explanation(warning.subject) == nullptr)
+        text += "ERROR of the test: it is not explained ";
+      if (std::count(printed.begin(), printed.end(), '\n') > 2)
+        text += "ERROR of the test: it has more than three lines ";
+    }
   return test::one_line(text);
 }
 

@@ -72,14 +72,6 @@ namespace isochor
       return any_size;
     }
 
-    /** Whether sizes follow from the points' stresses, which jump where points
-     * without domains change cells. */
-    virtual bool
-    follows_stresses() const
-    {
-      return false;
-    }
-
     /** How many leaves with material there are to be at most, roughly. 0: any
      * number. */
     virtual unsigned int

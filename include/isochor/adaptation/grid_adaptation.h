@@ -172,8 +172,6 @@ namespace isochor
     LoadBalance                                          balance;
     unsigned int n_buffer = 1, n_repetitions = 0, resets_between = 1;
     unsigned int n_resets = 0, n_changes = 0;
-    /** Steps that have asked for sizes since the last reset. */
-    unsigned int n_waiting = 0;
   };
 } // namespace isochor
 

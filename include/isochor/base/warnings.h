@@ -13,11 +13,21 @@ namespace isochor
   /**
    * What a run has to say of results that should not be trusted without a
    * look, or of a scene that can hardly be meant. A warning doesn't stop the
-   * run. Its text names the parameter, the numbers and the remedy.
+   * run. Its text says in at most three lines what was measured, with its
+   * number, what that means for the results, and what to do; everything else
+   * is said by its Explanation.
    */
   class Warnings
   {
   public:
+    /** Which ones are issued, see Explanation::is_essential. */
+    enum class Level
+    {
+      all,
+      essential,
+      none
+    };
+
     struct Warning
     {
       /** What the warning is about: the same from step to step. */
@@ -35,10 +45,21 @@ namespace isochor
       prints = print;
     }
 
+    void
+    set_level(const Level level)
+    {
+      this->level = level;
+    }
+
+    /** How a warning is printed: "warning [subject]: text", in lines of at
+     * most 100 characters. */
+    static std::string
+    printed(const std::string &subject, const std::string &text);
+
     /**
-     * Warn of @p subject. All ranks call it with the same arguments, or rank 0
-     * alone does. The text is printed the first time that the subject comes
-     * up; later calls are counted.
+     * Warn of @p subject, which has an Explanation. All ranks call it with the
+     * same arguments, or rank 0 alone does. The text is printed the first time
+     * that the subject comes up; later calls are counted.
      */
     void
     add(const std::string &subject, const std::string &text);
@@ -57,6 +78,7 @@ namespace isochor
   private:
     std::vector<Warning> warnings;
     bool                 prints = false;
+    Level                level  = Level::all;
   };
 } // namespace isochor
 

@@ -84,13 +84,6 @@ namespace isochor
       return true;
     }
 
-    /** Whether stresses converge although points change cells. */
-    virtual bool
-    bears_changes_of_cells() const
-    {
-      return true;
-    }
-
     /** Whether internal forces jump when a point changes its cell. */
     virtual bool
     forces_jump() const

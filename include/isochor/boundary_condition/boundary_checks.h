@@ -47,18 +47,6 @@ namespace isochor
                     const bool               everywhere = false,
                     const bool               by_points  = false);
 
-  /** Warn if material is on one of two periodic sides, @p first and @p second
-   * of @p parameter, where there is none on the other. @p same_places: pairs of
-   * vertices, one on each. Collective. */
-  template <int dim>
-  void
-  warn_of_unequal_sides(
-    const StepContext<dim>                                   &step,
-    const std::string                                        &parameter,
-    const std::string                                        &first,
-    const std::string                                        &second,
-    const std::vector<std::pair<unsigned int, unsigned int>> &same_places);
-
   /** On a grid that is put back, a @p boundary that by @p parameter has pushed
    * the body out of the row of cells there hands hardly anything on to it: warn
    * from half a cell on. In statics its forces are too small before: the row of

@@ -35,11 +35,6 @@ namespace isochor
     WallSurface<dim>
     surface(const BackgroundGrid<dim> &grid, const unsigned int w) const;
 
-    /** Warn of walls that meet smoothly and don't do the same there: nodes
-     * between them are held by both. All ranks alike. */
-    void
-    warn_of_seams(const StepContext<dim> &step) const;
-
   private:
     /** Whether two walls move alike at @p vertex, as far as values of their
      * formulas at many times tell. */

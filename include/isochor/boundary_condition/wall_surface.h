@@ -56,15 +56,6 @@ namespace isochor
                                       const unsigned int second,
                                       const unsigned int vertex)>;
 
-    /** Where another boundary meets this one smoothly, but is not part of the
-     * same surface. */
-    struct Seam
-    {
-      unsigned int other; ///< its number in the list of ids
-      unsigned int vertex;
-      double       angle; ///< between the faces (rad)
-    };
-
     /** How far a vertex is moved along its normal (m), by its number. */
     using Shift = std::function<double(const unsigned int vertex)>;
 
@@ -114,13 +105,6 @@ namespace isochor
     faces() const
     {
       return all_faces;
-    }
-
-    /** One for each other boundary, the sharpest. */
-    const std::vector<Seam> &
-    seams() const
-    {
-      return all_seams;
     }
 
     /** By ascending vertex; a vertex on several pieces stands several times. A
@@ -203,14 +187,8 @@ namespace isochor
                      const unsigned int      own,
                      const GoesOn           &goes_on);
 
-    void
-    find_seams(const std::vector<NamedFace> &named,
-               const unsigned int            own,
-               const GoesOn                 &goes_on);
-
     std::vector<Node> all_nodes;
     std::vector<Face> all_faces;
-    std::vector<Seam> all_seams;
     bool              flat = true;
   };
 } // namespace isochor

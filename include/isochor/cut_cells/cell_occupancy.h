@@ -71,24 +71,11 @@ namespace isochor
       bool is_hole = false;
     };
 
-    /** An enclosed gap that is too large for a hole and counts as outside. */
-    struct Cavity
-    {
-      unsigned int cell; ///< the first of its cells, which names it
-      unsigned int n_cells;
-      double       volume;
-      Point<dim>   place;
-    };
-
-    /** Those of all ranks, the largest first: of at most most_cells, where gaps
-     * are compared with the seeding, and none elsewhere. Collective. */
-    std::vector<Cavity>
-    all_cavities() const;
-
-    /** The number of enclosed gaps that are larger, and don't reach the
-     * boundary of the grid. This takes a look at all of it. Collective. */
-    unsigned int
-    n_large_cavities() const;
+    /** Whether an enclosed gap is too large for a hole and counts as outside;
+     * where gaps are compared with the seeding, of those of at most most_cells.
+     * Collective. */
+    bool
+    has_cavities() const;
 
     /** Whether gaps of more than a few cells may be holes, if they are compared
      * with the seeding: not before it is known that the body has no cavities of
@@ -232,8 +219,6 @@ namespace isochor
     fill_of_gap(const std::set<unsigned int> &gap);
     double
     volume_of(const std::set<unsigned int> &gap) const;
-    void
-    remember_cavity(const std::set<unsigned int> &gap);
     /** Whether an enclosed gap between points, one of which has the volume
      * @p point as it was seeded, is as small as a hole. */
     bool
@@ -273,7 +258,7 @@ namespace isochor
     std::vector<unsigned int> near_number;
 
     std::vector<Content>       contents;
-    std::vector<Cavity>        cavities; ///< of which this rank knows
+    bool                       has_cavity = false; ///< as this rank knows
     std::vector<unsigned int>  entry_of_cell;
     std::vector<unsigned char> vertex_active;
     std::vector<unsigned int>  active_list;

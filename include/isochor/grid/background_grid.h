@@ -194,9 +194,9 @@ namespace isochor
     bool
     is_moving() const;
 
-    /** Warn if that can hardly be meant. */
+    /** @throws ExcMessage if that moves a plane that the grid doesn't reach. */
     void
-    check_motion(Warnings &warnings) const;
+    check_motion() const;
 
     /** The id of the boundary called @p name; throws and lists the names if
      * there is none, naming @p parameter. */

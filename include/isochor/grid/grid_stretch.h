@@ -38,10 +38,10 @@ namespace isochor
       return axis >= 0;
     }
 
-    /** Warn of planes outside of the grid, which generated @p vertices. */
+    /** @throws ExcMessage for planes outside of the grid, of which the @p
+     * vertices are at t = 0. */
     void
-    check_planes(const std::vector<Point<dim>> &vertices,
-                 Warnings                      &warnings) const;
+    check_planes(const std::vector<Point<dim>> &vertices) const;
 
     /** Where the point generated at @p reference is at @p time. */
     Point<dim>

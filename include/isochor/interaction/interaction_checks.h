@@ -5,7 +5,6 @@
 #ifndef isochor_interaction_checks_h
 #define isochor_interaction_checks_h
 
-#include <isochor/boundary_condition/surface_checks.h>
 #include <isochor/interaction/interaction.h>
 
 #include <memory>
@@ -15,15 +14,16 @@
 
 namespace isochor
 {
-  /** Check which faces @p interactions have: @p pieces, by interaction, those
-   * of this rank; @p tied_twice, pairs of interactions that tie the same faces.
-   * Returns what is found, a line each. @throws ExcMessage for an interaction
-   * without a face, and for faces that are tied twice. Collective. */
+  /** Check which faces @p interactions have: @p areas, by interaction, of those
+   * of this rank (m^(dim-1)); @p tied_twice, pairs of interactions that tie the
+   * same faces. Returns what is found, a line each. @throws ExcMessage for an
+   * interaction without a face, and for faces that are tied twice. Collective.
+   */
   template <int dim>
   std::string
   check_faces(
     const std::vector<std::unique_ptr<Interaction<dim>>>     &interactions,
-    const std::vector<std::vector<SurfacePiece<dim>>>        &pieces,
+    const std::vector<std::vector<double>>                   &areas,
     const std::vector<std::pair<unsigned int, unsigned int>> &tied_twice,
     const MPI_Comm                                            comm);
 } // namespace isochor

@@ -6,7 +6,7 @@
 #define isochor_interaction_term_h
 
 #include <isochor/boundary_condition/boundary_condition.h>
-#include <isochor/boundary_condition/surface_checks.h>
+#include <isochor/boundary_condition/surface_conditions.h>
 #include <isochor/equations/body_surface.h>
 #include <isochor/interaction/interaction.h>
 #include <isochor/interaction/interaction_kernel.h>
@@ -79,8 +79,6 @@ namespace isochor
     {
       return description;
     }
-    void
-    check_scene(const StepContext<dim> &step) const override;
     void
     touch_vertices(std::vector<unsigned int> & /*vertices*/) override
     {
@@ -204,9 +202,9 @@ namespace isochor
      * two of them tie. Collective. */
     void
     check_surfaces();
-    /** Its faces of this rank. */
-    std::vector<SurfacePiece<dim>>
-    pieces_of(const unsigned int interaction) const;
+    /** The areas of its faces of this rank (m^(dim-1)). */
+    std::vector<double>
+    areas_of(const unsigned int interaction) const;
     typename SurfaceStress<dim>::Domain
     domain(const StepContext<dim> &step, const unsigned int face) const;
     /** Residual and matrix of a face. @p actions, if not null, gets what acts.

@@ -72,22 +72,21 @@ namespace isochor
     check_conditions(const BackgroundGrid<dim> &grid, Warnings &warnings) const;
 
     /** Warn of gaps and parts of the region that are narrower than the distance
-     * of the points, so that points don't show them, and if the points have
-     * another volume than the region; only of points that are seeded in the
-     * cells of the @p grid. Returns whether the surface has steps, as it goes
-     * through cells. Collective. */
-    bool
+     * of the points, so that points don't show them; only of points that are
+     * seeded in the cells of the @p grid. Collective. */
+    void
     check_fineness(const BackgroundGrid<dim> &grid,
+                   const bool                 with_domains,
+                   Warnings                  &warnings) const;
+
+    /** Warn if the points of a material have another volume than the region and
+     * its zones of 'Materials in zones'; only of points that are seeded in
+     * cells. Collective. */
+    void
+    check_rounding(const BackgroundGrid<dim> &grid,
                    const bool                 with_domains,
                    const bool                 axisymmetric,
                    Warnings                  &warnings) const;
-
-    /** Warn if the points of a material have another volume than its zones of
-     * 'Materials in zones'; only of points that are seeded in cells. */
-    void
-    check_material_zones(const BackgroundGrid<dim> &grid,
-                         const bool                 with_domains,
-                         Warnings                  &warnings) const;
 
   private:
     /** Cells with the same number of points. */

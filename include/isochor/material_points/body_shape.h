@@ -63,10 +63,10 @@ namespace isochor
     bool
     contains(const Point<dim> &x, const unsigned int cell) const;
 
-    /** Warn of a mesh of the body that overlaps itself, where points are seeded
-     * twice. */
+    /** @throws ExcMessage for a mesh of the body that overlaps itself, where
+     * points are seeded twice. */
     void
-    check_mesh(Warnings &warnings) const;
+    check_mesh() const;
 
   private:
     /** contains(), of any body. */

@@ -200,20 +200,19 @@ namespace isochor
       has_one_field = true;
     }
 
-    /** See BodySeeding::check_conditions(), check_material_zones(),
-     * check_fineness() and check_domains(); before the grid changes. Returns
-     * whether the surface of the body has steps. */
-    bool
+    /** See BodySeeding::check_conditions(), check_rounding(), check_fineness()
+     * and check_domains(); before the grid changes. */
+    void
     check_seeding(const bool domains_are_integrated, Warnings &warnings) const
     {
       seeding.check_conditions(grid, warnings);
-      seeding.check_material_zones(grid, point_layout.with_domains, warnings);
+      seeding.check_rounding(grid,
+                             point_layout.with_domains,
+                             point_layout.axisymmetric,
+                             warnings);
       if (domains_are_integrated && point_layout.with_domains)
         seeding.check_domains(grid, warnings);
-      return seeding.check_fineness(grid,
-                                    point_layout.with_domains,
-                                    point_layout.axisymmetric,
-                                    warnings);
+      seeding.check_fineness(grid, point_layout.with_domains, warnings);
     }
 
     /**
@@ -267,6 +266,17 @@ namespace isochor
             update(k, q, location, pool.get_properties(handle));
             pool.set_location(handle, location);
           }
+    }
+
+    /** Call @p look(q, properties) for each of them, in the same order. */
+    template <typename Function>
+    void
+    look_at_each(const Function &look) const
+    {
+      auto &pool = particles->get_property_pool();
+      for (unsigned int q = 0; !cell_start.empty() && q < cell_start.back();
+           ++q)
+        look(q, ArrayView<const double>(pool.get_properties(slots->slot[q])));
     }
 
     /** Bring every point to the cell and rank where it now lies.

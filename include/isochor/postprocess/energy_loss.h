@@ -7,8 +7,8 @@
 
 #include <isochor/base/warnings.h>
 
-#include <array>
 #include <iosfwd>
+#include <string>
 
 namespace isochor
 {
@@ -76,13 +76,20 @@ namespace isochor
                    const bool     is_last,
                    Warnings      &warnings) const;
 
+    /** Warn of @p loss (J), @p share of the largest energy. */
+    static void
+    report(const double       time,
+           const double       loss,
+           const double       share,
+           const std::string &by_what,
+           const std::string &remedy,
+           Warnings          &warnings);
+
     double largest = 0, kinetic = 0, kinetic_change = 0;
     /** All that was lost, and what of it doesn't count. */
     double lost = 0, lost_at_starts = 0;
     /** Steps since the last start. */
     unsigned int n_since_start = 0;
-    /** Which warnings have been given: energy lost, energy created. */
-    std::array<bool, 2> told{};
   };
 } // namespace isochor
 

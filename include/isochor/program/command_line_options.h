@@ -16,13 +16,15 @@ namespace isochor
   /** What a command line asks for. */
   struct CommandLineOptions
   {
-    bool                            help             = false;
-    bool                            version          = false;
-    bool                            print_parameters = false;
-    bool                            validate         = false;
-    bool                            quiet            = false;
-    unsigned int                    n_grid_offsets   = 0;
-    std::string                     scene; ///< empty if none is given
+    bool         help             = false;
+    bool         version          = false;
+    bool         print_parameters = false;
+    bool         validate         = false;
+    bool         quiet            = false;
+    bool         explains         = false;
+    std::string  explain; ///< the name of a warning, or empty
+    unsigned int n_grid_offsets = 0;
+    std::string  scene; ///< empty if none is given
     std::vector<ParameterStatement> overrides;
   };
 

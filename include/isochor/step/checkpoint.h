@@ -6,6 +6,7 @@
 #define isochor_checkpoint_h
 
 #include <isochor/boundary_condition/boundary_condition.h>
+#include <isochor/diagnosis/diagnoses.h>
 #include <isochor/postprocess/postprocessor.h>
 #include <isochor/step/step_setup.h>
 #include <isochor/transfer/last_motion.h>
@@ -45,6 +46,7 @@ namespace isochor
       StepSetup<dim>                                       &setup;
       std::vector<std::unique_ptr<BoundaryCondition<dim>>> &boundary_conditions;
       std::vector<std::unique_ptr<Postprocessor<dim>>>     &postprocessors;
+      Diagnoses<dim>                                       &diagnoses;
     };
 
     static void

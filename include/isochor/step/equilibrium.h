@@ -13,6 +13,7 @@
 #include <isochor/step/step_setup.h>
 #include <isochor/transfer/last_motion.h>
 
+#include <functional>
 #include <vector>
 
 namespace isochor
@@ -38,6 +39,15 @@ namespace isochor
     /** Once, after Scene::create(). */
     void
     initialize();
+
+    /** Call @p look with the first step of a run that isn't resumed, and its
+     * matrix, as soon as there is one. */
+    void
+    look_at_first_matrix(const std::function<void(const StepContext<dim> &,
+                                                  const SparseSystem &)> &look)
+    {
+      look_at_matrix = look;
+    }
 
     /** The terms of the equations, in the order of their elements. */
     const std::vector<EquationTerm<dim> *> &
@@ -229,8 +239,10 @@ namespace isochor
     bool   last_try_converged = true;
     double force_floor = 0, volume_floor = 0;
     /** The part of the former that comes from strains. */
-    double strain_floor  = 0;
-    bool   scene_checked = false;
+    double strain_floor = 0;
+    /** See look_at_first_matrix(); empty after that. */
+    std::function<void(const StepContext<dim> &, const SparseSystem &)>
+      look_at_matrix;
     /** How many bodies apart from each other the active nodes form (0: not
      * counted yet). */
     unsigned int n_parts = 0;

@@ -5,6 +5,7 @@
 #ifndef isochor_failure_report_h
 #define isochor_failure_report_h
 
+#include <isochor/diagnosis/diagnosis.h>
 #include <isochor/equations/equation_term.h>
 #include <isochor/linear_solver/linear_solver.h>
 #include <isochor/nonlinear_solver/load_stepping.h>
@@ -59,15 +60,19 @@ namespace isochor
     };
 
     /** A step without inertia has converged: remember how fast it moved the
-     * body, and warn if that is much faster than before, under the same kind of
-     * loading, for several steps. Steps say nothing in which the body rests but
-     * for rounding, or is moved by what is prescribed. @p points are where the
-     * step has brought them. Collective. */
+     * body. Steps say nothing in which the body rests but for rounding, or is
+     * moved by what is prescribed. Collective. */
     void
-    remember(const StepContext<dim>    &step,
-             const NodalField          &unknowns,
-             const MaterialPoints<dim> &points,
-             const Drive               &drive);
+    remember(const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             const Drive            &drive);
+
+    /** How much faster it moves than before, under the same kind of loading. */
+    const Softening &
+    softening() const
+    {
+      return soft;
+    }
 
     /** Write the files and return the message: no smaller step is allowed, and
      * none of those tried has a solution. Collective. */
@@ -110,13 +115,6 @@ namespace isochor
       take_smaller(const Softness &other);
     };
 
-    /** The share of the reference volume that has yielded so far; negative if
-     * no material has a plastic strain. Collective. */
-    static double
-    yielded_share(const MaterialPoints<dim> &points,
-                  const MixedKernel<dim>    &kernel,
-                  const MPI_Comm             comm);
-
     /** The largest of what is prescribed in a step (m). Collective. */
     static double
     largest_prescribed(const StepContext<dim> &step, const Drive &drive);
@@ -129,13 +127,6 @@ namespace isochor
      * it is the first step of it. */
     void
     take_yardstick(const TimeInterval &step);
-
-    /** Warn of what the last steps had in common. Collective. */
-    void
-    warn(const StepContext<dim> &step, const double plastic_share) const;
-
-    /** By which the displacement per load has grown where a body flows. */
-    static constexpr double large_growth = 10;
 
     /** What is known of the loss of stiffness. */
     struct Evidence
@@ -193,14 +184,8 @@ namespace isochor
      * of the loads has the same direction. */
     TimeInterval loading;
     /** Of the step that converged last, and the least of this loading. */
-    Softness last, stiffest;
-    /** The start of the first of the steps up to the last one that were all
-     * much softer than the stiffest; negative if that one wasn't. */
-    double       soft_since = -1;
-    unsigned int n_soft     = 0; ///< their number
-    /** How far the body has moved in them, in units of the smallest cell. */
-    double soft_way = 0;
-    bool   told     = false; ///< that they are soft
+    Softness  last, stiffest;
+    Softening soft; ///< of the last steps
   };
 } // namespace isochor
 

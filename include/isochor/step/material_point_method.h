@@ -5,13 +5,13 @@
 #ifndef isochor_material_point_method_h
 #define isochor_material_point_method_h
 
-#include <isochor/adaptation/coarse_grid_watch.h>
 #include <isochor/base/statistics.h>
 #include <isochor/base/terminal.h>
+#include <isochor/diagnosis/diagnoses.h>
+#include <isochor/scene/scene.h>
 #include <isochor/step/checkpoint.h>
 #include <isochor/step/equilibrium.h>
 #include <isochor/step/failure_report.h>
-#include <isochor/step/scene.h>
 #include <isochor/step/step_setup.h>
 #include <isochor/transfer/grid_to_points.h>
 
@@ -107,7 +107,7 @@ namespace isochor
      * Collective. */
     void
     check_error(NewtonReport &report);
-    /** Warn if the body isn't stable in the equilibrium that was found.
+    /** See whether the body is stable in the equilibrium that was found.
      * Collective. */
     void
     check_stability(const NewtonReport &report);
@@ -132,19 +132,20 @@ namespace isochor
     void
     print_progress(const NewtonReport &newton);
 
-    const MPI_Comm    comm;
-    Terminal          terminal;
-    Scene<dim>        scene;
-    bool              is_unstable = false; ///< as check_stability() has found
-    StepSetup<dim>    setup;
-    Equilibrium<dim>  equilibrium;
-    GridToPoints<dim> grid_to_points;
-    Checkpoint<dim>   checkpoint;
-    CoarseGridWatch<dim> coarse_grid_watch;
-    FailureReport<dim>   failure_report;
-    Statistics           statistics;
-    std::string          output_directory;
-    std::string          said_of_conditions; ///< by print_conditions()
+    const MPI_Comm comm;
+    Terminal       terminal;
+    Scene<dim>     scene;
+    /** As check_stability() has found, which looks until there are some. */
+    long               n_unstable_modes = -1;
+    StepSetup<dim>     setup;
+    Equilibrium<dim>   equilibrium;
+    GridToPoints<dim>  grid_to_points;
+    Checkpoint<dim>    checkpoint;
+    Diagnoses<dim>     diagnoses;
+    FailureReport<dim> failure_report;
+    Statistics         statistics;
+    std::string        output_directory;
+    std::string        said_of_conditions; ///< by print_conditions()
   };
 } // namespace isochor
 

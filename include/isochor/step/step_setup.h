@@ -12,8 +12,7 @@
 #include <isochor/cut_cells/discrete_extension.h>
 #include <isochor/material_points/point_locator.h>
 #include <isochor/material_points/point_refinement.h>
-#include <isochor/step/body_watch.h>
-#include <isochor/step/scene.h>
+#include <isochor/scene/scene.h>
 #include <isochor/transfer/grid_reset.h>
 
 #include <cstdint>
@@ -218,11 +217,13 @@ namespace isochor
     GridReset<dim>                     grid_reset;
     GridPartition<dim>                 partition;
     PointRefinement<dim>               refinement;
-    BodyWatch<dim>                     watch;
     CellOccupancy<dim>                 occupancy;
     bool                               needs_occupancy = false;
-    DiscreteExtension<dim>             extension;
-    bool                               extends = false;
+    /** Enclosed gaps of its own, at t = 0, that are no larger than what may be
+     * a hole. */
+    bool                   body_has_cavities = false;
+    DiscreteExtension<dim> extension;
+    bool                   extends = false;
 
     PointArrays<dim> arrays;
     ActiveNodes<dim> nodes;

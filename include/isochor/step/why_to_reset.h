@@ -5,7 +5,7 @@
 #ifndef isochor_why_to_reset_h
 #define isochor_why_to_reset_h
 
-#include <isochor/step/scene.h>
+#include <isochor/scene/scene.h>
 
 #include <string>
 

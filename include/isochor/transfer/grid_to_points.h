@@ -8,6 +8,8 @@
 #include <isochor/dynamics/inertia_term.h>
 #include <isochor/transfer/volume_offset.h>
 
+#include <vector>
+
 namespace isochor
 {
   /**
@@ -51,10 +53,18 @@ namespace isochor
       return step_energy;
     }
 
+    /** In the u-p form, by point of the last transfer(): θ^e - p/K. */
+    const std::vector<double> &
+    volume_excess() const
+    {
+      return excesses;
+    }
+
   private:
-    VolumeOffset<dim> volume_offset;
-    bool              measures_energy = false;
-    double            step_energy     = 0;
+    std::vector<double> excesses;
+    VolumeOffset<dim>   volume_offset;
+    bool                measures_energy = false;
+    double              step_energy     = 0;
   };
 } // namespace isochor
 

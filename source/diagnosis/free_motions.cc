@@ -8,7 +8,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <isochor/base/mpi_sums.h>
-#include <isochor/step/free_motions.h>
+#include <isochor/diagnosis/free_motions.h>
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include <isochor/interaction/interaction_term.h>
 #include <isochor/interaction/rigid_partner.h>
 #include <isochor/material_model/axisymmetric_material.h>
-#include <isochor/step/scene.h>
+#include <isochor/scene/scene.h>
 
 #include <algorithm>
 #include <string>

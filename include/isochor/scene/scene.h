@@ -92,16 +92,6 @@ namespace isochor
              !grid.shape_functions().are_linear();
     }
 
-    /** Whether stresses converge although points change cells. Weights that
-     * fill cells help where gradients are constant in them only. */
-    bool
-    bears_changes_of_cells() const
-    {
-      return quadrature->bears_changes_of_cells() &&
-             (grid.shape_functions().are_linear() ||
-              quadrature->makes_stencils());
-    }
-
     /** Whether each point has a domain, a simplex that it carries along: where
      * the quadrature needs it, or splitting shall fill cells evenly. */
     bool

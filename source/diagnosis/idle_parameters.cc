@@ -2,12 +2,14 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
 #include <isochor/base/parameter_list.h>
 #include <isochor/base/plugin_registry.h>
+#include <isochor/diagnosis/diagnosis.h>
 #include <isochor/interaction/interaction_law.h>
 #include <isochor/interaction/rigid_body_term.h>
 #include <isochor/linear_solver/linear_solver_choice.h>
-#include <isochor/step/idle_parameters.h>
 
 #include <algorithm>
 #include <set>
@@ -52,7 +54,7 @@ namespace isochor
           return;
         const std::string name = join_path(path);
         warnings.add("no effect of <" + name + ">",
-                     "The parameter <" + name + " = " + entry->second.value +
+                     "<" + name + " = " + entry->second.value +
                        "> has no effect " + why + ".");
       }
 
@@ -238,11 +240,10 @@ namespace isochor
                names_in(inspect.value({section, "Surfaces of body"})))
             if (used.count(name) == 0)
               warnings.add(
-                "no condition on <" + name + "> of <Surfaces of body>",
-                "The surface <" + name + "> of the parameter <" + section +
-                  "/Surfaces of body> has no effect: name it in <Traction on "
-                  "body> or <Pressure on body> of that section, in a section "
-                  "<Interaction: " +
+                "no effect of <" + section + "/Surfaces of body: " + name + ">",
+                "no condition names this surface: name it in <Traction on "
+                "body> or <Pressure on body> of that section, in a section "
+                "<Interaction: " +
                   name + " - place>, or leave it out.");
         }
     }
@@ -375,42 +376,72 @@ namespace isochor
 
 
 
+  /**
+   * Parameters that differ from their defaults but have no effect with what the
+   * others say, one warning each. Combinations that can't be meant at all are
+   * errors of the classes that own the parameters.
+   */
   template <int dim>
-  void
-  warn_of_idle_parameters(const ParameterHandler &prm,
-                          Scene<dim>             &scene,
-                          const GridReset<dim>   &reset)
+  class IdleParameters : public Diagnosis<dim>
   {
-    const ParameterList   list(prm);
-    Inspector             inspect(list, scene.warnings);
-    std::set<std::string> of_grids;
-    for (const std::string &name :
-         Utilities::split_string_list(PluginRegistry<GridSource<dim>>::names(),
-                                      '|'))
-      of_grids.merge(PluginRegistry<GridSource<dim>>::parameters(name));
-    inspect_grid(inspect, scene.grid.source(), of_grids, reset);
-    inspect_points(inspect,
-                   scene.grid.source().is_adaptive(),
-                   scene.quadrature->needs_domains(),
-                   scene.points_have_domains());
-    if (scene.grid.source().is_adaptive())
-      inspect_adaptation(list, inspect);
-    inspect_equations(inspect, scene.has_inertia());
-    inspect_cut_cells(inspect, scene.ties_cut_cells());
-    inspect_surfaces(list, inspect, scene.warnings);
-    inspect_materials(list, inspect);
-    inspect_partners<dim>(list, scene.rigid_bodies, inspect);
-    inspect_linear_solver(list, inspect);
-  }
+  public:
+    void
+    scene_read(const ParameterHandler &prm,
+               const Scene<dim>       &scene,
+               const GridReset<dim>   &reset) override
+    {
+      const ParameterList   list(prm);
+      Warnings             &warnings = *this->warnings;
+      Inspector             inspect(list, warnings);
+      std::set<std::string> of_grids;
+      for (const std::string &name : Utilities::split_string_list(
+             PluginRegistry<GridSource<dim>>::names(), '|'))
+        of_grids.merge(PluginRegistry<GridSource<dim>>::parameters(name));
+      inspect_grid(inspect, scene.grid.source(), of_grids, reset);
+      inspect_points(inspect,
+                     scene.grid.source().is_adaptive(),
+                     scene.quadrature->needs_domains(),
+                     scene.points_have_domains());
+      if (scene.grid.source().is_adaptive())
+        inspect_adaptation(list, inspect);
+      inspect_equations(inspect, scene.has_inertia());
+      inspect_cut_cells(inspect, scene.ties_cut_cells());
+      inspect_surfaces(list, inspect, warnings);
+      inspect_materials(list, inspect);
+      inspect_partners<dim>(list, scene.rigid_bodies, inspect);
+      inspect_linear_solver(list, inspect);
+    }
 
+    /** Materials that no point is made of. */
+    void
+    step_set_up(const Scene<dim> & /*scene*/,
+                const StepContext<dim> &step,
+                const SparseSystem & /*matrix*/) override
+    {
+      std::vector<unsigned long long> n_points(step.kernel.materials.size(), 0);
+      const PointArrays<dim>         &points = step.points;
+      for (unsigned int q = 0; q < points.cell_start[points.n_occupied_cells];
+           ++q)
+        ++n_points[points.material[q]];
+      Utilities::MPI::sum(n_points, step.grid.communicator(), n_points);
+      for (unsigned int m = 1; m < n_points.size(); ++m)
+        if (n_points[m] == 0)
+          this->warn("no material point is made of it: no zone of <Material "
+                     "points/Materials in zones> with that number holds one, "
+                     "or a later zone does, which counts.",
+                     "Material " + std::to_string(m + 1));
+    }
+  };
 
-
-  template void
-  warn_of_idle_parameters<2>(const ParameterHandler &,
-                             Scene<2> &,
-                             const GridReset<2> &);
-  template void
-  warn_of_idle_parameters<3>(const ParameterHandler &,
-                             Scene<3> &,
-                             const GridReset<3> &);
+  ISOCHOR_REGISTER_DIAGNOSIS(
+    IdleParameters,
+    "no effect of <parameter>",
+    ISOCHOR_ESSENTIAL,
+    "the parameter differs from its default, but has no effect with the "
+    "others, such as `PPP coefficient` in `u`, `Friction coefficient` of an "
+    "interaction without `Law = Coulomb`, `Radius` of a rigid body that is a "
+    "box, a section of a solver that isn't chosen, a surface of the body that "
+    "no condition names, or a section `Material k` of which no point is made "
+    "(no zone names it, or later zones hold in all of its own)",
+    "leave it out, or choose what it belongs to")
 } // namespace isochor

@@ -5,10 +5,11 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/plain_message.h>
+#include <isochor/diagnosis/diagnosis.h>
 #include <isochor/equations/material_groups.h>
-#include <isochor/transfer/interface_watch.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace isochor
 {
@@ -66,49 +67,48 @@ namespace isochor
 
 
 
+  /** Materials of other stiffness that share the functions of cells. */
   template <int dim>
-  void
-  warn_of_interfaces_in_cells(const PointArrays<dim> &points,
-                              const MixedKernel<dim> &kernel,
-                              const MPI_Comm          comm,
-                              const double            time,
-                              Warnings               &warnings)
+  class SharedCells : public Diagnosis<dim>
   {
-    constexpr double        much   = 0.2; // 3 % of the stress
-    const InterfaceCrossing worst  = worst_shared_cell(points, kernel);
-    const double            weight = Utilities::MPI::max(worst.weight(), comm);
-    if (weight < much)
-      return;
-    // of ranks that have found the same the same is told
-    const bool   is_mine = worst.weight() == weight;
-    const double depth = Utilities::MPI::max(is_mine ? worst.depth : 0., comm);
-    warnings.add(
-      "materials that meet within cells",
-      "At t = " + rounded(time) +
-        " s materials whose stiffnesses differ by up to " +
-        rounded(1 + weight / depth) +
-        " to 1, or whose strengths differ, meet within cells, " +
-        rounded(depth) +
-        " of which are of the one. Both are strained alike there: stresses "
-        "of the stiff one are wrong, the more the larger both numbers are "
-        "(100 to 1, half of a cell: by up to 230 %, and the settlement of "
-        "two layers of four cells by 14 %), and neither more points nor "
-        "smaller steps help. With <Quadrature/Type = CPDI> each material "
-        "has functions of its own.");
-  }
+  public:
+    void
+    grid_reset(const Scene<dim> & /*scene*/,
+               const StepContext<dim> &step,
+               const ElementNodes & /*elements*/,
+               const bool /*is_kept*/) override
+    {
+      constexpr double        much = 0.2; // 3 % of the stress
+      const MPI_Comm          comm = step.grid.communicator();
+      const InterfaceCrossing worst =
+        worst_shared_cell(step.points, step.kernel);
+      const double weight = Utilities::MPI::max(worst.weight(), comm);
+      if (weight < much)
+        return;
+      // of ranks that have found the same the same is told
+      const bool   is_mine = worst.weight() == weight;
+      const double depth =
+        Utilities::MPI::max(is_mine ? worst.depth : 0., comm);
+      this->warn("at t = " + rounded(step.old_time) +
+                 " materials whose stiffnesses differ by up to " +
+                 rounded(1 + weight / depth) +
+                 " to 1, or whose strengths differ, meet within cells, " +
+                 rounded(depth) +
+                 " of which are of the one: stresses of the stiff one are "
+                 "wrong. Use <Quadrature/Type = CPDI>.");
+    }
+  };
 
-
-
-  template void
-  warn_of_interfaces_in_cells<2>(const PointArrays<2> &,
-                                 const MixedKernel<2> &,
-                                 const MPI_Comm,
-                                 const double,
-                                 Warnings &);
-  template void
-  warn_of_interfaces_in_cells<3>(const PointArrays<3> &,
-                                 const MixedKernel<3> &,
-                                 const MPI_Comm,
-                                 const double,
-                                 Warnings &);
+  ISOCHOR_REGISTER_DIAGNOSIS(
+    SharedCells,
+    "materials that meet within cells",
+    ISOCHOR_ESSENTIAL,
+    "materials of other stiffness, or that may yield, share the functions of "
+    "cells, as with other quadratures than CPDI or `Bodies = one`, and the "
+    "ratio of their moduli less one (at least 1 if one may yield) times the "
+    "part of a cell by which one reaches into it is more than 0.2. Both are "
+    "strained alike there (100 to 1, half of a cell: the stress is wrong by up "
+    "to 230 %, the settlement of two layers of four cells by 14 %; "
+    "[verification.md](verification.md), Materials that share cells)",
+    "`Quadrature/Type = CPDI`")
 } // namespace isochor
