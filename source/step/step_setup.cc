@@ -224,14 +224,8 @@ namespace isochor
       scene.points.update(arrays);
     nodes.set_control_nodes(control_nodes());
     nodes_changed = nodes.update(touched_vertices) || is_fresh;
-    if (laid_out && scene.inertia.is_from_stresses())
-      {
-        const std::uint64_t before = free_nodes;
-        free_nodes                 = extension.hash_free_nodes(nodes);
-        disturbed                  = disturbed || free_nodes != before;
-      }
-    is_fresh   = false;
-    is_current = true;
+    is_fresh      = false;
+    is_current    = true;
   }
 
 
@@ -439,7 +433,7 @@ namespace isochor
     std::ostringstream              stream(std::ios::binary);
     boost::archive::binary_oarchive archive(stream);
     archive << scene.adaptation.save_state(scene.grid) << partition.save_state()
-            << grid_reset << body_has_cavities << free_nodes;
+            << grid_reset << body_has_cavities;
     if (!grid_reset.due())
       archive << touched_vertices << arrays << extension;
     return stream.str();
@@ -459,7 +453,7 @@ namespace isochor
       grid_changed();
     if (partition.load_state(division, scene.grid, scene.points, *locator))
       owners_changed();
-    archive >> grid_reset >> body_has_cavities >> free_nodes;
+    archive >> grid_reset >> body_has_cavities;
     is_current = false;
     is_resumed = true;
     if (!grid_reset.due())
