@@ -66,8 +66,8 @@ main(int argc, char **argv)
                     "Time/Step size = 0.1\n");
   test_scene("the beam in motion",
              beam + "Boundary conditions/Gravity = 0, -10\n"
-                    "Dynamics/Inertia = true\nTime/Step size = 0.02\n"
-                    "Time/End time = 0.3\n");
+                    "Material/Young modulus = 1e8\nDynamics/Inertia = true\n"
+                    "Time/Step size = 0.01\nTime/End time = 0.15\n");
   std::string missing;
   for (const Explanation &one : all_explanations())
     if (one.when.empty() || one.remedy.empty() ||
