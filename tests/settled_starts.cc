@@ -141,8 +141,8 @@ test_changing_grids()
                  1e-3);
 }
 
-/** A disc slides over the ground, so that its nodes become free and are tied,
- * on which the stresses of the points are not quite in equilibrium. */
+/** A disc slides over the ground, so that its nodes become free and are tied:
+ * with the forces that this makes its weight was wrong by 3e-3. */
 void
 test_free_nodes()
 {
@@ -157,7 +157,7 @@ test_free_nodes()
                    "\nDynamics/Initial velocity = 3, 0\n"
                    "Postprocess/Reactions = bottom\nTime/End time = 0.6\n",
                  "Reaction y on bottom (N)",
-                 1e-3,
+                 3e-4,
                  false);
 }
 
@@ -174,7 +174,7 @@ test_acceleration_of_points()
                              "y > 0.5 && y < 1.5\n"
                              "Boundary conditions/Gravity = 0, -10\n"
                              "Time/End time = 0.5\n");
-  test::check_error("acceleration in free fall", worst_acceleration, 1e-5);
+  test::check_error("acceleration in free fall", worst_acceleration, 1e-6);
 }
 
 int

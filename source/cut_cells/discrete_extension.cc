@@ -18,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <unordered_set>
 
 namespace isochor
 {
@@ -308,6 +309,29 @@ namespace isochor
     for (const auto &answer : Utilities::MPI::some_to_some(comm, answers))
       for (const Tie &tie : answer.second)
         ties.emplace(tie.vertex, tie);
+  }
+
+
+
+  template <int dim>
+  std::uint64_t
+  DiscreteExtension<dim>::hash_free_nodes(const ActiveNodes<dim> &nodes) const
+  {
+    std::unordered_set<unsigned int> tied;
+    for (const Tie &tie : found)
+      tied.insert(tie.vertex);
+    std::uint64_t sum = 0;
+    for (unsigned int node = 0; node < nodes.n_owned(); ++node)
+      if (tied.count(nodes.vertex(node)) == 0)
+        {
+          // the mixing function of splitmix64 (Steele, Lea & Flood 2014)
+          std::uint64_t z =
+            (nodes.vertex(node) + 1) * UINT64_C(0x9e3779b97f4a7c15);
+          z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+          z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+          sum += z ^ (z >> 31);
+        }
+    return Utilities::MPI::sum(sum, grid.communicator());
   }
 
 

@@ -224,8 +224,14 @@ namespace isochor
       scene.points.update(arrays);
     nodes.set_control_nodes(control_nodes());
     nodes_changed = nodes.update(touched_vertices) || is_fresh;
-    is_fresh      = false;
-    is_current    = true;
+    if (laid_out && scene.inertia.is_from_stresses())
+      {
+        const std::uint64_t before = free_nodes;
+        free_nodes                 = extension.hash_free_nodes(nodes);
+        disturbed                  = disturbed || free_nodes != before;
+      }
+    is_fresh   = false;
+    is_current = true;
   }
 
 
@@ -433,7 +439,7 @@ namespace isochor
     std::ostringstream              stream(std::ios::binary);
     boost::archive::binary_oarchive archive(stream);
     archive << scene.adaptation.save_state(scene.grid) << partition.save_state()
-            << grid_reset << body_has_cavities;
+            << grid_reset << body_has_cavities << free_nodes;
     if (!grid_reset.due())
       archive << touched_vertices << arrays << extension;
     return stream.str();
@@ -453,7 +459,7 @@ namespace isochor
       grid_changed();
     if (partition.load_state(division, scene.grid, scene.points, *locator))
       owners_changed();
-    archive >> grid_reset >> body_has_cavities;
+    archive >> grid_reset >> body_has_cavities >> free_nodes;
     is_current = false;
     is_resumed = true;
     if (!grid_reset.due())

@@ -107,6 +107,11 @@ namespace isochor
       return found;
     }
 
+    /** A hash of the set of active nodes that are not tied, the same for any
+     * number of ranks. Collective. */
+    std::uint64_t
+    hash_free_nodes(const ActiveNodes<dim> &nodes) const;
+
     /** Tie the nodes of the step. */
     void
     constrain(const StepContext<dim> &step,

@@ -38,9 +38,9 @@ namespace isochor
    * work are then those of one grid, and what kinetic energy loses strain
    * energy gains, whatever cells the points are in. With nodal pressures σ_p is
    * without what they can't represent on this grid, see
-   * leave_out_unfelt_pressure(). Where steps_over_waves(), a step whose cells
-   * or points are others than before takes the projection: stresses made on
-   * another grid are not in equilibrium on this one.
+   * leave_out_unfelt_pressure(). Where steps_over_waves(), a step whose grid,
+   * points or free nodes are others than before takes the projection: stresses
+   * made on another grid are not in equilibrium on this one.
    */
   template <int dim>
   class InertiaTerm : public EquationTerm<dim>

@@ -69,7 +69,7 @@ namespace isochor
       return laid_out;
     }
 
-    /** Whether the cells of the grid are others than in the last step, or
+    /** Whether the grid or its free nodes are others than in the last step, or
      * points have been split or merged since. */
     bool
     was_disturbed() const
@@ -231,6 +231,7 @@ namespace isochor
     bool             is_fresh      = false;
     bool             laid_out      = false;
     bool             disturbed     = false; ///< see was_disturbed()
+    std::uint64_t    free_nodes    = 0;     ///< a hash of the set
     bool             is_resumed    = false; ///< without elements as yet
     /** Whether no point has moved since start_step(). */
     bool                      is_current = false;
