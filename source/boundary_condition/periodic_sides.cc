@@ -179,16 +179,6 @@ namespace isochor
       vertices.share(held);
     }
 
-    std::string
-    force_column(const std::string &boundary) const override
-    {
-      for (const Pair &pair : pairs)
-        if (boundary == pair.first || boundary == pair.second)
-          return "Force x through " + pair.first + " and " + pair.second +
-                 " (N)";
-      return {};
-    }
-
     void
     constrain(const StepContext<dim> &step,
               NodalConstraints       &constraints) const override

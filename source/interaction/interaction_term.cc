@@ -22,18 +22,6 @@ namespace isochor
 
 
   template <int dim>
-  std::string
-  InteractionTerm<dim>::force_column(const std::string &boundary) const
-  {
-    for (const auto &interaction : interactions)
-      if (interaction->is_with_boundary(boundary))
-        return interaction->force_column(0);
-    return {};
-  }
-
-
-
-  template <int dim>
   void
   InteractionTerm<dim>::find_faces()
   {

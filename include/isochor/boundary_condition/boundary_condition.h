@@ -80,14 +80,6 @@ namespace isochor
     check_scene(const StepContext<dim> & /*step*/) const
     {}
 
-    /** Where evaluate() puts the force through @p boundary, if it isn't in its
-     * nodes' reactions: the name of the column, with x for the component. */
-    virtual std::string
-    force_column(const std::string & /*boundary*/) const
-    {
-      return {};
-    }
-
     /** Add the dead loads at the end of the step (N) from this rank's cells,
      * entry n_components * node + component. */
     virtual void

@@ -66,8 +66,6 @@ namespace isochor
           interaction->find_place(grid);
         }
     }
-    std::string
-    force_column(const std::string &boundary) const override;
     void
     set_body(const BodyShape<dim> & /*shape*/,
              const PointArrays<dim> &points) override
