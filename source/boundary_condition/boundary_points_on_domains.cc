@@ -71,10 +71,8 @@ namespace isochor
     records = PointRecords<dim>(n_entries);
     for (const auto &face : surface.faces())
       {
-        const Tensor<2, dim> F      = body.F[face.q];
-        const Point<dim>     centre = body.location(geometry, face.k, face.q);
-        const Tensor<1, dim> u      = body.displacement[face.q];
-        const auto           nodes  = body.stencil(geometry, face.k, face.q);
+        const Tensor<2, dim> F     = body.F[face.q];
+        const auto           nodes = body.stencil(geometry, face.k, face.q);
         FaceCorners<dim>     corners; // from the point
         for (unsigned int c = 0; c < dim; ++c)
           corners[c] = Point<dim>(face.corners[c]);
@@ -88,19 +86,22 @@ namespace isochor
                i < n;
                ++i)
             {
-              const Tensor<1, dim> R =
-                                     place_on_face<dim>(corners, rule.point(i)),
-                                   r = F * R;
+              const auto place =
+                BodySurface<dim>::place(geometry,
+                                        body,
+                                        face,
+                                        place_on_face<dim>(corners,
+                                                           rule.point(i)));
               payload[surface_entry] = s;
               for (unsigned int d = 0; d < dim; ++d)
                 {
-                  payload[displacement_entry + d] = u[d] + r[d] - R[d];
+                  payload[displacement_entry + d] = place.displacement[d];
                   payload[area_entry + d] =
                     rule.weight(i) * face.area * face.normal[d];
                 }
               records.push_back(body.cell[face.k],
                                 0,
-                                centre + r,
+                                place.x,
                                 ArrayView<const double>(payload.data(),
                                                         n_entries));
               // linear on the domain
@@ -108,7 +109,7 @@ namespace isochor
                 {
                   stencil_vertex.push_back(nodes.vertex[I]);
                   stencil_shape.push_back(nodes.shape[I] +
-                                          nodes.gradient[I] * r);
+                                          nodes.gradient[I] * place.r);
                   stencil_gradient.push_back(nodes.gradient[I]);
                 }
               stencil_start.push_back(stencil_vertex.size());

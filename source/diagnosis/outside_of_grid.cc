@@ -24,18 +24,18 @@ namespace isochor
                const bool /*is_kept*/) override
     {
       const PointArrays<dim> &points = step.points;
-      std::array<double, 2>   volumes{}; // in the grid, of the points
+      const MPI_Comm          comm   = step.grid.communicator();
+      // domains stand for what a held boundary has left of them in the grid
+      if (Utilities::MPI::max(points.domain_corners.cells.size(), comm) == 0)
+        return;
+      std::array<double, 2> volumes{}; // in the grid, of the points
       for (unsigned int q = 0; q < points.n_points(); ++q)
         {
           const double J = determinant(points.F[q]);
           volumes[0] += J * points.weight[q];
           volumes[1] += J * points.volume[q];
         }
-      const MPI_Comm comm = step.grid.communicator();
       sum_over_ranks(volumes, comm);
-      // domains stand for what a held boundary has left of them in the grid
-      if (Utilities::MPI::max(points.domain_corners.cells.size(), comm) == 0)
-        return;
       constexpr double       tolerated_part = 0.01;
       constexpr unsigned int n_tolerated    = 5; // resets in succession
       const double           outside        = 1 - volumes[0] / volumes[1];

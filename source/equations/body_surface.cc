@@ -114,15 +114,28 @@ namespace isochor
     Tensor<1, dim> R;
     for (unsigned int i = 0; i < dim; ++i)
       R += lambda[i] * face.corners[i];
-    Place            place;
-    const Point<dim> x =
-      step.points.location(step.grid.geometry(), face.k, face.q);
-    place.r = step.points.F[face.q] * R;
+    Place result  = place(step.grid.geometry(), step.points, face, R);
+    result.weight = 1. / n_gauss;
+    return result;
+  }
+
+
+
+  template <int dim>
+  typename BodySurface<dim>::Place
+  BodySurface<dim>::place(const SimplexGeometry<dim> &geometry,
+                          const PointArrays<dim>     &points,
+                          const Face                 &face,
+                          const Tensor<1, dim>       &R)
+  {
+    Place                 place;
+    const Point<dim>      x = points.location(geometry, face.k, face.q);
+    const Tensor<1, dim> &u = points.displacement[face.q];
+    place.r                 = points.F[face.q] * R;
     // not face.reference, which rounds otherwise in a run that is resumed
-    place.X            = Point<dim>(x - step.points.displacement[face.q]) + R;
+    place.X            = Point<dim>(x - u) + R;
     place.x            = x + place.r;
-    place.displacement = step.points.displacement[face.q] + place.r - R;
-    place.weight       = 1. / n_gauss;
+    place.displacement = u + place.r - R;
     return place;
   }
 

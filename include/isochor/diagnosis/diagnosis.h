@@ -56,10 +56,11 @@ namespace isochor
 
   /**
    * Interface of what looks at a scene, or at its results, and warns. It reads
-   * and writes nothing but warnings: results are the same without it. To add
-   * one, write `source/diagnosis/<name>.cc` with a class that overrides the
-   * moments at which it looks, and ends with ISOCHOR_REGISTER_DIAGNOSIS, which
-   * has the longer text of its warning.
+   * and writes nothing but warnings: results are the same without it, unless it
+   * finds that there can be none (PointsTooFarApart throws). To add one, write
+   * `source/diagnosis/<name>.cc` with a class that overrides the moments at
+   * which it looks, and ends with ISOCHOR_REGISTER_DIAGNOSIS, which has the
+   * longer text of its warning.
    */
   template <int dim>
   class Diagnosis

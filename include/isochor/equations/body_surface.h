@@ -71,6 +71,14 @@ namespace isochor
     static Place
     place(const StepContext<dim> &step, const Face &face, const unsigned int g);
 
+    /** The place of @p face that is at @p R from the subdomain's point at t = 0
+     * (m); without a weight. */
+    static Place
+    place(const SimplexGeometry<dim> &geometry,
+          const PointArrays<dim>     &points,
+          const Face                 &face,
+          const Tensor<1, dim>       &R);
+
     /** Its barycentric coordinates on the face. */
     static std::array<double, dim>
     coordinates(const unsigned int g);
