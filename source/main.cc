@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-#include <isochor/base/parameter_file.h>
+#include <isochor/base/file_names.h>
 #include <isochor/program/command_line.h>
 #include <isochor/step/material_point_method.h>
 
@@ -35,6 +35,7 @@ namespace
     prm.enter_subsection("Output");
     const std::string directory = prm.get("Directory");
     prm.leave_subsection();
+    make_file_names_absolute(prm);
     write_effective_parameters(prm, directory);
     problem->run();
   }

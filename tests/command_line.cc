@@ -9,7 +9,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/edit_distance.h>
-#include <isochor/base/parameter_file.h>
+#include <isochor/base/file_names.h>
 #include <isochor/program/command_line.h>
 
 #include <filesystem>
@@ -256,6 +256,56 @@ namespace
 
 
   void
+  test_file_names()
+  {
+    const std::string grid = "subsection Grid\n  set File = a.msh\nend\n";
+    write("files/scene.prm", grid);
+    write("includes.prm", "include files/scene.prm\n");
+    check_parameter("a file relative to the parameter file that names it",
+                    {"includes.prm"},
+                    "set File = files/a.msh");
+    check_parameter("a file of an override",
+                    {"includes.prm", "--set=Grid/File=b/../a.msh"},
+                    "set File = b/../a.msh");
+
+    write("a.msh", "");
+    const std::string which =
+      ". To say which: --set \"Grid/File=a.msh\", relative to the working "
+      "directory, or an absolute path";
+    check_error("a file in the working directory",
+                {"files/scene.prm"},
+                "files/scene.prm:2: the file <a.msh> of the parameter "
+                "<Grid/File> is relative to the parameter file: "
+                "<files/a.msh>, which does not exist, but there is one in the "
+                "working directory" +
+                  which);
+    write("files/a.msh", "");
+    check_error("a file in both places",
+                {"files/scene.prm"},
+                "files/scene.prm:2: the file <a.msh> of the parameter "
+                "<Grid/File> is relative to the parameter file: "
+                "<files/a.msh>, but there is one in the working directory, "
+                "too" +
+                  which);
+    write("scene.prm", grid);
+    check_parameter("a parameter file in the working directory",
+                    {"scene.prm"},
+                    "set File = a.msh");
+
+    ParameterHandler prm;
+    declare(prm, 2, {});
+    apply_parameters({parse_override("Grid/File=a.msh", "test")}, prm);
+    make_file_names_absolute(prm);
+    prm.enter_subsection("Grid");
+    const std::string absolute = prm.get("File");
+    check("absolute names of files",
+          absolute == std::filesystem::absolute("a.msh").string(),
+          absolute);
+  }
+
+
+
+  void
   test_materials()
   {
     write("materials.prm",
@@ -441,6 +491,7 @@ main(int argc, char **argv)
   test_syntax();
   test_include();
   test_overrides();
+  test_file_names();
   test_materials();
   test_options();
   test_failing_runs();

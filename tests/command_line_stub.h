@@ -84,6 +84,9 @@ declare(ParameterHandler                      &prm,
   if (dim == 3)
     prm.declare_entry("Slice normal", "0,0,1", Patterns::Anything());
   prm.leave_subsection();
+  prm.enter_subsection("Grid");
+  prm.declare_entry("File", "", Patterns::FileName());
+  prm.leave_subsection();
   prm.enter_subsection("Checkpoint");
   prm.declare_entry("Resume", "false", Patterns::Bool());
   prm.leave_subsection();

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 
 #include <isochor/base/edit_distance.h>
+#include <isochor/base/file_names.h>
 #include <isochor/base/parameter_file.h>
 #include <isochor/base/parameter_list.h>
 #include <isochor/base/replaced_parameters.h>
@@ -354,7 +355,8 @@ namespace isochor
         prm.enter_subsection(section);
       try
         {
-          prm.set(statement.path.back(), statement.value);
+          prm.set(statement.path.back(),
+                  with_paths_of_files(statement, pattern));
         }
       catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
         {

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/utilities.h>
 
+#include <isochor/base/file_names.h>
 #include <isochor/base/shared_libraries.h>
 
 #include <dlfcn.h>
@@ -72,8 +73,7 @@ namespace isochor
                       Patterns::List(Patterns::FileName()),
                       "Shared libraries (.so) with plugins of your own: "
                       "materials, boundary conditions, solvers, "
-                      "post-processors; with a path. See "
-                      "doc/extending.md.");
+                      "post-processors. See doc/extending.md.");
   }
 
 
@@ -88,6 +88,6 @@ namespace isochor
         last = &statement;
     if (last != nullptr)
       for (const std::string &name : Utilities::split_string_list(last->value))
-        load(name, last->origin);
+        load(path_of_file(name, *last), last->origin);
   }
 } // namespace isochor

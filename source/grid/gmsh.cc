@@ -17,7 +17,7 @@ namespace isochor
     static void
     declare_parameters(ParameterHandler &prm)
     {
-      prm.declare_entry("File", "", Patterns::Anything(), "A gmsh .msh file.");
+      prm.declare_entry("File", "", Patterns::FileName(), "A gmsh .msh file.");
     }
 
     void

@@ -237,9 +237,9 @@ namespace isochor
     std::error_code   code;
     std::ifstream     file(file_name, std::ios::binary);
     AssertThrow(file && !std::filesystem::is_directory(file_name, code),
-                ExcMessage(name + "can't be opened. Names are relative to the "
-                                  "directory in which the program is "
-                                  "started."));
+                ExcMessage(name +
+                           "can't be opened. Names in a parameter file are "
+                           "relative to its folder."));
     const double version = check_gmsh_format(file, name);
     check_elements(element_types(file, version), dim, cells, name);
 

@@ -19,7 +19,7 @@ namespace isochor
     {
       prm.declare_entry("File",
                         "",
-                        Patterns::Anything(),
+                        Patterns::FileName(),
                         std::string("The file of a mesh: a gmsh .msh file "
                                     "(text) with ") +
                           (dim == 2 ?

@@ -328,8 +328,8 @@ namespace isochor
     std::ifstream   file(file_name, std::ios::binary);
     AssertThrow(file && !std::filesystem::is_directory(file_name, code),
                 ExcMessage(subject +
-                           "can't be opened. Names are relative to the "
-                           "directory in which the program is started."));
+                           "can't be opened. Names in a parameter file are "
+                           "relative to its folder."));
     std::string ending = std::filesystem::path(file_name).extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
       return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
