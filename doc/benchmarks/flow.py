@@ -5,33 +5,36 @@
 
     flow.py [--executable isochor] [--directory flow] [--quick] [scene ...]
 
-Needs nothing but gmsh and the program. For each run: what was found beside what is
+Needs gmsh, numpy and the program. For each run: what was found beside what is
 right, the spread of det F of the points (the shapes of their domains), iterations of
 Newton's method per step, steps that were cut, CPU seconds.
 """
 
 import argparse
-import resource
-import subprocess
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
+
+import numpy as np
 
 HERE = Path(__file__).resolve().parent
 SCENES = HERE / "scenes"
 ROOT = HERE.parents[1]
+sys.path.insert(0, str(ROOT / "prm" / "tools"))
+
+import isochor  # noqa: E402
 
 
 @dataclass(frozen=True)
 class Flow:
-    """A run: @p measures are tuples of what is measured, a function of the columns
-    of the statistics (lists of numbers by name), and what is right. @p mesh: name of
+    """A run: @p measures are tuples of what is measured, a function of the
+    statistics, and what is right. @p mesh: name of
     a .geo and its numbers. Not in a quick suite: @p full."""
 
     name: str
     scene: Path
     measures: tuple
-    overrides: tuple = ()
+    overrides: dict = field(default_factory=dict)
     mesh: tuple = ()
     full: bool = False
 
@@ -43,20 +46,15 @@ def last(column, factor=1, offset=0):
 def at(time, column, factor=1):
     def value(columns):
         times = columns["Time (s)"]
-        k = min(range(len(times)), key=lambda i: abs(times[i] - time))
-        return factor * columns[column][k]
+        return factor * columns[column][np.argmin(abs(times - time))]
 
     return value
 
 
 def mean_after(time, column, factor):
     def value(columns):
-        values = [
-            abs(v)
-            for t, v in zip(columns["Time (s)"], columns[column])
-            if t > time
-        ]
-        return factor * sum(values) / len(values) if values else float("nan")
+        values = abs(columns[column][columns["Time (s)"] > time])
+        return factor * values.mean() if len(values) else float("nan")
 
     return value
 
@@ -71,8 +69,8 @@ def necking(n, steps, full):
             ("at 7 mm", last("Displacement x of neck (m)"), "-3.87 (grid never reset)"),
             ("force (kN)", last("Reaction y on bottom (N)", -1e-3), "26.8 (the same)"),
         ),
-        (f"Time/Step size={1 / steps}",),
-        ("necking", f"n {n}"),
+        {"Time/Step size": 1 / steps},
+        ("necking", {"n": n}),
         full,
     )
 
@@ -103,7 +101,7 @@ FLOWS = (
         "slump, cell-filled",
         SCENES / "slump.prm",
         (("crest (m)", last("Displacement y of crest (m)"), "no reference"),),
-        ("Quadrature/Type=cell-filled",),
+        {"Quadrature/Type": "cell-filled"},
     ),
     Flow(
         "extrusion, 8 cells on the die",
@@ -112,72 +110,44 @@ FLOWS = (
             ("force / slip lines', mean of t > 0.2",
              mean_after(0.2, "Reaction x on die (N)", 1 / 257.1), "1"),
         ),
-        mesh=("extrusion", "n 16"),
+        mesh=("extrusion", {"n": 16}),
         full=True,
     ),
     Flow(
         "rigid footing to w/B = 0.5",
         ROOT / "prm/footing_rigid/footing_rigid.prm",
         (("q/c_u", last("Force y on body by footing (N)", -2e-3), "5.94 (finite elements)"),),
-        ("Time/End time=0.5",),
+        {"Time/End time": 0.5},
         full=True,
     ),
     Flow(
         "ring to half of its height",
         ROOT / "prm/ring_compression/ring_compression.prm",
         (("force (N)", last("Reaction y on bottom (N)"), "no reference"),),
-        ("Time/End time=0.5",),
+        {"Time/End time": 0.5},
         full=True,
     ),
 )
 
 
-def columns_of(directory):
-    """The statistics: lists of numbers by name."""
-    names, rows = [], []
-    for line in (directory / "statistics.txt").read_text().splitlines():
-        if line.startswith("#"):
-            names.append(line[1:].partition(":")[2].strip())
-        elif line.strip():
-            rows.append(line.split())
-    columns = {}
-    for i, name in enumerate(names):
-        try:
-            columns[name] = [float(row[i]) for row in rows]
-        except ValueError:
-            pass  # words
-    return columns
-
-
 def execute(flow, arguments):
-    """CPU seconds and the statistics; how it ended, empty if well."""
+    """The Run."""
     place = arguments.directory / "".join(
         c if c.isalnum() else "_" for c in flow.name
     )
-    place.mkdir(parents=True, exist_ok=True)
-    (place / "statistics.txt").unlink(missing_ok=True)
-    overrides = list(flow.overrides) + [
-        "Postprocess/Write grid=false",
-        "Postprocess/Write material points=false",
-        "Output/Terminal=quiet",
-    ]
+    overrides = {
+        **flow.overrides,
+        "Postprocess/Write grid": False,
+        "Postprocess/Write material points": False,
+        "Output/Terminal": "quiet",
+    }
     if flow.mesh:
         geometry, numbers = flow.mesh
         mesh = place / (geometry + ".msh")
-        subprocess.run(
-            ["gmsh", "-2", str(SCENES / (geometry + ".geo")), "-v", "1",
-             "-setnumber", *numbers.split(), "-o", str(mesh)],
-            check=True,
+        overrides["Grid/File"] = isochor.make_mesh(
+            SCENES / (geometry + ".geo"), mesh, **numbers
         )
-        overrides.append(f"Grid/File={mesh}")
-    command = [arguments.executable, str(flow.scene), "--output-directory", str(place)]
-    for override in overrides:
-        command += ["--set", override]
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    with open(place / "isochor.log", "w") as log:
-        code = subprocess.run(command, stdout=log, stderr=subprocess.STDOUT).returncode
-    cpu = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-    return cpu, columns_of(place), code
+    return isochor.run(flow.scene, overrides, arguments.executable, place)
 
 
 def main():
@@ -195,13 +165,14 @@ def main():
             continue
         if arguments.scenes and not flow.name.startswith(tuple(arguments.scenes)):
             continue
-        cpu, columns, code = execute(flow, arguments)
-        failed = failed or code != 0
+        run = execute(flow, arguments)
+        columns = run.statistics
+        failed = failed or bool(run.error)
         ends = columns["Time (s)"][-1]
         found = "; ".join(
             f"{what}: {measure(columns):.4g}" for what, measure, _ in flow.measures
         )
-        if code != 0:
+        if run.error:
             found += f" (ends with an error at t = {ends:.3g})"
         right = "; ".join(value for _, _, value in flow.measures)
         iterations = columns["Newton iterations"]
@@ -209,7 +180,7 @@ def main():
             f"| {flow.name} | {found} | {right} "
             f"| {columns['Smallest J'][-1]:.2f} to {columns['Largest J'][-1]:.2f} "
             f"| {sum(iterations) / len(iterations):.1f} "
-            f"| {columns['Step cuts'][-1]:.0f} | {cpu:.0f} |",
+            f"| {columns['Step cuts'][-1]:.0f} | {run.cpu:.0f} |",
             flush=True,
         )
     return 1 if failed else 0

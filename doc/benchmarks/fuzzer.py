@@ -97,15 +97,14 @@ def attempt(bench, scene, name, ranks=1, more=None, keep=False):
         harness.execute(executable, run, place, harness.Cost([], []), LIMIT, keep)
         return output.read_statistics(place), place, ""
     except output.OutputError as problem:
-        text = (place / "isochor.log").read_text(errors="replace")
-        return None, place, fault_of_error(str(problem), text)
+        return None, place, fault_of_error(str(problem), output.Run(place).log)
 
 
 def fault_of_error(problem, text):
     """What is wrong with the error that ended a run, if anything is."""
     says = re.search(r"isochor: error: .{40,}", text, re.DOTALL)
     end = " ".join(text.split()[-40:])
-    if "code 124" in problem:
+    if "seconds, the limit" in problem:
         return f"more than {LIMIT} seconds"
     if not says or "nan" in text.lower().split("isochor: error")[0]:
         return end
@@ -116,10 +115,8 @@ def fault_of_error(problem, text):
 
 def warnings_of(place):
     """Whether the run has warned of its result."""
-    text = (place / "isochor.log").read_text(errors="replace")
-    said = re.search(r"^\d+ warnings?, see above: (.*)\.$", text, re.MULTILINE)
-    return bool(said) and not all(
-        re.match(HARMLESS, subject) for subject in said.group(1).split(", ")
+    return not all(
+        re.match(HARMLESS, warning.name) for warning in output.Run(place).warnings
     )
 
 

@@ -11,10 +11,8 @@ quantity, as "u_y(A), displacement".
 
 import csv
 import importlib.util
-import os
 import re
 import statistics as stat
-import subprocess
 import sys
 from dataclasses import dataclass, field, replace
 from itertools import product
@@ -41,8 +39,7 @@ TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001)
 def shortened(problem, length=150):
     """The beginning of what a failed run said, without the names of files."""
     text = re.sub(r"<?/[^\s>]+>?", "...", " ".join(str(problem).split()))
-    _, _, said = text.partition("isochor: error: ")
-    return (said or text)[:length]
+    return text[:length]
 
 
 @dataclass(frozen=True)
@@ -126,19 +123,9 @@ def load(path):
     return module
 
 
-def mesh(geo, path, options=(), **numbers):
+def mesh(geo, path, **numbers):
     """Let gmsh mesh @p geo in 2D, unless @p path is there already."""
-    if path.exists():
-        return path
-    path.parent.mkdir(parents=True, exist_ok=True)
-    command = ["gmsh", "-2", str(geo), "-o", str(path), *options]
-    for name, value in numbers.items():
-        command += ["-setnumber", name, str(value)]
-    try:
-        subprocess.run(command, check=True, capture_output=True)
-    except (OSError, subprocess.CalledProcessError) as error:
-        raise output.OutputError(f"gmsh failed: {error}") from error
-    return path
+    return path if path.exists() else output.make_mesh(geo, path, **numbers)
 
 
 def places(count):
@@ -156,47 +143,28 @@ def places(count):
 # ------------------------------------------------------------- measuring ---
 
 
-def command_of(executable, run, directory):
-    command = [executable, str(run.prm)]
-    if run.processes > 1:
-        command = ["mpirun", "-np", str(run.processes)] + command
-    for name, value in run.overrides.items():
-        command += ["--set", f"{name}={value}"]
-    return command + ["--output-directory", str(directory)]
-
-
 def execute(executable, run, directory, cost, limit, keep=False):
-    """Run once; adds to @p cost. CPU time is what the system counts for the
-    process, loading and initialisation included. Files of an earlier run are
-    removed, unless @p keep, as a run that is resumed wants. Raises OutputError."""
-    directory.mkdir(parents=True, exist_ok=True)
-    for old in directory.glob("*"):
-        if old.is_file() and not keep:
-            old.unlink()
-    environment = dict(
-        os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1"
+    """Run once; adds to @p cost, raises OutputError. CPU time is what the system counts
+    for the processes, loading and initialisation included."""
+    done = output.run(
+        run.prm,
+        {"Output/Terminal": "times", **run.overrides},
+        executable,
+        directory,
+        run.processes,
+        limit,
+        keep=keep,
     )
-    start = os.times().elapsed
-    command = ["timeout", str(limit)] + command_of(executable, run, directory)
-    with open(directory / "isochor.log", "w") as log:
-        process = subprocess.Popen(
-            command, stdout=log, stderr=subprocess.STDOUT, env=environment
-        )
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-    cost.wall.append(os.times().elapsed - start)
-    cost.cpu.append(usage.ru_utime + usage.ru_stime)
-    cost.memory = max(cost.memory, usage.ru_maxrss / 1024)
-    if process.returncode != 0:
-        tail = (directory / "isochor.log").read_text(errors="replace")
-        raise output.OutputError(
-            f"code {process.returncode}: " + " ".join(tail.split()[-60:])
-        )
+    cost.wall.append(done.wall)
+    cost.cpu.append(done.cpu)
+    cost.memory = max(cost.memory, done.memory)
+    if done.error:
+        raise output.OutputError(done.error)
 
 
 def sections(directory):
     """{name of a phase: wall seconds} from the table that ends a run."""
-    text = (Path(directory) / "isochor.log").read_text(errors="replace")
+    text = output.Run(directory).log
     pattern = r"^\| ([a-z][a-z -]*?) +\| +\d+ \| +([0-9.e+-]+)s \|"
     return {
         name: float(seconds)
@@ -205,10 +173,8 @@ def sections(directory):
 
 
 def warnings_of(directory):
-    """The number of warnings of a run, from its last line."""
-    text = (Path(directory) / "isochor.log").read_text(errors="replace")
-    found = re.search(r"^(\d+) warnings?", text, re.MULTILINE)
-    return int(found.group(1)) if found else 0
+    """The number of warnings of a run."""
+    return len(output.Run(directory).warnings)
 
 
 def measure(executable, baseline, scene, run, directory, repeat, limit):

@@ -169,6 +169,8 @@ def cycles(bench):
 
 def time_of_warning(place, name):
     """When the run in @p place has issued the warning @p name, or None."""
-    text = (place / "isochor.log").read_text(errors="replace")
-    found = re.search(rf"warning \[{name}\]: up to t = ([0-9.e+-]+)", text)
-    return float(found.group(1)) if found else None
+    for warning in output.Run(place).warnings:
+        found = re.match(r"up to t = ([0-9.e+-]+)", warning.text)
+        if warning.name == name and found:
+            return float(found.group(1))
+    return None

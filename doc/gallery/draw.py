@@ -8,7 +8,6 @@ the scenes, and for scenes without one a run. Needs gmsh for two of them.
     doc/gallery/draw.py column prandtl  these
 """
 
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -69,11 +68,6 @@ def part_of_picture(name):
         )
 
 
-def mesh(geometry, path, *arguments):
-    command = ["gmsh", "-v", "1", "-2", str(PRM / geometry), *arguments]
-    subprocess.run([*command, "-o", str(path)], check=True)
-
-
 def draw(name, panels, **options):
     """Draw (points, field, window) side by side, without axes."""
     figure, axes = output.plt.subplots(
@@ -93,7 +87,8 @@ def draw(name, panels, **options):
 
 def column(directory):
     overrides = {"Quadrature/Type": "CPDI", "Grid/Subdivisions": "8, 64"}
-    output.run(None, PRM / "column" / "column.prm", overrides, directory)
+    scene = PRM / "column" / "column.prm"
+    output.run(scene, overrides, directory=directory, check=True)
     window = (-6, 12, -1, 51)
     last = len(output.read_times(directory)) - 1
     draw(
@@ -108,11 +103,11 @@ def column(directory):
 
 def plastic_cylinder(directory):
     mesh_file = directory / "ring.msh"
-    mesh("plastic_cylinder/ring.geo", mesh_file, "-setnumber", "n", "16")
+    output.make_mesh(PRM / "plastic_cylinder" / "ring.geo", mesh_file, n=16)
     scene = PRM / "plastic_cylinder" / "plastic_cylinder.prm"
     # the plastic zone has gone halfway through
     overrides = {"Grid/File": mesh_file, "Time/End time": 0.66}
-    output.run(None, scene, overrides, directory)
+    output.run(scene, overrides, directory=directory, check=True)
     points = output.read_points(directory)
     draw("plastic_cylinder", [(points, "equivalent_plastic_strain", None)])
 
@@ -121,8 +116,9 @@ def footing(name, scene, directory, rings=False):
     """The ground under a footing at collapse. @p rings: points are those of a
     section through a body of revolution, their volumes those of rings."""
     mesh_file = directory / "prandtl.msh"
-    mesh("prandtl/prandtl.geo", mesh_file, "-setnumber", "n", "16")
-    output.run(None, PRM / scene, {"Grid/File": mesh_file}, directory)
+    output.make_mesh(PRM / "prandtl" / "prandtl.geo", mesh_file, n=16)
+    overrides = {"Grid/File": mesh_file}
+    output.run(PRM / scene, overrides, directory=directory, check=True)
     points = output.read_points(directory)
     if rings:
         points["volume"] /= 2 * output.np.pi * points["position"][:, 0]

@@ -8,7 +8,6 @@ kept, and draw both:
 """
 
 import argparse
-import subprocess
 import sys
 from pathlib import Path
 
@@ -30,21 +29,18 @@ def main():
     arguments = parser.parse_args()
     figure, axes = plt.subplots(2, 2, figsize=(12, 5.2))
     for row, (name, steps, title) in zip(axes, RUNS):
-        subprocess.run(
-            [
-                arguments.executable,
-                str(HERE / "bearing.prm"),
-                "--output-directory",
-                name,
-                "--set",
-                f"Grid/Subdivisions={80 * arguments.cells},{24 * arguments.cells}",
-                "--set",
-                f"Grid reset/Steps between resets={steps}",
-            ],
+        run = output.run(
+            HERE / "bearing.prm",
+            {
+                "Grid/Subdivisions": f"{80 * arguments.cells},{24 * arguments.cells}",
+                "Grid reset/Steps between resets": steps,
+            },
+            arguments.executable,
+            name,
             check=True,
         )
-        force = -output.read_statistics(name)["Reaction x on bottom (N)"][-1]
-        points = output.read_points(name)
+        force = -run.statistics["Reaction x on bottom (N)"][-1]
+        points = run.points()
         for axis, field, limit in zip(row, ("pressure", "cauchy_stress_xy"), (2.0, 1.5)):
             output.plot_points(axis, points, field, scale=1e-6, unit="MPa", limits=(-limit, limit))
             axis.set_title(f"grid {title}: {force / 1e3:.1f} kN/m")

@@ -25,17 +25,11 @@ def main():
     parser.add_argument("--executable", default="isochor")
     parser.add_argument("--output", default="output")
     arguments = parser.parse_args()
-    import subprocess
-
-    subprocess.run(
-        [
-            arguments.executable,
-            str(HERE / "bent_ring.prm"),
-            "--output-directory",
-            arguments.output,
-            "--set",
-            "Time/Output interval=0.25",
-        ],
+    output.run(
+        HERE / "bent_ring.prm",
+        {"Time/Output interval": 0.25},
+        arguments.executable,
+        arguments.output,
         check=True,
     )
     figure, axes = plt.subplots(1, 3, figsize=(11, 3.6))

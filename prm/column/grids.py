@@ -1,23 +1,10 @@
 # Isochor: implicit, stabilised mixed Material Point Method on deal.II.
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Unstructured background grids of the column, as gmsh files."""
+"""Irregular background grids of the column, as gmsh files."""
 
-import subprocess
 from pathlib import Path
 
 import numpy as np
-
-SCENE = Path(__file__).resolve().parent
-
-
-def write_free(path, n):
-    """Let gmsh mesh the column with edges of length height / n."""
-    command = ["gmsh", "-2", str(SCENE / "column.geo"), "-o", str(path)]
-    command += ["-setnumber", "n", str(n)]
-    try:
-        subprocess.run(command, check=True, capture_output=True)
-    except (OSError, subprocess.CalledProcessError) as error:
-        raise RuntimeError(f"gmsh failed: {error}") from error
 
 
 def write_jittered(path, columns, n, width, height, amplitude=0.25):

@@ -11,7 +11,6 @@ code 1 if a run fails or a quadrature that should converge doesn't.
 
 import argparse
 import sys
-import time
 from pathlib import Path
 
 SCENE = Path(__file__).resolve().parent
@@ -77,7 +76,7 @@ def grid_overrides(kind, n, directory):
     if kind in ("jittered", "gmsh"):
         path = directory / f"{kind}-n{n}.msh"
         if kind == "gmsh":
-            grids.write_free(path, n)
+            output.make_mesh(SCENE / "column.geo", path, n=n)
         else:
             grids.write_jittered(path, columns, n, WIDTH, HEIGHT)
         return {"Grid/Type": "gmsh", "Grid/File": path}
@@ -116,22 +115,21 @@ def run_case(arguments, case, quadrature, n):
         "Postprocess/Exact stress": f"yy: -{density * GRAVITY}*t*({HEIGHT}-y)",
         **dict(setting.split("=", 1) for setting in arguments.set),
     }
-    start = time.perf_counter()
-    directory = output.run(
-        arguments.executable,
+    name = case_name(arguments.grid, case, quadrature, n)
+    run = output.run(
         SCENE / "column.prm",
         overrides,
-        arguments.output_directory
-        / case_name(arguments.grid, case, quadrature, n),
+        arguments.executable,
+        arguments.output_directory / name,
         arguments.processes,
+        check=True,
     )
-    wall_time = time.perf_counter() - start
-    statistics = output.read_statistics(directory)
+    statistics = run.statistics
     settlement = exact_settlement(poisson_ratio, density)
     return (
         statistics[STRESS][-1],
         -statistics[PROBE_COLUMN][-1] / settlement - 1,
-        wall_time,
+        run.wall,
     )
 
 

@@ -11,7 +11,6 @@ grid.png.
 import argparse
 import json
 import sys
-import time
 from pathlib import Path
 
 SCENE = Path(__file__).resolve().parent
@@ -35,17 +34,16 @@ def reference(poisson_ratio):
 def run(arguments, scene, overrides, name):
     """Run a scene; its last row of statistics and the seconds it took."""
     overrides = {"Material/Poisson ratio": arguments.poisson_ratio, **overrides}
-    start = time.time()
-    directory = output.run(
-        arguments.executable,
+    done = output.run(
         scene,
         overrides,
+        arguments.executable,
         arguments.output_directory / name,
         arguments.processes,
+        check=True,
     )
-    seconds = time.time() - start
-    columns = output.read_statistics(directory)
-    return {key: columns[key][-1] for key in columns}, seconds, directory
+    row = {key: column[-1] for key, column in done.statistics.items()}
+    return row, done.wall, done.directory
 
 
 def print_series(title, rows, exact):

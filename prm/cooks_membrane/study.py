@@ -72,7 +72,7 @@ class Reference:
 
 
 def run_variant(arguments, name, poisson_ratio, n):
-    """Run one variant; its output directory."""
+    """Run one variant; its Run."""
     variant = VARIANTS[name]
     overrides = {
         "Grid/Subdivisions": f"{n}, {n}",
@@ -86,11 +86,12 @@ def run_variant(arguments, name, poisson_ratio, n):
         f"{name.replace(', ', '-').replace(' ', '')}-nu{poisson_ratio}-n{n}"
     )
     return output.run(
-        arguments.executable,
         SCENE / "cooks_membrane.prm",
         overrides,
+        arguments.executable,
         directory,
         arguments.processes,
+        check=True,
     )
 
 
@@ -105,14 +106,14 @@ def run_all(arguments, sizes, fine_sizes):
                 case = f"{name}, nu = {poisson_ratio}, n = {n}"
                 print(f"running {case}", file=sys.stderr, flush=True)
                 try:
-                    directory = run_variant(arguments, name, poisson_ratio, n)
-                    column = output.read_statistics(directory)[COLUMN]
+                    run = run_variant(arguments, name, poisson_ratio, n)
+                    column = run.statistics[COLUMN]
                     if len(column) != 1 or not np.isfinite(column[-1]):
                         raise output.OutputError(
-                            f"{directory}: expected one finite value of "
+                            f"{run.directory}: expected one finite value of "
                             f"'{COLUMN}', found {column}."
                         )
-                    results[name, poisson_ratio, n] = column[-1], directory
+                    results[name, poisson_ratio, n] = column[-1], run.directory
                 except output.OutputError as error:
                     failures.append(f"{case}: {error}")
     return results, failures

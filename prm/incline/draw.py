@@ -6,7 +6,6 @@ formulas, and draw them:
 """
 
 import argparse
-import subprocess
 import sys
 from math import cos, pi, sin
 from pathlib import Path
@@ -23,12 +22,10 @@ import numpy as np  # noqa: E402
 G, ANGLE = 9.81, pi / 3
 
 
-def run(executable, scene, name, *settings):
-    command = [executable, str(HERE / f"{scene}.prm"), "--output-directory", name]
-    for setting in settings:
-        command += ["--set", setting]
-    subprocess.run(command, check=True, cwd=HERE, stdout=subprocess.DEVNULL)
-    return HERE / name
+def run(executable, scene, name, overrides=None):
+    directory = HERE / "output" / name
+    output.run(HERE / f"{scene}.prm", overrides, executable, directory, check=True)
+    return directory
 
 
 def way(directory, start):
@@ -57,19 +54,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--executable", default="isochor")
     arguments = parser.parse_args()
-    executable = str(Path(arguments.executable).resolve())
-    subprocess.run(
-        ["gmsh", "-2", "disc.geo", "-o", "disc.msh", "-v", "1"], check=True, cwd=HERE
-    )
-    friction = "Interaction: body - slope/Friction coefficient="
+    executable = arguments.executable
+    output.make_mesh(HERE / "disc.geo", HERE / "disc.msh")
     smooth = run(
-        executable,
-        "block",
-        "output/smooth",
-        "Interaction: body - slope/Law=unilateral",
+        executable, "block", "smooth", {"Interaction: body - slope/Law": "unilateral"}
     )
-    block = run(executable, "block", "output/block", friction + "0.3")
-    disc = run(executable, "disc", "output/disc")
+    block = run(executable, "block", "block")
+    disc = run(executable, "disc", "disc")
     for name, directory, start, exact in [
         ("block without friction", smooth, 0.5, G / 2 * sin(ANGLE)),
         ("block", block, 0.5, G / 2 * (sin(ANGLE) - 0.3 * cos(ANGLE))),

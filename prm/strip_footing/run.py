@@ -43,21 +43,14 @@ CASES = {
 }
 
 
-def make_mesh(path, arguments):
-    """Let gmsh mesh soil and head room."""
-    command = ["gmsh", "-2", str(SCENE / "footing.geo"), "-o", str(path)]
-    for name in ("h", "h_far", "h_edge", "uniform"):
-        command += ["-setnumber", name, str(float(getattr(arguments, name)))]
-    try:
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-    except (OSError, subprocess.CalledProcessError) as error:
-        raise output.OutputError(f"gmsh failed: {error}") from error
-
-
 def run_cases(directory, arguments):
     """Labels and output directories of the cases that made a step."""
     mesh = directory / "footing.msh"
-    make_mesh(mesh, arguments)
+    sizes = {
+        name: float(getattr(arguments, name))
+        for name in ("h", "h_far", "h_edge", "uniform")
+    }
+    output.make_mesh(SCENE / "footing.geo", mesh, **sizes)
     done = []
     for name in arguments.cases:
         case = directory / name.replace(", ", "-").replace(" ", "-")
@@ -67,10 +60,9 @@ def run_cases(directory, arguments):
             "Time/Step size": arguments.step,
             **CASES[name],
         }
-        try:
-            output.run(None, SCENE / "strip_footing.prm", overrides, case)
-        except output.OutputError as problem:
-            print(f"{name} ended early: {problem}")
+        run = output.run(SCENE / "strip_footing.prm", overrides, directory=case)
+        if run.error:
+            print(f"{name} ended early: {run.error}")
         if (case / "points.pvd").exists():
             done.append((name, case))
     return done

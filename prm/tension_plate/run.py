@@ -22,20 +22,10 @@ import isochor_output as output  # noqa: E402
 FORMULATIONS = {"u": ("u", "none"), "u-p": ("u-p", "PPP")}
 
 
-def make_mesh(path, h, room=0.0):
-    """Let gmsh mesh the plate, and so many metres above it."""
-    command = ["gmsh", "-2", str(SCENE / "plate.geo"), "-o", str(path)]
-    command += ["-setnumber", "h", str(h), "-setnumber", "room", str(room)]
-    try:
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-    except (OSError, subprocess.CalledProcessError) as error:
-        raise output.OutputError(f"gmsh failed: {error}") from error
-
-
 def run_cases(directory, arguments):
     """Labels and output directories of the four cases."""
     mesh = directory / "plate.msh"
-    make_mesh(mesh, arguments.h)
+    output.make_mesh(SCENE / "plate.geo", mesh, h=arguments.h)
     cases = []
     for poisson_ratio in ("0.33", "0.4999"):
         for name, (form, stabilisation) in FORMULATIONS.items():
@@ -47,7 +37,8 @@ def run_cases(directory, arguments):
                 "Material/Poisson ratio": poisson_ratio,
             }
             print(f"{name}, nu = {poisson_ratio}", flush=True)
-            output.run(None, SCENE / "tension_plate.prm", overrides, case)
+            scene = SCENE / "tension_plate.prm"
+            output.run(scene, overrides, directory=case, check=True)
             cases.append((f"{name}, $\\nu$ = {poisson_ratio}", case))
     return cases
 
@@ -55,10 +46,14 @@ def run_cases(directory, arguments):
 def run_on_grid_at_rest(directory, arguments):
     """The plate that leaves the grid's nodes; prints both reactions."""
     mesh = directory / "plate_room.msh"
-    make_mesh(mesh, arguments.h, max(0.004, 2 * arguments.h))
-    case = directory / "grid-at-rest"
-    output.run(None, SCENE / "grid_at_rest.prm", {"Grid/File": mesh}, case)
-    statistics = output.read_statistics(case)
+    room = max(0.004, 2 * arguments.h)
+    output.make_mesh(SCENE / "plate.geo", mesh, h=arguments.h, room=room)
+    statistics = output.run(
+        SCENE / "grid_at_rest.prm",
+        {"Grid/File": mesh},
+        directory=directory / "grid-at-rest",
+        check=True,
+    ).statistics
     top = statistics["Force y on top by place (N)"][-1]
     bottom = statistics["Reaction y on bottom (N)"][-1]
     print(f"grid at rest: top {top:.6e} N, bottom by nodes {bottom:.6e} N")

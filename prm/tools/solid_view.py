@@ -7,6 +7,7 @@ near ones, so that near ones hide what is behind them. Needs no display.
 """
 
 import argparse
+import sys
 
 import isochor_output as output
 import numpy as np
@@ -71,7 +72,7 @@ def plot_solid(
         offsets=np.column_stack([position @ right, position @ up]),
         transOffset=ax.transData,
         array=values,
-        cmap=style.colour_map,
+        cmap=output.with_grey(style.colour_map),
         linewidths=0.15,
         edgecolors=(0, 0, 0, 0.35),
         rasterized=True,
@@ -97,11 +98,12 @@ def main():
     parser.add_argument("--scale", type=float, default=1)
     parser.add_argument("--unit")
     arguments = parser.parse_args()
-    data = output.read_points(arguments.directory)
-    base = arguments.field
-    if base not in data:
-        base = base.rpartition("_")[0]
-    data = mirrored(data, [base], arguments.mirror)
+    try:
+        data = output.read_points(arguments.directory)
+        data[arguments.field] = output.field(data, arguments.field)
+    except output.OutputError as error:
+        sys.exit(f"Error: {error}")
+    data = mirrored(data, [arguments.field], arguments.mirror)
     figure, ax = output.plt.subplots(figsize=(5, 4))
     plot_solid(
         ax,

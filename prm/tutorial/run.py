@@ -77,10 +77,9 @@ class Runs:
         """Run a scene, print what it gives at the end; its statistics."""
         settings = {key.replace("__", "/").replace("_", " "): value
                     for key, value in overrides.items()}  # fmt: skip
-        where = output.run(
-            self.executable, SCENE / scene, settings, self.directory / name
-        )
-        table = output.read_statistics(where)
+        table = output.run(
+            SCENE / scene, settings, self.executable, self.directory / name, check=True
+        ).statistics
         print(
             f"{name:28s} {table['Equations'][-1]:7.0f} equations, tip "
             f"{table[TIP][-1]:9.5f} m, reaction "

@@ -9,7 +9,6 @@ over the number of equations, and a picture of the finest adaptive run.
 """
 
 import argparse
-import resource
 import sys
 from pathlib import Path
 
@@ -47,19 +46,14 @@ def run(arguments, scene, overrides, name):
         **overrides,
     }
     directory = arguments.output_directory / f"{name} {arguments.angle}"
-    start = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    try:
-        output.run(arguments.executable, SCENE / scene, overrides, directory)
-    except output.OutputError:
-        pass
-    seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - start
-    numbers = output.read_statistics(directory)
+    done = output.run(SCENE / scene, overrides, arguments.executable, directory)
+    numbers = done.statistics
     equations = numbers["Equations"]
     print(
         f"{name:>12}  gamma H/c = {collapse(numbers):.2f}, equations: "
         f"{equations.mean():.0f} in the mean, {equations.max():.0f} at most, "
         f"{numbers['Number of material points'][-1]:.0f} points, "
-        f"{seconds:.0f} s of CPU",
+        f"{done.cpu:.0f} s of CPU",
         flush=True,
     )
     return directory
