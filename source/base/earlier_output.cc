@@ -29,4 +29,30 @@ namespace isochor
            " outputs of fields. Of these, files with higher numbers than this "
            "run writes stay.";
   }
+
+
+
+  std::filesystem::file_time_type
+  start_of_output(const std::string &directory)
+  {
+    std::error_code code;
+    return std::filesystem::last_write_time(directory + "/statistics.txt",
+                                            code);
+  }
+
+
+
+  std::string
+  describe_results(const std::string                    &directory,
+                   const std::filesystem::file_time_type start)
+  {
+    std::error_code code;
+    bool            has_fields = false;
+    for (const auto &file :
+         std::filesystem::directory_iterator(directory, code))
+      has_fields = has_fields || (file.path().extension() == ".pvd" &&
+                                  file.last_write_time(code) >= start);
+    return "Results: " + directory + "/statistics.txt" +
+           (has_fields ? ", " + directory + "/*.pvd" : "");
+  }
 } // namespace isochor

@@ -23,10 +23,11 @@ namespace isochor
   {
     prm.declare_entry("Terminal",
                       "progress",
-                      Patterns::Selection("quiet|progress|verbose"),
-                      "Warnings and errors only, a line per step with an "
-                      "estimate of the time left, or in addition the residuals "
-                      "of each iteration.");
+                      Patterns::Selection("quiet|progress|times|verbose"),
+                      "Warnings and errors only; a line per step with an "
+                      "estimate of the time left; in addition tables of the "
+                      "times and of the work done at the end; and the "
+                      "residuals of each iteration.");
   }
 
 
@@ -37,6 +38,7 @@ namespace isochor
     const std::string amount = prm.get("Terminal");
     pcout.set_condition(first_rank && amount != "quiet");
     verbose = pcout.is_active() && amount == "verbose";
+    tables  = verbose || (pcout.is_active() && amount == "times");
   }
 
 
@@ -68,7 +70,7 @@ namespace isochor
   void
   Terminal::print_times() const
   {
-    if (pcout.is_active())
+    if (tables)
       sections.print_summary();
   }
 
@@ -77,7 +79,7 @@ namespace isochor
   void
   Terminal::print_work(const std::vector<std::string> &not_needed) const
   {
-    if (pcout.is_active())
+    if (tables)
       tally.print(std::cout, not_needed);
   }
 

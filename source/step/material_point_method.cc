@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 // The algorithm. What surrounds it, parameters, files and what is written to
 // the terminal, is in material_point_method_interface.cc.
+#include <isochor/base/earlier_output.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/equations/cells_crossed.h>
 #include <isochor/step/material_point_method.h>
@@ -30,7 +31,13 @@ namespace isochor
       {
         set_up();
         open_output();
+        const auto start = start_of_output(output_directory);
         run_steps();
+        terminal.print_times();
+        print_work();
+        terminal.out() << diagnoses.run_ended()
+                       << describe_results(output_directory, start)
+                       << std::endl;
       }
     catch (...)
       {
@@ -38,9 +45,6 @@ namespace isochor
           terminal.print_summary(scene.warnings);
         throw;
       }
-    terminal.print_times();
-    print_work();
-    terminal.out() << diagnoses.run_ended() << std::flush;
     terminal.print_summary(scene.warnings);
   }
 

@@ -5,6 +5,7 @@
 #ifndef isochor_earlier_output_h
 #define isochor_earlier_output_h
 
+#include <filesystem>
 #include <string>
 
 namespace isochor
@@ -13,6 +14,17 @@ namespace isochor
    * a sentence for the user; empty if there is nothing. */
   std::string
   describe_earlier_output(const std::string &directory);
+
+  /** When the run began that has just opened its statistics.txt in @p
+   * directory, by the clock of the file system. */
+  std::filesystem::file_time_type
+  start_of_output(const std::string &directory);
+
+  /** Where the results of a run are that began at @p start, in a line:
+   * statistics.txt, and .pvd files if it has written any. */
+  std::string
+  describe_results(const std::string              &directory,
+                   std::filesystem::file_time_type start);
 } // namespace isochor
 
 #endif

@@ -72,11 +72,12 @@ namespace isochor
     std::string
     time_left(const double end_time) const;
 
-    /** The table of times, at the end of a run. */
+    /** The table of times, at the end of a run, if it is asked for. */
     void
     print_times() const;
 
-    /** The table of what was done and skipped, and what was @p not_needed. */
+    /** The table of what was done and skipped, and what was @p not_needed, if
+     * it is asked for. */
     void
     print_work(const std::vector<std::string> &not_needed) const;
 
@@ -87,7 +88,7 @@ namespace isochor
 
   private:
     const bool         first_rank;
-    bool               verbose = false;
+    bool               verbose = false, tables = false;
     ConditionalOStream pcout;
     TimerOutput        sections;
     WorkTally          tally;
