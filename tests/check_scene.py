@@ -14,6 +14,8 @@ numbers of a unit are only rounding:
     # tolerance of Reaction x on left (N): 1e-3
     # scale of N: 100
 
+Of a scene of many steps some are enough: the line '# every: 20' leaves each 20th.
+
 Names of warnings are compared, too.
 """
 import argparse
@@ -117,6 +119,10 @@ def check(program, name, ranks, place, writes):
     table = run.statistics
     for column in NOISE & table.keys():
         del table[column]
+    every = remarks(scene, "every").get("", 1)
+    shown = table["Step"] % every == 0
+    for column in table:
+        table[column] = table[column][shown]
     warnings = ", ".join(warning.name for warning in run.warnings) or "none"
 
     lines = [f"  there is no {reference.name} yet"]
