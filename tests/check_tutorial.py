@@ -11,10 +11,13 @@ the scenes. Exit code 1 and a list of what is wrong.
 """
 import pathlib
 import re
-import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "prm" / "tools"))
+
+import isochor  # noqa: E402
+
 SCENES = ROOT / "prm" / "tutorial"
 PAGE = (ROOT / "doc" / "tutorial.md").read_text()
 
@@ -68,17 +71,6 @@ CASES = {
 NOT_IN_TEXT = {"9.8100", "1.59"}
 
 
-def last_row(path):
-    """The last row of statistics.txt, by the names of its columns."""
-    names, row = [], []
-    for line in path.read_text().splitlines():
-        if line.startswith("#"):
-            names.append(line.split(":", 1)[1].strip())
-        elif line.strip():
-            row = line.split()
-    return {name: float(value) for name, value in zip(names, row)}
-
-
 def run(program, name):
     """What is wrong with the case @p name."""
     scene, parameters, values, messages, expected_code = CASES[name]
@@ -88,21 +80,16 @@ def run(program, name):
     if name == "misspelt":
         path = directory / scene
         path.write_text((SCENES / "bar.prm").read_text().replace("Poisson", "Poison"))
-    command = [program, str(path), "--output-directory", str(directory)]
-    for key, value in parameters.items():
-        command += ["--set", f"{key}={value}"]
-    result = subprocess.run(
-        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
-    )
-    if result.returncode != expected_code:
-        return [f"{name}: exit code {result.returncode}: {result.stdout[-1000:]}"]
-    said = " ".join(result.stdout.split())
+    result = isochor.run(path, parameters, program, directory)
+    if bool(result.error) != (expected_code != 0):
+        return [f"{name}: {result.error or 'no error'}"]
+    said = " ".join(result.log.split())
     wrong = [f"{name}: no message '{m}'" for m in messages if m not in said]
-    row = last_row(directory / "statistics.txt") if values else {}
     for column, quoted in values.items():
         unit = 10.0 ** -len(quoted.partition(".")[2])
-        if not abs(row[column] - float(quoted)) <= unit:
-            wrong.append(f"{name}: {column} is {row[column]}, not {quoted}")
+        value = result.statistics[column][-1]
+        if not abs(value - float(quoted)) <= unit:
+            wrong.append(f"{name}: {column} is {value}, not {quoted}")
     return wrong
 
 

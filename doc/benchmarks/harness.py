@@ -148,7 +148,7 @@ def execute(executable, run, directory, cost, limit, keep=False):
     for the processes, loading and initialisation included."""
     done = output.run(
         run.prm,
-        {"Output/Terminal": "times", **run.overrides},
+        {"Output/Terminal": "verbose", **run.overrides},
         executable,
         directory,
         run.processes,
