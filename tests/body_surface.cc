@@ -402,6 +402,49 @@ test_stretched_after_a_long_way()
                     2e-3);
 }
 
+/** Loads as sections of their own are what the parameters of <Boundary
+ * conditions> are short for; on a body they act on all of its surface. */
+void
+test_sections()
+{
+  const auto run = [](const std::string &loads) {
+    return test::run_scene<2>(
+      "Grid/Upper corner = 1.5, 1.5\nGrid/Subdivisions = 9, 9\n"
+      "Material/Young modulus = 100\nMaterial/Poisson ratio = 0.3\n"
+      "Time/Step size = 0.25\nNewton/Tolerance = 1e-12\n"
+      "Quadrature/Type = CPDI\n"
+      "Material points/Region = x<1 && y<1\n"
+      "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
+      "Boundary conditions/Surfaces of body = right: x>0.99\n"
+      "Postprocess/Point probes = A: 0.95, 0.9\n" +
+      loads);
+  };
+  const auto in_short =
+    run("Boundary conditions/Pressure on body = right: 8*t*y\n"
+        "Boundary conditions/Traction on body = right: 0, -2*t\n");
+  const auto sections = run("Interaction: right - load/Pressure = 8*t*y\n"
+                            "Interaction: right - load/Traction = 0, -2*t\n");
+  for (const std::string column : {"Load x on right (N)",
+                                   "Load y on right (N)",
+                                   "Displacement x of A (m)"})
+    test::check_error(
+      "as a section of its own: " + column,
+      std::abs(test::get(*sections, column) / test::get(*in_short, column) - 1),
+      1e-12);
+  const auto of_body = run("Interaction: body - load/Pressure = 8*t\n");
+  test::check_error("a pressure all around is in balance",
+                    std::abs(test::get(*of_body, "Load x on body (N)")) +
+                      std::abs(test::get(*of_body, "Load y on body (N)")),
+                    1e-10);
+  test::check_error("and shrinks it alike in both directions",
+                    std::abs(test::get(*of_body, "Displacement x of A (m)") /
+                               test::get(*of_body, "Displacement y of A (m)") -
+                             0.95 / 0.9),
+                    1e-9);
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -413,5 +456,6 @@ main(int argc, char **argv)
   test_ties();
   test_corner();
   test_loaded_area();
+  test_sections();
   test_stretched_after_a_long_way();
 }

@@ -183,12 +183,13 @@ namespace
       "rest: y > 0.01\nInteraction: rest - place/Displacement = x=0\n"
       "Output/Terminal = progress\n");
     std::cout.rdbuf(original);
-    test::check("faces between bodies belong to no surface",
-                test::this_rank() != 0 ||
-                  printed.str().find(
-                    "<Interaction: rest - place>: 24 faces, 3 m\n") !=
-                    std::string::npos,
-                printed.str());
+    test::check(
+      "faces between bodies belong to no surface",
+      test::this_rank() != 0 ||
+        printed.str().find(
+          "<Interaction: rest - place>: 24 faces, 3 m in [0, 1] x [0, "
+          "1]\n") != std::string::npos,
+      printed.str());
   }
 
   /** Two blocks, one on the other: apart from the left half, which may part,

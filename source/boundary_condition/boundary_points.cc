@@ -17,64 +17,6 @@
 
 namespace isochor
 {
-  /** The cells that boundary points may act on. */
-  template <int dim>
-  class BoundaryPoints<dim>::Candidates
-  {
-  public:
-    Candidates(const BackgroundGrid<dim> &grid, const PointArrays<dim> &body)
-      : functions(grid.shape_functions())
-      , by_nodes(body.has_stencils())
-    {
-      if (by_nodes)
-        members = body.stencil_vertex;
-      else
-        members.assign(body.cell.begin(),
-                       body.cell.begin() + body.n_occupied_cells);
-      make_unique();
-      if (Utilities::MPI::n_mpi_processes(grid.communicator()) == 1)
-        return;
-      std::vector<unsigned int> all;
-      for (const auto &of_rank :
-           Utilities::MPI::all_gather(grid.communicator(), members))
-        all.insert(all.end(), of_rank.begin(), of_rank.end());
-      members.swap(all);
-      make_unique();
-    }
-
-    bool
-    contain(const unsigned int cell) const
-    {
-      if (!by_nodes)
-        return is_member(cell);
-      const auto vertices = functions.nodes(cell);
-      return std::all_of(vertices.begin(),
-                         vertices.end(),
-                         [this](const unsigned int v) { return is_member(v); });
-    }
-
-  private:
-    bool
-    is_member(const unsigned int i) const
-    {
-      return std::binary_search(members.begin(), members.end(), i);
-    }
-
-    void
-    make_unique()
-    {
-      std::sort(members.begin(), members.end());
-      members.erase(std::unique(members.begin(), members.end()), members.end());
-    }
-
-    const ShapeFunctions<dim> &functions;
-    const bool                 by_nodes;
-    /** Occupied cells or active vertices, of all ranks. */
-    std::vector<unsigned int> members;
-  };
-
-
-
   namespace
   {
     template <int dim>
@@ -112,30 +54,12 @@ namespace isochor
 
 
   template <int dim>
-  bool
-  BoundaryPoints<dim>::are_on_domains(const PointArrays<dim> &body) const
-  {
-    // a rank may have no points
-    return Utilities::MPI::max(body.displacement.empty() ? 0 : 1,
-                               grid.communicator()) != 0;
-  }
-
-
-
-  template <int dim>
   void
-  BoundaryPoints<dim>::seed(const std::vector<SurfaceRegion<dim>> &regions,
-                            const std::vector<SurfaceFace<dim>>   &faces,
-                            const PointArrays<dim>                &body)
+  BoundaryPoints<dim>::seed(const std::vector<SurfaceFace<dim>> &faces)
   {
-    this->regions = regions;
-    // a rank may have no points
-    on_domains = Utilities::MPI::max(body.displacement.empty() ? 0 : 1,
-                                     grid.communicator()) != 0;
     records = PointRecords<dim>(n_entries);
     // one rank hands them to the others when they are located
-    if (on_domains ||
-        Utilities::MPI::this_mpi_process(grid.communicator()) != 0)
+    if (Utilities::MPI::this_mpi_process(grid.communicator()) != 0)
       return;
     for (const SurfaceFace<dim> &face : faces)
       for (unsigned int i = 0; i < rule.size(); ++i)
@@ -161,23 +85,14 @@ namespace isochor
   BoundaryPoints<dim>::locate(const PointArrays<dim> &body)
   {
     clear_stencils();
-    if (on_domains)
-      add_points_on_domains(body);
-    else
-      locate_in_cells(body);
-  }
-
-
-
-  template <int dim>
-  void
-  BoundaryPoints<dim>::locate_in_cells(const PointArrays<dim> &body)
-  {
-    const Candidates candidates(grid, body);
+    const std::vector<unsigned int> occupied =
+      union_over_ranks({body.cell.begin(),
+                        body.cell.begin() + body.n_occupied_cells},
+                       grid.communicator());
     if (Utilities::MPI::n_mpi_processes(grid.communicator()) > 1)
       {
         for (unsigned int b = 0; b < size(); ++b)
-          records.cells[b] = find_cells(b, candidates).front();
+          records.cells[b] = find_cells(b, occupied).front();
         std::size_t n_shipped;
         // in an order that does not depend on how the points came here
         records = sorted_by_id(
@@ -185,7 +100,7 @@ namespace isochor
       }
     for (unsigned int b = 0; b < size(); ++b)
       {
-        const auto cells = find_cells(b, candidates);
+        const auto cells = find_cells(b, occupied);
         records.cells[b] = cells.front();
         add_stencil(b, cells);
       }
@@ -195,9 +110,13 @@ namespace isochor
 
   template <int dim>
   std::vector<unsigned int>
-  BoundaryPoints<dim>::find_cells(const unsigned int b,
-                                  const Candidates  &candidates) const
+  BoundaryPoints<dim>::find_cells(
+    const unsigned int               b,
+    const std::vector<unsigned int> &occupied) const
   {
+    const auto is_occupied = [&occupied](const unsigned int cell) {
+      return std::binary_search(occupied.begin(), occupied.end(), cell);
+    };
     constexpr unsigned int no_cell  = SimplexGeometry<dim>::no_cell;
     constexpr double       on_face  = 1e-7;
     constexpr double       furthest = 30; // sizes of a cell
@@ -205,7 +124,7 @@ namespace isochor
     const Point<dim>      &x        = records.locations[b];
     const auto             place    = locator->locate(x, records.cells[b]);
     const unsigned int     start = place.found ? place.cell : records.cells[b];
-    if (place.found && candidates.contain(start))
+    if (place.found && is_occupied(start))
       {
         bool is_inside = true;
         for (unsigned int v = 0; v <= dim; ++v)
@@ -215,11 +134,7 @@ namespace isochor
           return {start};
       }
     const auto cells = nearest_cells<dim>(
-      geometry,
-      x,
-      start,
-      [&](const unsigned int cell) { return candidates.contain(cell); },
-      std::numeric_limits<double>::max());
+      geometry, x, start, is_occupied, std::numeric_limits<double>::max());
     std::ostringstream where;
     where << x;
     AssertThrow(
@@ -300,8 +215,9 @@ namespace isochor
     const NodalUnknowns<dim> nodal(step, unknowns);
     for (unsigned int b = 0; b < size(); ++b)
       {
-        const Tensor<1, dim> increment   = nodal.increment_at(stencil(b));
-        const Tensor<2, dim> F_increment = nodal.deformation_at(stencil(b));
+        const auto           at          = place(b);
+        const Tensor<1, dim> increment   = nodal.increment_at(at);
+        const Tensor<2, dim> F_increment = nodal.deformation_at(at);
         // for a step on the grid as it is then; see GridReset
         if (determinant(F_increment) > 0)
           {
@@ -310,7 +226,7 @@ namespace isochor
                  ++i)
               stencil_gradient[i] = stencil_gradient[i] * inverse;
           }
-        const Tensor<2, dim> new_F = F_increment * F(b);
+        const Tensor<2, dim> new_F = F_increment * at.F;
         records.locations[b] += increment;
         double *const payload = &records.payloads[b * n_entries];
         for (unsigned int d = 0; d < dim; ++d)
@@ -337,18 +253,6 @@ namespace isochor
 
 
   template <int dim>
-  Tensor<1, dim>
-  BoundaryPoints<dim>::reference_area(const unsigned int b) const
-  {
-    Tensor<1, dim> A;
-    for (unsigned int d = 0; d < dim; ++d)
-      A[d] = records.payload(b)[area_entry + d];
-    return A;
-  }
-
-
-
-  template <int dim>
   Tensor<2, dim>
   BoundaryPoints<dim>::F(const unsigned int b) const
   {
@@ -357,6 +261,27 @@ namespace isochor
       for (unsigned int e = 0; e < dim; ++e)
         F[d][e] = records.payload(b)[F_entry + d * dim + e];
     return F;
+  }
+
+
+
+  template <int dim>
+  typename SurfaceForces<dim>::Place
+  BoundaryPoints<dim>::place(const unsigned int b) const
+  {
+    typename SurfaceForces<dim>::Place at;
+    const std::size_t                  begin = stencil_start[b];
+    at.displacement                          = displacement(b);
+    at.X = Point<dim>(records.locations[b] - at.displacement);
+    for (unsigned int d = 0; d < dim; ++d)
+      at.area[d] = records.payload(b)[area_entry + d];
+    at.F       = F(b);
+    at.n_nodes = stencil_start[b + 1] - begin;
+    at.vertex  = stencil_vertex.data() + begin;
+    at.shape.assign(stencil_shape.begin() + begin,
+                    stencil_shape.begin() + stencil_start[b + 1]);
+    at.gradient = stencil_gradient.data() + begin;
+    return at;
   }
 
 

@@ -28,7 +28,7 @@ namespace isochor
              << records.locations[b];
         for (const double value : records.payload(b))
           line << ' ' << value;
-        const Stencil nodes = stencil(b);
+        const auto nodes = place(b);
         line << ' ' << nodes.n_nodes;
         for (unsigned int I = 0; I < nodes.n_nodes; ++I)
           line << ' ' << nodes.vertex[I] << ' ' << nodes.shape[I] << ' '
@@ -39,8 +39,7 @@ namespace isochor
     for (const auto &of_rank :
          Utilities::MPI::all_gather(grid.communicator(), lines))
       all_lines.insert(of_rank.begin(), of_rank.end());
-    std::string state = std::to_string(on_domains) + ' ' +
-                        std::to_string(all_lines.size()) + '\n';
+    std::string state = std::to_string(all_lines.size()) + '\n';
     for (const auto &line : all_lines)
       state += line.second + '\n';
     return state;
@@ -50,18 +49,15 @@ namespace isochor
 
   template <int dim>
   void
-  BoundaryPoints<dim>::load_state(
-    const std::vector<SurfaceRegion<dim>> &regions,
-    const std::string                     &state)
+  BoundaryPoints<dim>::load_state(const std::string &state)
   {
-    this->regions = regions;
-    records       = PointRecords<dim>(n_entries);
+    records = PointRecords<dim>(n_entries);
     clear_stencils();
     const unsigned int rank =
       Utilities::MPI::this_mpi_process(grid.communicator());
     std::istringstream text(state);
     std::size_t        n = 0;
-    text >> on_domains >> n;
+    text >> n;
     for (std::size_t b = 0; b < n; ++b)
       {
         types::particle_index         id;
@@ -109,11 +105,9 @@ namespace isochor
   template std::string
   BoundaryPoints<2>::save_state() const;
   template void
-  BoundaryPoints<2>::load_state(const std::vector<SurfaceRegion<2>> &,
-                                const std::string &);
+  BoundaryPoints<2>::load_state(const std::string &);
   template std::string
   BoundaryPoints<3>::save_state() const;
   template void
-  BoundaryPoints<3>::load_state(const std::vector<SurfaceRegion<3>> &,
-                                const std::string &);
+  BoundaryPoints<3>::load_state(const std::string &);
 } // namespace isochor

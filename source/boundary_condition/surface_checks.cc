@@ -81,56 +81,6 @@ namespace isochor
 
 
 
-  template <int dim>
-  void
-  warn_of_loads_on_supports(const StepContext<dim>       &step,
-                            const NodalField             &unknowns,
-                            const SurfaceConditions<dim> &conditions,
-                            const BoundaryPoints<dim>    &points,
-                            const SurfaceForces<dim>     &forces,
-                            const NodalConstraints       &constraints)
-  {
-    // normals of faces along an axis have some
-    constexpr double nearly_all = 0.99, rounding = 1e-9;
-    // by surface and component: what is on supports, and all
-    std::vector<double> sums(2 * dim * conditions.surfaces.size());
-    for (unsigned int b = 0; b < points.size(); ++b)
-      {
-        const Tensor<1, dim> load    = forces.load(step, unknowns, b);
-        const auto           stencil = points.stencil(b);
-        double *const        sum     = &sums[2 * dim * points.surface(b)];
-        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-          for (unsigned int a = 0; a < dim; ++a)
-            {
-              const double       part = std::abs(stencil.shape[I] * load[a]);
-              const unsigned int i =
-                step.nodes.node(stencil.vertex[I]) * step.n_components + a;
-              if (constraints.constrained[i] == NodalConstraints::prescribed)
-                sum[2 * a] += part;
-              sum[2 * a + 1] += part;
-            }
-      }
-    Utilities::MPI::sum(sums, step.grid.communicator(), sums);
-    for (unsigned int s = 0; s < conditions.surfaces.size(); ++s)
-      {
-        double load = 0;
-        for (unsigned int a = 0; a < dim; ++a)
-          load += sums[2 * (dim * s + a) + 1];
-        for (unsigned int a = 0; a < dim; ++a)
-          if (const double *const sum = &sums[2 * (dim * s + a)];
-              sum[1] > rounding * load && sum[0] > nearly_all * sum[1])
-            step.warnings.add(
-              "a load on a support",
-              "the load on <" + conditions.surfaces[s].place.name + "> of <" +
-                conditions.surfaces[s].place.parameter + "> acts in " +
-                "xyz"[a] +
-                " where this component is prescribed: the body doesn't feel "
-                "it. Leave the component free there.");
-      }
-  }
-
-
-
   ISOCHOR_EXPLAIN(
     surface_off_body,
     "surface in part off the body",
@@ -146,17 +96,6 @@ namespace isochor
 
 
 
-  ISOCHOR_EXPLAIN(
-    load_on_support,
-    "a load on a support",
-    ISOCHOR_ESSENTIAL,
-    "a load on a surface of the body (`Traction` included) acts, in a "
-    "component, only on nodes at which this component is prescribed: it "
-    "goes into the support, and the body doesn't feel it",
-    "leave the component free there, or put the load elsewhere")
-
-
-
   template void
   warn_of_surfaces_off_the_body(const StepContext<2> &,
                                 const SurfaceConditions<2> &,
@@ -166,13 +105,6 @@ namespace isochor
   warn_of_places_without_comparison(const StepContext<2> &,
                                     const SurfaceConditions<2> &);
   template void
-  warn_of_loads_on_supports(const StepContext<2> &,
-                            const NodalField &,
-                            const SurfaceConditions<2> &,
-                            const BoundaryPoints<2> &,
-                            const SurfaceForces<2> &,
-                            const NodalConstraints &);
-  template void
   warn_of_surfaces_off_the_body(const StepContext<3> &,
                                 const SurfaceConditions<3> &,
                                 const std::vector<double> &,
@@ -180,11 +112,4 @@ namespace isochor
   template void
   warn_of_places_without_comparison(const StepContext<3> &,
                                     const SurfaceConditions<3> &);
-  template void
-  warn_of_loads_on_supports(const StepContext<3> &,
-                            const NodalField &,
-                            const SurfaceConditions<3> &,
-                            const BoundaryPoints<3> &,
-                            const SurfaceForces<3> &,
-                            const NodalConstraints &);
 } // namespace isochor

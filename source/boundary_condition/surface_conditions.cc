@@ -17,11 +17,12 @@ namespace isochor
       "",
       Patterns::Anything(),
       "Dead loads (Pa) on the surface that the body has on boundaries of the "
-      "grid at t = 0: 'boundary: t_x, t_y(, t_z); boundary: ...'. Short for "
-      "'Surfaces of body' and 'Traction on body': the load follows the "
-      "material it was put on, its formulas are in the reference position x, "
-      "y(, z) and t, and it is per reference area. Of faces that the body "
-      "covers in part only this part is loaded.");
+      "grid at t = 0: 'boundary: t_x, t_y(, t_z); boundary: ...'. The load "
+      "follows the material it was put on, its formulas are in the reference "
+      "position x, y(, z) and t, and it is per reference area. As all loads "
+      "of this section it is short for a section 'Interaction: name - load' "
+      "(with other quadratures than CPDI the only way to write it; of faces "
+      "that the body covers in part only this part is loaded then).");
     prm.declare_entry(
       "Surfaces of body",
       "",
@@ -35,15 +36,14 @@ namespace isochor
       "fills (or those of <Mesh of body surfaces>, where the faces on planes of "
       "symmetry belong to its surface, too: leave them out by the condition), "
       "as far as the body covers them; boundary points mark them and follow the "
-      "body. If the grid is moved or refined, these faces lie elsewhere, and a "
-      "condition must still hold at their centres; with a mesh it does.");
+      "body, and the grid must not adapt.");
     prm.declare_entry(
       "Boundary points per face",
       "3",
       Patterns::Integer(1),
-      "Number of boundary points on each face at t = 0, which are Gauss "
+      "With other quadratures than CPDI: the number of boundary points on each "
+      "face at t = 0, which are Gauss "
       "points: any number in 2D; 1, 3, 4, 6, 7, 9, 12, 15, 16, ... in 3D. "
-      "With CPDI the faces are those of the points' domains. "
       "From 2 (2D) or 3 (3D) on, a traction linear on a face is integrated "
       "exactly.");
     prm.declare_entry(
@@ -98,8 +98,7 @@ namespace isochor
       {
         if (region.name == name)
           {
-            surfaces.emplace_back();
-            surfaces.back().place = region;
+            surfaces.push_back({region, {name, region.parameter, {}, {}}});
             return surfaces.back();
           }
         known += (known.empty() ? "" : ", ") + region.name;
@@ -126,9 +125,11 @@ namespace isochor
         surface.place.name             = entry.first;
         surface.place.parameter        = name;
         surface.place.on_grid_boundary = true;
+        surface.load.surface           = entry.first;
+        surface.load.parameter         = name;
         for (const auto &item : split_formulas(entry.second, name))
-          surface.traction.emplace_back(item, name);
-        AssertThrow(surface.traction.size() == dim,
+          surface.load.traction.emplace_back(item, name);
+        AssertThrow(surface.load.traction.size() == dim,
                     ExcMessage("The parameter <" + name + "> needs " +
                                std::to_string(dim) + " components on <" +
                                entry.first + ">."));
@@ -149,7 +150,7 @@ namespace isochor
         for (const auto &entry :
              split_list_of_unique_names(prm.get(parameter), name))
           {
-            auto      &surface  = find_surface(entry.first, parameter);
+            auto      &surface  = find_surface(entry.first, parameter).load;
             auto      &load     = is_dead ? surface.traction : surface.pressure;
             const auto formulas = is_dead ?
                                     split_formulas(entry.second, name) :

@@ -2,69 +2,125 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/explanation.h>
+#include <isochor/base/mpi_sums.h>
 #include <isochor/base/thickness.h>
 #include <isochor/boundary_condition/surface_forces.h>
 #include <isochor/equations/nodal_unknowns.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 namespace isochor
 {
-  template <int dim>
-  double
-  SurfaceForces<dim>::area(const StepContext<dim> &step,
-                           const unsigned int      b) const
+  namespace
   {
-    return thickness(step.kernel.axisymmetric,
-                     points.reference_location(b)[0]) *
-           points.reference_area(b).norm();
+    /** The entry of the first unknown of node @p I of a place. */
+    template <int dim, typename Place>
+    unsigned int
+    first_entry(const StepContext<dim> &step,
+                const Place            &at,
+                const unsigned int      I)
+    {
+      return step.nodes.node(at.vertex[I]) * step.n_components;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  SurfaceForces<dim>::collect_elements(const StepContext<dim> &step,
+                                       ElementNodes           &elements) const
+  {
+    std::vector<unsigned int> nodes;
+    for (unsigned int b = 0; b < n_places(); ++b)
+      if (!load_at(b).pressure.empty())
+        {
+          const Place at = place(b);
+          nodes.clear();
+          for (unsigned int I = 0; I < at.n_nodes; ++I)
+            nodes.push_back(step.nodes.node(at.vertex[I]));
+          elements.add(nodes.begin(), nodes.end());
+        }
   }
 
 
 
   template <int dim>
   EvaluationStatus
-  SurfaceForces<dim>::evaluate_point(const StepContext<dim> &step,
-                                     const NodalField       &unknowns,
-                                     const unsigned int      b,
-                                     const bool              with_matrix,
-                                     PointElement           &element) const
+  SurfaceForces<dim>::assemble(const StepContext<dim> &step,
+                               const NodalField       &unknowns,
+                               const NodalField       &pending,
+                               const unsigned int      first_element,
+                               const bool              with_matrix,
+                               MixedSystem<dim>       &system) const
   {
-    const double p =
-      condition_at(b).pressure.front()(points.reference_location(b), step.time);
-    const auto               nodes = points.stencil(b);
-    const double *const      N     = nodes.shape;
-    const NodalUnknowns<dim> nodal(step, unknowns);
-    const Tensor<2, dim>     F_increment = nodal.deformation_at(nodes);
-    element.reinit(nodes.n_nodes * step.n_components, with_matrix);
-    // Nanson: a = det F F^{-T} A_0
-    const Tensor<2, dim> F = F_increment * points.F(b);
+    Element      element;
+    unsigned int e = first_element;
+    for (unsigned int b = 0; b < n_places(); ++b)
+      if (!load_at(b).pressure.empty())
+        {
+          const EvaluationStatus status = evaluate_pressure(
+            step, unknowns, b, place(b), with_matrix, element);
+          if (status != EvaluationStatus::success)
+            return status;
+          system.add_element(e++,
+                             element.residual.data(),
+                             with_matrix ? element.matrix.data() : nullptr,
+                             pending);
+        }
+    return EvaluationStatus::success;
+  }
+
+
+
+  template <int dim>
+  EvaluationStatus
+  SurfaceForces<dim>::evaluate_pressure(const StepContext<dim> &step,
+                                        const NodalField       &unknowns,
+                                        const unsigned int      b,
+                                        const Place            &at,
+                                        const bool              with_matrix,
+                                        Element                &element) const
+  {
+    const unsigned int nc = step.n_components, n_dofs = at.n_nodes * nc;
+    element.residual.assign(n_dofs, 0.);
+    if (with_matrix)
+      element.matrix.assign(n_dofs * n_dofs, 0.);
+    const double               p = load_at(b).pressure.front()(at.X, step.time);
+    const std::vector<double> &N = at.shape;
+    const NodalUnknowns<dim>   nodal(step, unknowns);
+    const Tensor<2, dim>       F_increment = nodal.deformation_at(at);
+    const Tensor<2, dim>       F           = F_increment * at.F;
     if (!(determinant(F) > 0) || !(determinant(F_increment) > 0))
       return EvaluationStatus::inverted_point;
-    Tensor<1, dim> a = determinant(F) * (points.reference_area(b) * invert(F));
+    // Nanson: a = det F F^{-T} A_0
+    Tensor<1, dim> a = determinant(F) * (at.area * invert(F));
     // a ring of the radius at the end of the step
     const double radius =
       step.kernel.axisymmetric ?
-        (points.reference_location(b) + points.displacement(b) +
-         nodal.increment_at(nodes))[0] :
+        (at.X + at.displacement + nodal.increment_at(at))[0] :
         0.;
     a *= thickness(step.kernel.axisymmetric, radius);
 
-    const unsigned int nc = step.n_components, n_dofs = nodes.n_nodes * nc;
-    for (unsigned int I = 0; I < nodes.n_nodes; ++I)
+    for (unsigned int I = 0; I < at.n_nodes; ++I)
       for (unsigned int d = 0; d < dim; ++d)
         element.residual[I * nc + d] += p * N[I] * a[d];
     if (!with_matrix)
       return EvaluationStatus::success;
     // δa = (∇·δu) a - (∇δu)^T a
     const Tensor<2, dim> inverse = invert(F_increment);
-    for (unsigned int J = 0; J < nodes.n_nodes; ++J)
+    for (unsigned int J = 0; J < at.n_nodes; ++J)
       {
-        const Tensor<1, dim> g = nodes.gradient[J] * inverse;
-        for (unsigned int I = 0; I < nodes.n_nodes; ++I)
+        const Tensor<1, dim> g = at.gradient[J] * inverse;
+        for (unsigned int I = 0; I < at.n_nodes; ++I)
           for (unsigned int d = 0; d < dim; ++d)
             for (unsigned int e = 0; e < dim; ++e)
               element.matrix[(I * nc + d) * n_dofs + J * nc + e] +=
                 p * N[I] * (g[e] * a[d] - g[d] * a[e]);
-        for (unsigned int I = 0; I < nodes.n_nodes && radius > 0; ++I)
+        for (unsigned int I = 0; I < at.n_nodes && radius > 0; ++I)
           for (unsigned int d = 0; d < dim; ++d)
             element.matrix[(I * nc + d) * n_dofs + J * nc] +=
               p * N[I] * a[d] * N[J] / radius;
@@ -77,16 +133,17 @@ namespace isochor
   template <int dim>
   Tensor<1, dim>
   SurfaceForces<dim>::dead_load(const StepContext<dim> &step,
-                                const unsigned int      b) const
+                                const unsigned int      b,
+                                const Place            &at) const
   {
-    const auto    &traction = condition_at(b).traction;
+    const auto    &traction = load_at(b).traction;
     Tensor<1, dim> force;
     if (traction.empty())
       return force;
-    const double     A = area(step, b);
-    const Point<dim> X = points.reference_location(b);
+    const double A =
+      thickness(step.kernel.axisymmetric, at.X[0]) * at.area.norm();
     for (unsigned int a = 0; a < dim; ++a)
-      force[a] = A * traction[a](X, step.time);
+      force[a] = A * traction[a](at.X, step.time);
     return force;
   }
 
@@ -94,17 +151,17 @@ namespace isochor
 
   template <int dim>
   Tensor<1, dim>
-  SurfaceForces<dim>::load(const StepContext<dim> &step,
-                           const NodalField       &unknowns,
-                           const unsigned int      b) const
+  SurfaceForces<dim>::force_at(const StepContext<dim> &step,
+                               const NodalField       &unknowns,
+                               const unsigned int      b,
+                               const Place            &at) const
   {
-    Tensor<1, dim> force = dead_load(step, b);
-    if (condition_at(b).pressure.empty())
+    Tensor<1, dim> force = dead_load(step, b, at);
+    if (load_at(b).pressure.empty())
       return force;
-    const unsigned int n_nodes = points.stencil(b).n_nodes;
-    PointElement       element;
-    evaluate_point(step, unknowns, b, false, element);
-    for (unsigned int I = 0; I < n_nodes; ++I)
+    Element element;
+    evaluate_pressure(step, unknowns, b, at, false, element);
+    for (unsigned int I = 0; I < at.n_nodes; ++I)
       for (unsigned int a = 0; a < dim; ++a)
         force[a] -= element.residual[I * step.n_components + a];
     return force;
@@ -117,19 +174,127 @@ namespace isochor
   SurfaceForces<dim>::add_dead_loads(const StepContext<dim> &step,
                                      NodalField             &force) const
   {
-    for (unsigned int b = 0; b < points.size(); ++b)
+    for (unsigned int b = 0; b < n_places(); ++b)
+      if (!load_at(b).traction.empty())
+        {
+          const Place          at   = place(b);
+          const Tensor<1, dim> load = dead_load(step, b, at);
+          for (unsigned int I = 0; I < at.n_nodes; ++I)
+            for (unsigned int a = 0; a < dim; ++a)
+              force.local_element(first_entry(step, at, I) + a) +=
+                at.shape[I] * load[a];
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceForces<dim>::add_pressures(const StepContext<dim> &step,
+                                    const NodalField       &unknowns,
+                                    NodalField             &force) const
+  {
+    Element element;
+    for (unsigned int b = 0; b < n_places(); ++b)
+      if (!load_at(b).pressure.empty())
+        {
+          const Place at = place(b);
+          // what can't be evaluated stops assemble(), too
+          if (evaluate_pressure(step, unknowns, b, at, false, element) !=
+              EvaluationStatus::success)
+            return;
+          for (unsigned int I = 0; I < at.n_nodes; ++I)
+            for (unsigned int a = 0; a < dim; ++a)
+              force.local_element(first_entry(step, at, I) + a) -=
+                element.residual[I * step.n_components + a];
+        }
+  }
+
+
+
+  template <int dim>
+  std::vector<std::array<double, 3 * dim>>
+  SurfaceForces<dim>::sums(const Surfaces         &surfaces,
+                           const StepContext<dim> &step,
+                           const NodalField       &unknowns,
+                           const NodalConstraints &constraints) const
+  {
+    std::vector<std::array<double, 3 * dim>> result(surfaces.size());
+    for (unsigned int b = 0; b < n_places(); ++b)
       {
-        if (condition_at(b).traction.empty())
-          continue;
-        const Tensor<1, dim> at_point = dead_load(step, b);
-        const auto           nodes    = points.stencil(b);
-        for (unsigned int I = 0; I < nodes.n_nodes; ++I)
-          for (unsigned int a = 0; a < dim; ++a)
-            force.local_element(
-              step.nodes.node(nodes.vertex[I]) * step.n_components + a) +=
-              nodes.shape[I] * at_point[a];
+        const Place          at   = place(b);
+        const Tensor<1, dim> load = force_at(step, unknowns, b, at);
+        auto                &sum =
+          result[std::find(surfaces.begin(), surfaces.end(), &load_at(b)) -
+                 surfaces.begin()];
+        for (unsigned int a = 0; a < dim; ++a)
+          {
+            sum[a] += load[a];
+            for (unsigned int I = 0; I < at.n_nodes; ++I)
+              {
+                const double part = std::abs(at.shape[I] * load[a]);
+                if (constraints.constrained[first_entry(step, at, I) + a] ==
+                    NodalConstraints::prescribed)
+                  sum[dim + a] += part;
+                sum[2 * dim + a] += part;
+              }
+          }
+      }
+    for (auto &sum : result)
+      sum_over_ranks(sum, step.grid.communicator());
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  SurfaceForces<dim>::evaluate(const Surfaces         &surfaces,
+                               const StepContext<dim> &step,
+                               const NodalField       &unknowns,
+                               const NodalConstraints &constraints,
+                               Statistics             &statistics) const
+  {
+    // normals of faces along an axis have some
+    constexpr double nearly_all = 0.99, rounding = 1e-9;
+    const auto       found = sums(surfaces, step, unknowns, constraints);
+    for (unsigned int s = 0; s < surfaces.size(); ++s)
+      {
+        const auto        &sum     = found[s];
+        const std::string &surface = surfaces[s]->surface;
+        const double       load =
+          std::accumulate(sum.begin() + 2 * dim, sum.end(), 0.);
+        for (unsigned int a = 0; a < dim; ++a)
+          {
+            double force = 0; // a surface may have several loads
+            for (unsigned int other = 0; other < surfaces.size(); ++other)
+              if (surfaces[other]->surface == surface)
+                force += found[other][a];
+            statistics.set(std::string("Load ") + "xyz"[a] + " on " + surface +
+                             " (N)",
+                           force);
+            if (sum[2 * dim + a] > rounding * load &&
+                sum[dim + a] > nearly_all * sum[2 * dim + a])
+              step.warnings.add(
+                "a load on a support",
+                "the load on <" + surface + "> of <" + surfaces[s]->parameter +
+                  "> acts in " + "xyz"[a] +
+                  " where this component is prescribed: the body doesn't feel "
+                  "it. Leave the component free there.");
+          }
       }
   }
+
+
+
+  ISOCHOR_EXPLAIN(
+    load_on_support,
+    "a load on a support",
+    ISOCHOR_ESSENTIAL,
+    "a load on a surface of the body (`Traction` included) acts, in a "
+    "component, only on nodes at which this component is prescribed: it "
+    "goes into the support, and the body doesn't feel it",
+    "leave the component free there, or put the load elsewhere")
 
 
 

@@ -106,28 +106,15 @@ namespace isochor
 
   template <int dim>
   typename BodySurface<dim>::Place
-  BodySurface<dim>::place(const StepContext<dim> &step,
-                          const Face             &face,
-                          const unsigned int      g)
-  {
-    const auto     lambda = coordinates(g);
-    Tensor<1, dim> R;
-    for (unsigned int i = 0; i < dim; ++i)
-      R += lambda[i] * face.corners[i];
-    Place result  = place(step.grid.geometry(), step.points, face, R);
-    result.weight = 1. / n_gauss;
-    return result;
-  }
-
-
-
-  template <int dim>
-  typename BodySurface<dim>::Place
   BodySurface<dim>::place(const SimplexGeometry<dim> &geometry,
                           const PointArrays<dim>     &points,
                           const Face                 &face,
-                          const Tensor<1, dim>       &R)
+                          const unsigned int          g)
   {
+    const auto     lambda = coordinates(g);
+    Tensor<1, dim> R; // from the subdomain's point at t = 0
+    for (unsigned int i = 0; i < dim; ++i)
+      R += lambda[i] * face.corners[i];
     Place                 place;
     const Point<dim>      x = points.location(geometry, face.k, face.q);
     const Tensor<1, dim> &u = points.displacement[face.q];
@@ -136,6 +123,7 @@ namespace isochor
     place.X            = Point<dim>(x - u) + R;
     place.x            = x + place.r;
     place.displacement = u + place.r - R;
+    place.weight       = 1. / n_gauss;
     return place;
   }
 

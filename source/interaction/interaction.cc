@@ -30,8 +30,16 @@ namespace isochor
       return {title.substr(0, dash), title.substr(dash + 3)};
     }
 
-    /** The partner that is no other thing's name. */
-    const std::string place = "place";
+    /** The partners that are no other thing's names. */
+    const std::string place = "place", load = "load";
+
+    bool
+    ends_with(const std::string &section, const std::string &partner)
+    {
+      const std::string end = " - " + partner;
+      return section.size() > end.size() &&
+             section.compare(section.size() - end.size(), end.size(), end) == 0;
+    }
   } // namespace
 
 
@@ -41,10 +49,10 @@ namespace isochor
   Interaction<dim>::declare_parameters(ParameterHandler  &prm,
                                        const std::string &section)
   {
-    const std::string end       = " - " + place;
-    const bool        is_placed = section.size() > end.size() &&
-                           section.substr(section.size() - end.size()) == end;
-    InteractionLaw<dim>::declare_laws(prm, is_placed ? "tie" : "unilateral");
+    InteractionLaw<dim>::declare_laws(prm,
+                                      ends_with(section, place) ? "tie" :
+                                      ends_with(section, load)  ? "load" :
+                                                                  "unilateral");
     prm.declare_entry("Displacement",
                       "",
                       Patterns::Anything(),
@@ -63,7 +71,7 @@ namespace isochor
     : section(section)
     , body(names_in(section).first)
     , partner_name(names_in(section).second)
-    , law(InteractionLaw<dim>::create(prm))
+    , law(InteractionLaw<dim>::create(prm, section))
   {
     for (const SurfaceRegion<dim> &surface : surfaces)
       if (surface.name == body)
@@ -72,6 +80,13 @@ namespace isochor
       partner =
         std::make_unique<PrescribedPlace<dim>>(prm.get("Displacement"),
                                                section + "/Displacement");
+    AssertThrow((partner_name == load) == (law->load() != nullptr),
+                ExcMessage("<" + section +
+                           "/Law = load> and the partner 'load' belong to each "
+                           "other: <Interaction: " +
+                           body + " - load>."));
+    if (law->load() != nullptr)
+      law->load()->surface = body;
     AssertThrow(!partner || (law->acts() && !law->is_unilateral()),
                 ExcMessage("<" + section +
                            "/Law> must be 'tie': a place is no surface that "
@@ -95,7 +110,40 @@ namespace isochor
   {
     ParameterHandler prm;
     InteractionLaw<dim>::declare_laws(prm, "unilateral");
-    law = InteractionLaw<dim>::create(prm);
+    law = InteractionLaw<dim>::create(prm, section);
+  }
+
+
+
+  template <int dim>
+  Interaction<dim>::Interaction(const SurfaceCondition<dim> &surface)
+    : section(surface.load.parameter)
+    , body(surface.place.name)
+    , partner_name(load)
+    , region(surface.place)
+    , law(PluginRegistry<InteractionLaw<dim>>::create(load))
+  {
+    *law->load() = surface.load;
+  }
+
+
+
+  template <int dim>
+  std::string
+  Interaction<dim>::what_is_missing() const
+  {
+    if (region && region->on_grid_boundary)
+      return "The body does not touch the boundary <" +
+             (region->condition.empty() ? body : region->condition) +
+             "> of the grid at t = 0, where <" + section +
+             "> acts. Name one that it touches, or describe the place by "
+             "<Boundary conditions/Surfaces of body>.";
+    return "<" + section + "> acts on nothing: " +
+           (region ? "<" + region->parameter + " = " + body + ": " +
+                       region->condition +
+                       "> has the centre of no face of a body's surface at t = "
+                       "0." :
+                     "the body <" + body + "> has no surface.");
   }
 
 
@@ -150,11 +198,11 @@ namespace isochor
     else
       bodies =
         find(body, "; also what <Boundary conditions/Surfaces of body> names");
-    if (!partner)
-      partners = find(partner_name,
-                      "; as a partner also 'place', 'boundary NAME' and what a "
-                      "section <Rigid "
-                      "body: ...> describes");
+    if (!partner && law->load() == nullptr)
+      partners =
+        find(partner_name,
+             "; as a partner also 'load', 'place', 'boundary NAME' and "
+             "what a section <Rigid body: ...> describes");
     else
       partners.assign(names.size(), false);
   }

@@ -17,8 +17,9 @@ namespace isochor
       Patterns::Selection(PluginRegistry<InteractionLaw<dim>>::names()),
       "What the partner does to the surface. unilateral: it pushes but does not "
       "pull, without friction. Coulomb: the same with friction. tie: the "
-      "surface stays where it is on the partner; the only law with 'place'. none: nothing; of two bodies, "
-      "which pass through each other.");
+      "surface stays where it is on the partner; the only law with 'place'. "
+      "load: a given traction; the only law with 'load'. none: nothing; of two "
+      "bodies, which pass through each other.");
     PluginRegistry<InteractionLaw<dim>>::declare_parameters(prm);
   }
 
@@ -26,9 +27,10 @@ namespace isochor
 
   template <int dim>
   std::unique_ptr<InteractionLaw<dim>>
-  InteractionLaw<dim>::create(ParameterHandler &prm)
+  InteractionLaw<dim>::create(ParameterHandler &prm, const std::string &section)
   {
-    auto law = PluginRegistry<InteractionLaw<dim>>::create(prm.get("Law"));
+    auto law     = PluginRegistry<InteractionLaw<dim>>::create(prm.get("Law"));
+    law->section = section;
     law->parse_parameters(prm);
     return law;
   }

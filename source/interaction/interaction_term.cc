@@ -12,8 +12,10 @@ namespace isochor
   template <int dim>
   InteractionTerm<dim>::InteractionTerm(
     std::vector<std::unique_ptr<Interaction<dim>>> &&interactions,
+    std::vector<std::unique_ptr<Interaction<dim>>> &&loads,
     const std::vector<OneSidedWall>                 &walls)
     : interactions(std::move(interactions))
+    , loads(std::move(loads))
     , walls(walls)
   {
     this->name = "Interactions";
@@ -25,9 +27,8 @@ namespace isochor
   void
   InteractionTerm<dim>::find_faces()
   {
-    if (interactions.empty())
-      return;
     surface.find(grid->geometry(), *points);
+    loads.find(surface, *grid, *points);
     faces.clear();
     for (unsigned int f = 0; f < surface.faces().size(); ++f)
       {
@@ -82,6 +83,7 @@ namespace isochor
         set_nodes(step, element, nodes);
         elements.add(nodes.begin(), nodes.end());
       }
+    loads.collect_elements(step, elements);
   }
 
 
@@ -361,7 +363,12 @@ namespace isochor
                            with_matrix ? kernel.matrix.data() : nullptr,
                            pending);
       }
-    return EvaluationStatus::success;
+    return loads.assemble(step,
+                          unknowns,
+                          pending,
+                          first_element + faces.size(),
+                          with_matrix,
+                          system);
   }
 
 
@@ -411,6 +418,7 @@ namespace isochor
             force.local_element(nodes[I] * step.n_components + a) -=
               kernel.residual[I * step.n_components + a];
       }
+    loads.add_pressures(step, unknowns, force);
   }
 
 

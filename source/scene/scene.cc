@@ -350,7 +350,7 @@ namespace isochor
       SurfaceRegion<dim>::parse(prm.get("Surfaces of body"),
                                 "Boundary conditions/Surfaces of body");
     prm.leave_subsection();
-    std::vector<std::unique_ptr<Interaction<dim>>> of_bodies, of_others;
+    std::vector<std::unique_ptr<Interaction<dim>>> of_bodies, of_others, loads;
     const auto  walls = find_one_sided_walls(boundary_conditions);
     std::string asked_by;
     if (points.bodies().are_named())
@@ -371,7 +371,9 @@ namespace isochor
           if (rigid != rigid_bodies.end())
             interaction->partner = std::make_unique<RigidPartner<dim>>(*rigid);
           interaction->find_wall(walls);
-          (interaction->partner ? of_others : of_bodies)
+          (interaction->partner     ? of_others :
+           interaction->law->load() ? loads :
+                                      of_bodies)
             .push_back(std::move(interaction));
           asked_by = "section <" + path.front() + ">";
         }
@@ -390,13 +392,15 @@ namespace isochor
                   " needs <Quadrature/Type = CPDI>: only its "
                   "subdomains have the surface of the body as faces."));
     points.keep_surface();
+    take_loads(boundary_conditions, loads);
     if (!rigid_bodies.empty())
       boundary_conditions.push_back(
         std::make_unique<RigidBodyTerm<dim>>(rigid_bodies));
-    if (!of_others.empty() || !walls.empty())
+    if (!of_others.empty() || !walls.empty() || !loads.empty())
       {
-        auto term =
-          std::make_unique<InteractionTerm<dim>>(std::move(of_others), walls);
+        auto term = std::make_unique<InteractionTerm<dim>>(std::move(of_others),
+                                                           std::move(loads),
+                                                           walls);
         surface_interactions = term.get();
         boundary_conditions.push_back(std::move(term));
       }

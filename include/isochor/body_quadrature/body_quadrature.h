@@ -62,7 +62,7 @@ namespace isochor
 
     /** Whether points see functions that are linear on their domains, by the
      * stencils that start_step() gives them. Then loads on the body's surface
-     * are integrated like stresses (BoundaryPoints). */
+     * are integrated like stresses (FaceLoads). */
     virtual bool
     is_linear_on_domains() const
     {

@@ -30,19 +30,6 @@ namespace isochor
   void
   warn_of_places_without_comparison(const StepContext<dim>       &step,
                                     const SurfaceConditions<dim> &conditions);
-
-  /** Warn of loads of surfaces that act, in a component, on nodes alone at
-   * which
-   * @p constraints prescribe this component: they go into the support, and the
-   * body doesn't feel them. Collective. */
-  template <int dim>
-  void
-  warn_of_loads_on_supports(const StepContext<dim>       &step,
-                            const NodalField             &unknowns,
-                            const SurfaceConditions<dim> &conditions,
-                            const BoundaryPoints<dim>    &points,
-                            const SurfaceForces<dim>     &forces,
-                            const NodalConstraints       &constraints);
 } // namespace isochor
 
 #endif

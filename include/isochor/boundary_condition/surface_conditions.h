@@ -7,7 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <isochor/base/expression.h>
+#include <isochor/boundary_condition/surface_forces.h>
 #include <isochor/material_points/surface_seeding.h>
 
 #include <string>
@@ -17,13 +17,24 @@ namespace isochor
 {
   using namespace dealii;
 
-  /** The loads on a surface of the body. */
+  /** The loads on a surface of the body, and where that is. */
   template <int dim>
   struct SurfaceCondition
   {
-    SurfaceRegion<dim>           place;
-    std::vector<Expression<dim>> traction; ///< dim or none
-    std::vector<Expression<dim>> pressure; ///< one or none
+    SurfaceRegion<dim> place;
+    SurfaceLoad<dim>   load;
+  };
+
+  /** A boundary condition whose parameters may name such loads. */
+  template <int dim>
+  class HasSurfaceLoads
+  {
+  public:
+    virtual ~HasSurfaceLoads() = default;
+
+    /** Leave the loads to the caller, who sees to them from now on. */
+    virtual std::vector<SurfaceCondition<dim>>
+    take_loads() = 0;
   };
 
   /** The parameters of the loads on the body's surface, in a subsection

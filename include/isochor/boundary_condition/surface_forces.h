@@ -5,85 +5,136 @@
 #ifndef isochor_surface_forces_h
 #define isochor_surface_forces_h
 
-#include <isochor/boundary_condition/boundary_points.h>
-#include <isochor/boundary_condition/surface_conditions.h>
+#include <isochor/base/expression.h>
+#include <isochor/base/statistics.h>
+#include <isochor/equations/equation_term.h>
+
+#include <array>
+#include <string>
+#include <vector>
 
 namespace isochor
 {
+  /** The loads on a surface of the body, formulas in the reference position and
+   * time. */
+  template <int dim>
+  struct SurfaceLoad
+  {
+    std::string                  surface;   ///< its name
+    std::string                  parameter; ///< the origin, for messages
+    std::vector<Expression<dim>> traction;  ///< dim or none
+    std::vector<Expression<dim>> pressure;  ///< one or none
+  };
+
   /**
-   * Loads on the surface of the body, by boundary points b with reference area
+   * Loads on the surface of the body, by places b on it with reference area
    * A_b:
    *  - dead loads t per reference area: f_I = Σ_b N_I A_b t;
-   *  - a follower pressure p per present area: f_I = -Σ_b N_I p a_b.
-   * Formulas are in the reference position.
+   *  - a follower pressure p per present area: f_I = -Σ_b N_I p a_b, with
+   *    Nanson's a = det F F^{-T} A.
+   * Classes derived from this know the places.
    */
   template <int dim>
   class SurfaceForces
   {
   public:
-    /** Both are kept by reference. */
-    SurfaceForces(const SurfaceConditions<dim> &conditions,
-                  const BoundaryPoints<dim>    &points)
-      : conditions(conditions)
-      , points(points)
-    {}
+    virtual ~SurfaceForces() = default;
 
-    /** Residual and tangent of one point; room for any number of nodes. */
-    struct PointElement
+    using Surfaces = std::vector<const SurfaceLoad<dim> *>;
+
+    /** A place of the surface; a stencil for NodalUnknowns. */
+    struct Place
     {
-      std::vector<double> residual, matrix;
-
-      void
-      reinit(const unsigned int n_dofs, const bool with_matrix)
-      {
-        residual.assign(n_dofs, 0.);
-        if (with_matrix)
-          matrix.assign(n_dofs * n_dofs, 0.);
-      }
+      Point<dim>     X;            ///< at t = 0
+      Tensor<1, dim> displacement; ///< up to the start of the step (m)
+      /** A_b, outward, at t = 0 (m^(dim-1), of the plane in axisymmetry). */
+      Tensor<1, dim>        area;
+      Tensor<2, dim>        F; ///< at the start of the step
+      unsigned int          n_nodes;
+      const unsigned int   *vertex;
+      std::vector<double>   shape;
+      const Tensor<1, dim> *gradient; ///< ∇_n N_I
     };
 
-    const SurfaceCondition<dim> &
-    condition_at(const unsigned int b) const
-    {
-      return conditions.surfaces[points.surface(b)];
-    }
+    /** Append the elements of assemble(). */
+    void
+    collect_elements(const StepContext<dim> &step,
+                     ElementNodes           &elements) const;
 
-    /** Whether point @p b adds to the matrix; dead loads don't. */
-    bool
-    has_element(const unsigned int b) const
-    {
-      return !condition_at(b).pressure.empty();
-    }
-
-    /** The pressure at point @p b, which has one, entries by node and
-     * component. */
+    /** Add the pressures to residual and matrix, the elements being those from
+     * number @p first_element on. */
     EvaluationStatus
-    evaluate_point(const StepContext<dim> &step,
-                   const NodalField       &unknowns,
-                   const unsigned int      b,
-                   const bool              with_matrix,
-                   PointElement           &element) const;
-
-    /** The force of the loads at point @p b, dead ones and pressures, on the
-     * body (N). */
-    Tensor<1, dim>
-    load(const StepContext<dim> &step,
-         const NodalField       &unknowns,
-         const unsigned int      b) const;
+    assemble(const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             const NodalField       &pending,
+             const unsigned int      first_element,
+             const bool              with_matrix,
+             MixedSystem<dim>       &system) const;
 
     /** Add the dead loads (N) to nodal forces. */
     void
     add_dead_loads(const StepContext<dim> &step, NodalField &force) const;
 
+    /** Add what assemble() accounts for to nodal forces (N). */
+    void
+    add_pressures(const StepContext<dim> &step,
+                  const NodalField       &unknowns,
+                  NodalField             &force) const;
+
+    /** Set the columns of all @p surfaces. Warn of loads that act, in a
+     * component, on nodes alone at which @p constraints prescribe this
+     * component: they go into the support, and the body doesn't feel them.
+     * Collective. */
+    void
+    evaluate(const Surfaces         &surfaces,
+             const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             const NodalConstraints &constraints,
+             Statistics             &statistics) const;
+
+  protected:
+    /** How many places this rank has. */
+    virtual unsigned int
+    n_places() const = 0;
+    virtual const SurfaceLoad<dim> &
+    load_at(const unsigned int b) const = 0;
+    virtual Place
+    place(const unsigned int b) const = 0;
+
   private:
-    /** A_b at t = 0 (m^(dim-1); in axisymmetry m^2, of the ring). */
-    double
-    area(const StepContext<dim> &step, const unsigned int b) const;
-    /** The dead load at a point (N), zero without. */
+    /** By surface, by component: the force (N), how much of its parts at nodes
+     * is on supports, and all of these. Collective. */
+    std::vector<std::array<double, 3 * dim>>
+    sums(const Surfaces         &surfaces,
+         const StepContext<dim> &step,
+         const NodalField       &unknowns,
+         const NodalConstraints &constraints) const;
+
+    /** Residual and tangent of a place, entries by node and component. */
+    struct Element
+    {
+      std::vector<double> residual, matrix;
+    };
+
+    /** The pressure at place @p b, which has one. */
+    EvaluationStatus
+    evaluate_pressure(const StepContext<dim> &step,
+                      const NodalField       &unknowns,
+                      const unsigned int      b,
+                      const Place            &at,
+                      const bool              with_matrix,
+                      Element                &element) const;
+    /** The dead load (N), zero without. */
     Tensor<1, dim>
-    dead_load(const StepContext<dim> &step, const unsigned int b) const;
-    const SurfaceConditions<dim> &conditions;
-    const BoundaryPoints<dim>    &points;
+    dead_load(const StepContext<dim> &step,
+              const unsigned int      b,
+              const Place            &at) const;
+    /** The force of dead load and pressure on the body (N). */
+    Tensor<1, dim>
+    force_at(const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             const unsigned int      b,
+             const Place            &at) const;
   };
 } // namespace isochor
 

@@ -69,15 +69,15 @@ namespace isochor
 
     /** Gauss point @p g of @p face at the start of the step. */
     static Place
-    place(const StepContext<dim> &step, const Face &face, const unsigned int g);
-
-    /** The place of @p face that is at @p R from the subdomain's point at t = 0
-     * (m); without a weight. */
-    static Place
     place(const SimplexGeometry<dim> &geometry,
           const PointArrays<dim>     &points,
           const Face                 &face,
-          const Tensor<1, dim>       &R);
+          const unsigned int          g);
+    static Place
+    place(const StepContext<dim> &step, const Face &face, const unsigned int g)
+    {
+      return place(step.grid.geometry(), step.points, face, g);
+    }
 
     /** Its barycentric coordinates on the face. */
     static std::array<double, dim>

@@ -8,6 +8,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <isochor/boundary_condition/one_sided_wall.h>
+#include <isochor/boundary_condition/surface_conditions.h>
 #include <isochor/interaction/interaction_law.h>
 #include <isochor/interaction/partner.h>
 #include <isochor/material_points/surface_region.h>
@@ -41,6 +42,9 @@ namespace isochor
                 const std::vector<OneSidedWall> &walls,
                 const unsigned int               which);
 
+    /** What a load without a section of its own stands for. */
+    explicit Interaction(const SurfaceCondition<dim> &surface);
+
     /** If the section names a boundary of the grid, this is the partner: as
      * the @p walls have it, else where the grid's boundary is. */
     void
@@ -70,6 +74,19 @@ namespace isochor
      * of that name, or a surface as well. */
     void
     find_bodies(const std::vector<std::string> &names);
+
+    /** For messages: the section, or the parameter and what of it. */
+    std::string
+    title() const
+    {
+      return section.rfind("Interaction: ", 0) == 0 ?
+               section :
+               section + " = " + body + ": ...";
+    }
+
+    /** The error if it has no face. */
+    std::string
+    what_is_missing() const;
 
     /** Find the place of its surface, if that is a part of a body's. */
     void
@@ -131,6 +148,18 @@ namespace isochor
   add_walls(const std::vector<OneSidedWall>                &walls,
             const std::vector<std::string>                 &bodies,
             std::vector<std::unique_ptr<Interaction<dim>>> &interactions);
+
+  /** Add to the @p interactions what HasSurfaceLoads of all @p conditions, a
+   * list of pointers to them, leave. */
+  template <int dim, typename Conditions>
+  void
+  take_loads(const Conditions                               &conditions,
+             std::vector<std::unique_ptr<Interaction<dim>>> &interactions)
+  {
+    for (auto *const condition : with_role<HasSurfaceLoads<dim>>(conditions))
+      for (const SurfaceCondition<dim> &surface : condition->take_loads())
+        interactions.push_back(std::make_unique<Interaction<dim>>(surface));
+  }
 } // namespace isochor
 
 #endif

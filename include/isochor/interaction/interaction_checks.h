@@ -5,6 +5,7 @@
 #ifndef isochor_interaction_checks_h
 #define isochor_interaction_checks_h
 
+#include <isochor/equations/body_surface.h>
 #include <isochor/interaction/interaction.h>
 
 #include <memory>
@@ -14,16 +15,22 @@
 
 namespace isochor
 {
-  /** Check which faces @p interactions have: @p areas, by interaction, of those
-   * of this rank (m^(dim-1)); @p tied_twice, pairs of interactions that tie the
-   * same faces. Returns what is found, a line each. @throws ExcMessage for an
+  /** By interaction. */
+  template <int dim>
+  using FacesOfInteractions =
+    std::vector<std::vector<typename BodySurface<dim>::Face>>;
+
+  /** Check which faces @p interactions have: by interaction, those @p faces of
+   * this rank; @p tied_twice, pairs of interactions that tie the same faces.
+   * Returns what is found, a line each: number, area (2D: length, of the
+   * section) and the box around them, at t = 0. @throws ExcMessage for an
    * interaction without a face, and for faces that are tied twice. Collective.
    */
   template <int dim>
   std::string
   check_faces(
     const std::vector<std::unique_ptr<Interaction<dim>>>     &interactions,
-    const std::vector<std::vector<double>>                   &areas,
+    const FacesOfInteractions<dim>                           &faces,
     const std::vector<std::pair<unsigned int, unsigned int>> &tied_twice,
     const MPI_Comm                                            comm);
 } // namespace isochor

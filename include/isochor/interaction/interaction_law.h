@@ -10,6 +10,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <isochor/base/plugin_registry.h>
+#include <isochor/boundary_condition/surface_forces.h>
 
 #include <memory>
 #include <string>
@@ -45,9 +46,10 @@ namespace isochor
      * of all laws. */
     static void
     declare_laws(ParameterHandler &prm, const std::string &usual);
-    /** The law that the parameters name, its own being read. */
+    /** The law that the parameters name, its own being read. @p section: which
+     * they are in, for messages. */
     static std::unique_ptr<InteractionLaw<dim>>
-    create(ParameterHandler &prm);
+    create(ParameterHandler &prm, const std::string &section);
 
     /** For those without parameters. */
     static void
@@ -56,6 +58,14 @@ namespace isochor
     virtual void
     parse_parameters(ParameterHandler & /*prm*/)
     {}
+
+    /** What acts if it is given whatever the surface does: there is no partner,
+     * and project() is not called. */
+    virtual SurfaceLoad<dim> *
+    load()
+    {
+      return nullptr;
+    }
 
     /** The result of project(). */
     struct Projection
@@ -99,6 +109,10 @@ namespace isochor
     {
       return false;
     }
+
+  protected:
+    /** The subsection of its parameters, for messages. */
+    std::string section;
   };
 
   namespace internal

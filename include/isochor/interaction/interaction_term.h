@@ -6,8 +6,8 @@
 #define isochor_interaction_term_h
 
 #include <isochor/boundary_condition/boundary_condition.h>
-#include <isochor/boundary_condition/surface_conditions.h>
 #include <isochor/equations/body_surface.h>
+#include <isochor/interaction/face_loads.h>
 #include <isochor/interaction/interaction.h>
 #include <isochor/interaction/interaction_kernel.h>
 #include <isochor/interaction/slip_memory.h>
@@ -22,19 +22,21 @@ namespace isochor
 {
   /**
    * All that acts on the surface of the bodies by interactions. An element is a
-   * face of BodySurface with all its partners: its nodes are those of the
-   * face's subdomain, so that neither contact nor its loss changes the pattern
-   * of the matrix.
+   * face of BodySurface with all its partners, or a pressure (FaceLoads): its
+   * nodes are those of the face's subdomain, so that neither contact nor its
+   * loss changes the pattern of the matrix.
    */
   template <int dim>
   class InteractionTerm : public BoundaryCondition<dim>,
                           public ActsByAssembly<dim>
   {
   public:
-    /** @param walls Boundaries that each body has frictionless contact with,
+    /** @param loads The interactions that are loads.
+     * @param walls Boundaries that each body has frictionless contact with,
      * unless there is an interaction between the two. */
     InteractionTerm(
       std::vector<std::unique_ptr<Interaction<dim>>> &&interactions,
+      std::vector<std::unique_ptr<Interaction<dim>>> &&loads,
       const std::vector<OneSidedWall>                 &walls);
 
     /** The names of the bodies, by layer of the grid, once they are known. */
@@ -44,6 +46,8 @@ namespace isochor
       add_walls(walls, names, interactions);
       for (const auto &interaction : interactions)
         interaction->find_bodies(names);
+      for (const auto &load : loads.interactions())
+        load->find_bodies(names);
     }
 
     /** Whether surfaces may leave what they touch. */
@@ -65,6 +69,8 @@ namespace isochor
           interaction->partner->initialize(grid);
           interaction->find_place(grid);
         }
+      for (const auto &load : loads.interactions())
+        load->find_place(grid);
     }
     void
     set_body(const BodyShape<dim> & /*shape*/,
@@ -115,22 +121,35 @@ namespace isochor
              const bool              with_matrix,
              MixedSystem<dim>       &system) override;
     void
+    add_external_force(const StepContext<dim> &step,
+                       NodalField             &force) const override
+    {
+      loads.add_dead_loads(step, force);
+    }
+    void
     add_unit_residual(const StepContext<dim> &step,
                       NodalField             &scale) const override;
     void
     add_boundary_force(const StepContext<dim> &step,
                        const NodalField       &unknowns,
                        NodalField             &force) const override;
-    /** In dynamics: whether what acted at the last iterate does. */
+    /** Whether there is a load; or, in dynamics, what acted at the last iterate
+     * does. */
     bool
     supports_body(const Tensor<1, dim> &gravity) const override
     {
-      return Utilities::MPI::sum(acting, grid->communicator()) * gravity < 0;
+      return Utilities::MPI::sum(acting, grid->communicator()) * gravity < 0 ||
+             !loads.interactions().empty();
     }
     bool
     has_symmetric_matrix() const override
     {
-      return false;
+      return interactions.empty() && walls.empty() && !loads.have_pressures();
+    }
+    bool
+    assembles_load(const StepContext<dim> & /*step*/) const override
+    {
+      return loads.have_pressures();
     }
     bool
     moves_body(const StepContext<dim> &step) const override
@@ -200,9 +219,6 @@ namespace isochor
      * two of them tie. Collective. */
     void
     check_surfaces();
-    /** The areas of its faces of this rank (m^(dim-1)). */
-    std::vector<double>
-    areas_of(const unsigned int interaction) const;
     typename SurfaceStress<dim>::Domain
     domain(const StepContext<dim> &step, const unsigned int face) const;
     /** Residual and matrix of a face. @p actions, if not null, gets what acts.
@@ -231,6 +247,7 @@ namespace isochor
               const FaceElement         &element,
               std::vector<unsigned int> &nodes) const;
     std::vector<std::unique_ptr<Interaction<dim>>> interactions;
+    FaceLoads<dim>                                 loads;
     const std::vector<OneSidedWall>                walls;
     const BackgroundGrid<dim>                     *grid   = nullptr;
     const PointArrays<dim>                        *points = nullptr;

@@ -1,0 +1,102 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/interaction/face_loads.h>
+
+#include <algorithm>
+
+namespace isochor
+{
+  template <int dim>
+  bool
+  FaceLoads<dim>::have_pressures() const
+  {
+    return std::any_of(all.begin(), all.end(), [](const auto &one) {
+      return !one->law->load()->pressure.empty();
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  FaceLoads<dim>::find(const BodySurface<dim>    &surface,
+                       const BackgroundGrid<dim> &grid,
+                       const PointArrays<dim>    &points)
+  {
+    this->surface = &surface;
+    this->grid    = &grid;
+    this->points  = &points;
+    faces.clear();
+    for (unsigned int f = 0; f < surface.faces().size() && !all.empty(); ++f)
+      {
+        const auto        &face = surface.faces()[f];
+        const Point<dim>   X    = BodySurface<dim>::centre(face);
+        const unsigned int body = grid.layer_of_cell(points.cell[face.k]);
+        for (unsigned int i = 0; i < all.size(); ++i)
+          if (!face.meets_other_body && all[i]->has(body, X))
+            faces.emplace_back(f, i);
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<std::vector<typename BodySurface<dim>::Face>>
+  FaceLoads<dim>::faces_of_all() const
+  {
+    std::vector<std::vector<typename BodySurface<dim>::Face>> result(
+      all.size());
+    for (const auto &[f, i] : faces)
+      result[i].push_back(surface->faces()[f]);
+    return result;
+  }
+
+
+
+  template <int dim>
+  typename SurfaceForces<dim>::Place
+  FaceLoads<dim>::place(const unsigned int b) const
+  {
+    constexpr unsigned int      n_gauss  = BodySurface<dim>::n_gauss;
+    const SimplexGeometry<dim> &geometry = grid->geometry();
+    const auto &face = surface->faces()[faces[b / n_gauss].first];
+    const auto  start =
+      BodySurface<dim>::place(geometry, *points, face, b % n_gauss);
+    const auto nodes = points->stencil(geometry, face.k, face.q);
+    typename SurfaceForces<dim>::Place at{start.X,
+                                          start.displacement,
+                                          start.weight * face.area *
+                                            face.normal,
+                                          points->F[face.q],
+                                          nodes.n_nodes,
+                                          nodes.vertex,
+                                          {},
+                                          nodes.gradient};
+    for (unsigned int I = 0; I < nodes.n_nodes; ++I)
+      at.shape.push_back(nodes.shape[I] + nodes.gradient[I] * start.r);
+    return at;
+  }
+
+
+
+  template <int dim>
+  void
+  FaceLoads<dim>::evaluate(const StepContext<dim> &step,
+                           const NodalField       &unknowns,
+                           const NodalConstraints &constraints,
+                           Statistics             &statistics) const
+  {
+    typename SurfaceForces<dim>::Surfaces surfaces;
+    for (const auto &one : all)
+      surfaces.push_back(one->law->load());
+    SurfaceForces<dim>::evaluate(
+      surfaces, step, unknowns, constraints, statistics);
+  }
+
+
+
+  template class FaceLoads<2>;
+  template class FaceLoads<3>;
+} // namespace isochor
