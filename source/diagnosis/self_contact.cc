@@ -133,8 +133,11 @@ namespace isochor
           {
             const Spot          &a = *one->second, &b = *other->second;
             const Tensor<1, dim> gap = b.place.x - a.place.x;
-            if (a.normal * b.normal < 0 && gap * a.normal > 0 &&
-                gap * b.normal < 0 && were_apart(step, a.k, a.place, b.place))
+            // more against each other than across, unlike the sides of a corner
+            const double opposite = -(a.normal * b.normal);
+            if (2 * opposite * opposite > 1 && opposite > 0 &&
+                gap * a.normal > 0 && gap * b.normal < 0 &&
+                were_apart(step, a.k, a.place, b.place))
               return &a;
           }
       return nullptr;
