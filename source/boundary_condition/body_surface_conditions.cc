@@ -37,6 +37,8 @@ namespace isochor
     {
       conditions.section = this->section;
       conditions.parse_parameters(prm);
+      for (SurfaceCondition<dim> &surface : conditions.surfaces)
+        surface.load.owner = this->instance;
     }
     std::vector<SurfaceCondition<dim>>
     take_loads() override

@@ -98,7 +98,7 @@ namespace isochor
       {
         if (region.name == name)
           {
-            surfaces.push_back({region, {name, region.parameter, {}, {}}});
+            surfaces.push_back({region, {name, region.parameter, "", {}, {}}});
             return surfaces.back();
           }
         known += (known.empty() ? "" : ", ") + region.name;

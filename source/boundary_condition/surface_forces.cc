@@ -267,8 +267,10 @@ namespace isochor
         for (unsigned int a = 0; a < dim; ++a)
           {
             double force = 0; // a surface may have several loads
+            statistics.set_owner(surfaces[s]->owner);
             for (unsigned int other = 0; other < surfaces.size(); ++other)
-              if (surfaces[other]->surface == surface)
+              if (surfaces[other]->surface == surface &&
+                  surfaces[other]->owner == surfaces[s]->owner)
                 force += found[other][a];
             statistics.set(std::string("Load ") + "xyz"[a] + " on " + surface +
                              " (N)",

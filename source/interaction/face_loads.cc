@@ -93,6 +93,7 @@ namespace isochor
       surfaces.push_back(one->law->load());
     SurfaceForces<dim>::evaluate(
       surfaces, step, unknowns, constraints, statistics);
+    statistics.set_owner("");
   }
 
 

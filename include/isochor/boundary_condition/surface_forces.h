@@ -22,6 +22,7 @@ namespace isochor
   {
     std::string                  surface;   ///< its name
     std::string                  parameter; ///< the origin, for messages
+    std::string                  owner;     ///< see Statistics::set_owner()
     std::vector<Expression<dim>> traction;  ///< dim or none
     std::vector<Expression<dim>> pressure;  ///< one or none
   };
