@@ -9,7 +9,6 @@
 #include <isochor/base/parameter_list.h>
 
 #include <filesystem>
-#include <set>
 
 namespace isochor
 {
@@ -47,13 +46,10 @@ namespace isochor
     /** @p value, whose names of files have become @p path_of(name). */
     template <typename PathOf>
     std::string
-    changed(const std::string              &value,
-            const std::vector<std::string> &path,
-            const std::string              &pattern,
-            const PathOf                   &path_of)
+    changed(const std::string &value,
+            const std::string &pattern,
+            const PathOf      &path_of)
     {
-      static const std::set<std::string> others = {"Body mesh",
-                                                   "Mesh of body surfaces"};
       if (pattern.rfind("[List of <[FileName", 0) == 0)
         {
           std::string all;
@@ -61,9 +57,7 @@ namespace isochor
             all += (all.empty() ? "" : ", ") + path_of(name);
           return all;
         }
-      return pattern.rfind("[FileName", 0) == 0 || others.count(path.back()) ?
-               path_of(value) :
-               value;
+      return pattern.rfind("[FileName", 0) == 0 ? path_of(value) : value;
     }
   } // namespace
 
@@ -73,12 +67,9 @@ namespace isochor
   with_paths_of_files(const ParameterStatement &statement,
                       const std::string        &pattern)
   {
-    return changed(statement.value,
-                   statement.path,
-                   pattern,
-                   [&](const std::string &name) {
-                     return path_of_file(name, statement);
-                   });
+    return changed(statement.value, pattern, [&](const std::string &name) {
+      return path_of_file(name, statement);
+    });
   }
 
 
@@ -89,7 +80,7 @@ namespace isochor
     for (const auto &[path, entry] : ParameterList(prm).entries)
       {
         const std::string value =
-          changed(entry.value, path, entry.pattern, [](const auto &name) {
+          changed(entry.value, entry.pattern, [](const auto &name) {
             return name.empty() ? name :
                                   std::filesystem::absolute(name)
                                     .lexically_normal()

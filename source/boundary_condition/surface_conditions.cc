@@ -49,7 +49,7 @@ namespace isochor
     prm.declare_entry(
       "Mesh of body surfaces",
       "",
-      Patterns::Anything(),
+      Patterns::FileName(),
       "With other quadratures than CPDI: a gmsh .msh file of the body "
       "whose boundary faces are "
       "its surface where 'Surfaces of body' has a condition. "

@@ -8,6 +8,7 @@
 #include <isochor/base/plain_message.h>
 #include <isochor/diagnosis/diagnosis.h>
 #include <isochor/equations/body_surface.h>
+#include <isochor/grid/simplex_coordinates.h>
 
 #include <algorithm>
 #include <utility>
@@ -153,16 +154,19 @@ namespace isochor
       const PointArrays<dim>     &points   = step.points;
       const SimplexGeometry<dim> &geometry = step.grid.geometry();
       std::vector<Entry>          entries;
-      std::vector<std::array<Point<dim>, dim + 1>> corners;
+      const auto                  corners = [&](const Face &face) {
+        CornerVectors<dim> r; // from the point
+        for (unsigned int c = 0; c <= dim; ++c)
+          r[c] = points.F[face.q] * points.domain[face.q][c];
+        return r;
+      };
       for (const Face &face : surface.faces())
         {
-          const Point<dim> x = points.location(geometry, face.k, face.q);
-          corners.emplace_back();
-          for (unsigned int c = 0; c <= dim; ++c)
-            corners.back()[c] = x + points.F[face.q] * points.domain[face.q][c];
-          entries.emplace_back(BoundingBox<dim>(std::vector<Point<dim>>(
-                                 corners.back().begin(), corners.back().end())),
-                               entries.size());
+          const Point<dim>        x = points.location(geometry, face.k, face.q);
+          std::vector<Point<dim>> places;
+          for (const Tensor<1, dim> &r : corners(face))
+            places.push_back(x + r);
+          entries.emplace_back(BoundingBox<dim>(places), entries.size());
         }
       const auto tree = pack_rtree(entries);
       namespace bgi   = boost::geometry::index;
@@ -174,7 +178,9 @@ namespace isochor
             const Face &face = surface.faces()[entry->second];
             if (step.grid.layer_of_cell(points.cell[face.k]) ==
                   step.grid.layer_of_cell(points.cell[spot.k]) &&
-                is_inside(corners[entry->second], spot.place.x) &&
+                is_inside(corners(face),
+                          spot.place.x -
+                            points.location(geometry, face.k, face.q)) &&
                 were_apart(step,
                            spot.k,
                            spot.place,
@@ -185,24 +191,12 @@ namespace isochor
     }
 
     static bool
-    is_inside(const std::array<Point<dim>, dim + 1> &corners,
-              const Point<dim>                      &x)
+    is_inside(const CornerVectors<dim> &corners, const Tensor<1, dim> &x)
     {
-      Tensor<2, dim> edges;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          edges[d][c] = corners[c + 1][d] - corners[0][d];
-      if (!(determinant(edges) != 0))
-        return false;
-      const Tensor<1, dim> lambda = invert(edges) * (x - corners[0]);
-      double               rest   = 1;
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          if (!(lambda[c] > 0))
-            return false;
-          rest -= lambda[c];
-        }
-      return rest > 0;
+      const auto lambda = simplex_coordinates<dim>(corners, x);
+      return std::all_of(lambda.begin(), lambda.end(), [](const double l) {
+        return l > 0;
+      });
     }
   };
 

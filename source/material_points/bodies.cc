@@ -6,11 +6,11 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <isochor/base/expression.h>
+#include <isochor/grid/simplex_coordinates.h>
 #include <isochor/material_points/bodies.h>
 #include <isochor/material_points/parts_of_body.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -30,21 +30,9 @@ namespace isochor
     double
     least_coordinate(const Seed<dim> &seed, const Point<dim> &x)
     {
-      Tensor<2, dim> edges;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          edges[d][c] = seed.domain[c + 1][d] - seed.domain[0][d];
-      if (!(determinant(edges) != 0))
-        return -1;
-      const Tensor<1, dim> lambda =
-        invert(edges) * (x - seed.location - seed.domain[0]);
-      double first = 1, least = std::numeric_limits<double>::max();
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          first -= lambda[c];
-          least = std::min(least, lambda[c]);
-        }
-      return std::min(first, least);
+      const auto lambda =
+        simplex_coordinates<dim>(seed.domain, x - seed.location);
+      return *std::min_element(lambda.begin(), lambda.end());
     }
 
     template <int dim>

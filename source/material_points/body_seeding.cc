@@ -51,7 +51,7 @@ namespace isochor
                       "gmsh grid. Empty: all.");
     prm.declare_entry("Body mesh",
                       "",
-                      Patterns::Anything(),
+                      Patterns::FileName(),
                       "A second gmsh .msh file, of the body: points are seeded "
                       "in its cells instead of the grid's.");
     prm.declare_entry("Lattice spacing",

@@ -5,6 +5,7 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <isochor/grid/simplex_coordinates.h>
 #include <isochor/material_points/outer_faces.h>
 #include <isochor/material_points/place_table.h>
 
@@ -33,20 +34,11 @@ namespace isochor
     bool
     is_inside(const Seed<dim> &seed, const Point<dim> &x)
     {
-      Tensor<2, dim> edges;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          edges[d][c] = seed.domain[c + 1][d] - seed.domain[0][d];
-      const Tensor<1, dim> lambda =
-        invert(edges) * (x - (seed.location + seed.domain[0]));
-      double first = 1;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          if (lambda[d] < 0)
-            return false;
-          first -= lambda[d];
-        }
-      return first >= 0;
+      const auto lambda =
+        simplex_coordinates<dim>(seed.domain, x - seed.location);
+      return std::all_of(lambda.begin(), lambda.end(), [](const double l) {
+        return l >= 0;
+      });
     }
 
     template <int dim>
