@@ -68,6 +68,25 @@ main(int argc, char **argv)
              beam + "Boundary conditions/Gravity = 0, -10\n"
                     "Material/Young modulus = 1e8\nDynamics/Inertia = true\n"
                     "Time/Step size = 0.01\nTime/End time = 0.15\n");
+  for (const std::string level : {"all", "none"})
+    {
+      std::string message;
+      try
+        {
+          run("Grid/Upper corner = 4, 1.5\nGrid/Subdivisions = 16, 6\n"
+              "Material points/Region = y < 1.03\n"
+              "Material points/Lattice spacing = 0.6\n"
+              "Boundary conditions/Displacement = left: x=0, y=0\n",
+              level);
+        }
+      catch (const std::exception &exc)
+        {
+          message = test::one_line(exc.what());
+        }
+      test::check("a body that falls apart is an error, " + level,
+                  message.find("falls apart") != std::string::npos,
+                  message);
+    }
   std::string missing;
   for (const Explanation &one : all_explanations())
     if (one.when.empty() || one.remedy.empty() ||

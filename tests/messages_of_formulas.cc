@@ -86,7 +86,7 @@ namespace
             "<y>",
             "Material points/Materials in zones",
             "in 100 % of the places",
-            "values from 0.08333 to 0.9167",
+            "values from 0.04167 to 0.9583",
             "'y < 0.5'"});
     expect("... of numbers of points",
            of("Material points/Points per cell in zones = 9: x; 4: x < 2\n" +
@@ -108,7 +108,7 @@ namespace
            {"WARNING a condition that compares nothing",
             "<y>",
             "Boundary conditions/Surfaces of body",
-            "values from 0 to 1"});
+            "values from 0.04167 to 0.9583"});
     expect("... and one below 0 elsewhere",
            of(zones + "y < 0.5\n" + surface + "y - 0.99"),
            {});

@@ -6,7 +6,6 @@
 
 #include <isochor/adaptation/grid_adaptation.h>
 #include <isochor/adaptation/leaf_weights.h>
-#include <isochor/base/explanation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,46 +14,6 @@
 
 namespace isochor
 {
-  namespace
-  {
-    /** Tell if more than a few points ask for @p sizes that the maximum level
-     * does not allow. Collective. */
-    template <int dim>
-    void
-    warn_of_maximum_level(const BodyState<dim>      &state,
-                          const unsigned int         maximum,
-                          const std::vector<double> &sizes,
-                          const bool                 by_number,
-                          Warnings                  &warnings)
-    {
-      const AdaptiveGrid<dim> &forest = state.grid.adaptive_grid();
-      double n_limited = 0, n = state.size(), smallest = 1e300;
-      for (unsigned int q = 0; q < state.size(); ++q)
-        {
-          const unsigned int tree =
-            forest.leaves()[forest.leaf_of_cell(state.cell[q])].tree;
-          if (sizes[q] < forest.size(tree, maximum) * (1 - 1e-9))
-            ++n_limited;
-          smallest = std::min(smallest, sizes[q]);
-        }
-      const MPI_Comm comm = state.grid.communicator();
-      n_limited           = Utilities::MPI::sum(n_limited, comm);
-      n                   = Utilities::MPI::sum(n, comm);
-      smallest            = Utilities::MPI::min(smallest, comm);
-      if (n_limited <= 0.01 * n)
-        return;
-      std::ostringstream text;
-      text << "at t = " << state.time << ' ' << 100 * n_limited / n
-           << " % of the points ask for smaller cells (down to " << smallest
-           << " m) than <Adaptive grid/Maximum level = " << maximum
-           << "> allows. Raise it, or ask for "
-           << (by_number ? "a smaller <Target number of leaves>." : "less.");
-      warnings.add("grid at its maximum level", text.str());
-    }
-  } // namespace
-
-
-
   template <int dim>
   void
   GridAdaptation<dim>::declare_parameters(ParameterHandler &prm)
@@ -217,11 +176,6 @@ namespace isochor
     for (const auto &criterion : criteria)
       if (criterion->needs_state())
         criterion->limit_sizes(state, rule, sizes, statistics);
-    const bool by_number =
-      std::any_of(criteria.begin(), criteria.end(), [](const auto &criterion) {
-        return criterion->largest_number_of_leaves() > 0;
-      });
-    warn_of_maximum_level(state, rule.maximum, sizes, by_number, step.warnings);
     points.for_each([&](const unsigned int /*k*/,
                         const unsigned int q,
                         Point<dim> & /*location*/,
@@ -437,18 +391,6 @@ namespace isochor
                        [&]() { return grid.change(leaves, owners, 0.); });
     return true;
   }
-
-
-
-  ISOCHOR_EXPLAIN(
-    maximum_level,
-    "grid at its maximum level",
-    ISOCHOR_ADVICE,
-    "adaptive grid: more than 1 % of the material points ask for smaller "
-    "cells than `Adaptive grid/Maximum level` allows, by a criterion that "
-    "depends on the solution (not by formulas)",
-    "raise it, or ask for less (`Target of relative error`, `Cell size in "
-    "plastic zones`, ...)")
 
 
 

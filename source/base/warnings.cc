@@ -13,11 +13,6 @@ namespace isochor
   void
   Warnings::add(const std::string &subject, const std::string &text)
   {
-    const Explanation *const explanation = find_explanation(subject);
-    if (level == Level::none ||
-        (level == Level::essential && explanation != nullptr &&
-         !explanation->is_essential))
-      return;
     const auto known = std::find_if(warnings.begin(),
                                     warnings.end(),
                                     [&](const Warning &warning) {

@@ -3,181 +3,10 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
-#include <isochor/boundary_condition/boundary_condition.h>
-#include <isochor/boundary_condition/boundary_points.h>
-#include <isochor/boundary_condition/surface_checks.h>
-
-#include <algorithm>
-#include <string>
-#include <utility>
+#include <isochor/boundary_condition/body_surface_conditions.h>
 
 namespace isochor
 {
-  /**
-   * Parts of the surface of the body that have a name, and loads on them,
-   * wherever it is in the grid. Loads on a boundary of the grid are loads on
-   * the surface that the body has there at t = 0. With CPDI the loads are
-   * interactions (take_loads()), with other quadratures they act on
-   * BoundaryPoints.
-   */
-  template <int dim>
-  class BodySurfaceConditions : public BoundaryCondition<dim>,
-                                public ActsByAssembly<dim>,
-                                public HasSurfaceLoads<dim>,
-                                private SurfaceForces<dim>
-  {
-  public:
-    static void
-    declare_parameters(ParameterHandler &prm)
-    {
-      SurfaceConditions<dim>::declare_parameters(prm);
-    }
-    void
-    parse_parameters(ParameterHandler &prm) override
-    {
-      conditions.section = this->section;
-      conditions.parse_parameters(prm);
-      for (SurfaceCondition<dim> &surface : conditions.surfaces)
-        surface.load.owner = this->instance;
-    }
-    std::vector<SurfaceCondition<dim>>
-    take_loads() override
-    {
-      return std::exchange(conditions.surfaces, {});
-    }
-
-    void
-    initialize(const BackgroundGrid<dim> &grid) override;
-    void
-    set_body(const BodyShape<dim> &shape, const PointArrays<dim> &body) override
-    {
-      this->shape = &shape;
-      this->body  = &body;
-    }
-
-    std::string
-    describe() const override
-    {
-      return description;
-    }
-    void
-    check_scene(const StepContext<dim> &step) const override;
-
-    void
-    touch_vertices(std::vector<unsigned int> &vertices) override;
-    void
-    collect_elements(const StepContext<dim> &step,
-                     ElementNodes           &elements) override;
-
-    EvaluationStatus
-    assemble(const StepContext<dim> &step,
-             const NodalField       &unknowns,
-             const NodalField       &pending,
-             const unsigned int      first_element,
-             const bool              with_matrix,
-             MixedSystem<dim>       &system) override
-    {
-      return SurfaceForces<dim>::assemble(
-        step, unknowns, pending, first_element, with_matrix, system);
-    }
-    void
-    add_external_force(const StepContext<dim> &step,
-                       NodalField             &force) const override
-    {
-      this->add_dead_loads(step, force);
-    }
-
-    bool
-    has_symmetric_matrix() const override
-    {
-      return std::all_of(conditions.surfaces.begin(),
-                         conditions.surfaces.end(),
-                         [](const auto &s) { return s.load.pressure.empty(); });
-    }
-    bool
-    assembles_load(const StepContext<dim> & /*step*/) const override
-    {
-      return !has_symmetric_matrix();
-    }
-    bool
-    supports_body(const Tensor<1, dim> & /*gravity*/) const override
-    {
-      return !conditions.surfaces.empty();
-    }
-    void
-    add_boundary_force(const StepContext<dim> &step,
-                       const NodalField       &unknowns,
-                       NodalField             &force) const override
-    {
-      this->add_pressures(step, unknowns, force);
-    }
-    void
-    evaluate(const StepContext<dim> &step,
-             const NodalField       &unknowns,
-             const MixedSystem<dim> & /*system*/,
-             const NodalConstraints &constraints,
-             Statistics             &statistics) const override
-    {
-      typename SurfaceForces<dim>::Surfaces surfaces;
-      for (const SurfaceCondition<dim> &surface : conditions.surfaces)
-        surfaces.push_back(&surface.load);
-      SurfaceForces<dim>::evaluate(
-        surfaces, step, unknowns, constraints, statistics);
-    }
-    void
-    advance(const StepContext<dim> &step, const NodalField &unknowns) override
-    {
-      if (points)
-        points->advance(step, unknowns);
-    }
-
-    std::string
-    save_state() const override
-    {
-      return seeded ? points->save_state() : std::string();
-    }
-    void
-    load_state(const std::string &state) override
-    {
-      if (state.empty() || !points)
-        return;
-      points->load_state(state);
-      seeded = true;
-    }
-
-  private:
-    unsigned int
-    n_places() const override
-    {
-      return points ? points->size() : 0;
-    }
-    const SurfaceLoad<dim> &
-    load_at(const unsigned int b) const override
-    {
-      return conditions.surfaces[points->surface(b)].load;
-    }
-    typename SurfaceForces<dim>::Place
-    place(const unsigned int b) const override
-    {
-      return points->place(b);
-    }
-    void
-    seed();
-
-    SurfaceConditions<dim>               conditions;
-    const BackgroundGrid<dim>           *grid  = nullptr;
-    const BodyShape<dim>                *shape = nullptr;
-    const PointArrays<dim>              *body  = nullptr;
-    std::unique_ptr<BoundaryPoints<dim>> points;
-    bool                                 seeded = false;
-    std::string                          description;
-    /** By surface; empty but in the step in which they are seeded: the part of
-     * the area of their faces that the body covers. */
-    std::vector<double> covered_share;
-  };
-
-
-
   template <int dim>
   void
   BodySurfaceConditions<dim>::initialize(const BackgroundGrid<dim> &grid)
@@ -223,15 +52,6 @@ namespace isochor
 
   template <int dim>
   void
-  BodySurfaceConditions<dim>::check_scene(const StepContext<dim> &step) const
-  {
-    warn_of_places_without_comparison(step, conditions);
-  }
-
-
-
-  template <int dim>
-  void
   BodySurfaceConditions<dim>::touch_vertices(
     std::vector<unsigned int> &vertices)
   {
@@ -241,21 +61,6 @@ namespace isochor
       seed();
     points->locate(*body);
     points->touch_vertices(vertices);
-  }
-
-
-
-  template <int dim>
-  void
-  BodySurfaceConditions<dim>::collect_elements(const StepContext<dim> &step,
-                                               ElementNodes           &elements)
-  {
-    warn_of_surfaces_off_the_body(step,
-                                  conditions,
-                                  covered_share,
-                                  this->parameter("Mesh of body surfaces"));
-    covered_share.clear();
-    SurfaceForces<dim>::collect_elements(step, elements);
   }
 
 

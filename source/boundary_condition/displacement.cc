@@ -2,7 +2,6 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/material_at_nodes.h>
 #include <isochor/grid/prescribed_motion.h>
@@ -82,23 +81,26 @@ namespace isochor
       material.set(conditions, reference);
     }
 
-    void
-    check_scene(const StepContext<dim> &step) const override
+    std::vector<NamedBoundary>
+    named_boundaries() const override
     {
-      std::set<std::string> done;
+      std::set<std::string> names;
       for (const auto &condition : conditions)
-        if (done.insert(condition.boundary).second)
-          {
-            const bool everywhere = condition.boundary == "everywhere";
-            warn_if_untouched(step,
-                              parameter(),
-                              condition.boundary,
-                              everywhere ?
-                                0 :
-                                step.grid.boundary_id(condition.boundary,
-                                                      parameter()),
-                              everywhere);
-          }
+        names.insert(condition.boundary);
+      std::vector<NamedBoundary> boundaries;
+      for (const std::string &name : names)
+        boundaries.push_back({parameter(), name});
+      return boundaries;
+    }
+
+    std::vector<BoundaryPush>
+    pushes(const StepContext<dim> &step) const override
+    {
+      std::vector<BoundaryPush> all;
+      for (const auto &condition : conditions)
+        if (condition.boundary != "everywhere")
+          all.push_back(push(condition, step));
+      return all;
     }
 
     std::vector<unsigned int>
@@ -138,10 +140,6 @@ namespace isochor
     advance(const StepContext<dim> &step,
             const NodalField & /*unknowns*/) override
     {
-      if (step.old_time > 0 && !step.grid_is_kept)
-        for (const auto &condition : conditions)
-          if (condition.boundary != "everywhere")
-            warn_if_body_is_lost(condition, step);
       material.advance(step);
     }
 
@@ -170,27 +168,26 @@ namespace isochor
 
     using Condition = PrescribedComponent<dim>;
 
-    /** Tell if the body has been pushed out of the row of cells at the
-     * boundary, which has been put back since. */
-    void
-    warn_if_body_is_lost(const Condition        &condition,
-                         const StepContext<dim> &step) const
+    /** Up to the start of the step. */
+    BoundaryPush
+    push(const Condition &condition, const StepContext<dim> &step) const
     {
-      // the least and the most of ways beyond what moves the grid (m)
-      std::array<double, 2> push{};
-      const unsigned int    component = condition.component;
+      const unsigned int component = condition.component;
+      BoundaryPush       push      = {condition.boundary,
+                                      parameter() + " = " + condition.boundary + ": " +
+                                        "xyz"[component] + " = ...",
+                                      component,
+                                      {}};
       for (const unsigned int v : condition.vertices)
         {
           const double way =
             condition.displacement(reference[v], step.old_time) -
             (step.grid.geometry().vertices()[v][component] -
              reference[v][component]);
-          push[0] = std::min(push[0], way);
-          push[1] = std::max(push[1], way);
+          push.ways[0] = std::min(push.ways[0], way);
+          push.ways[1] = std::max(push.ways[1], way);
         }
-      if (push[0] < 0 || push[1] > 0)
-        warn_of_lost_body(
-          step, parameter(), condition.boundary, component, push);
+      return push;
     }
 
     void

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
-#include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/periodic_vertices.h>
 #include <isochor/grid/prescribed_motion.h>
@@ -115,16 +114,18 @@ namespace isochor
     void
     check_scene(const StepContext<dim> &step) const override
     {
-      for (const Pair &pair : pairs)
-        for (const std::string &side : {pair.first, pair.second})
-          warn_if_untouched(step,
-                            parameter(),
-                            side,
-                            step.grid.boundary_id(side, parameter()),
-                            false,
-                            true);
       if (hold_corner)
         check_corner(step);
+    }
+
+    std::vector<NamedBoundary>
+    named_boundaries() const override
+    {
+      std::vector<NamedBoundary> boundaries;
+      for (const Pair &pair : pairs)
+        for (const std::string &side : {pair.first, pair.second})
+          boundaries.push_back({parameter(), side, true});
+      return boundaries;
     }
 
     std::string

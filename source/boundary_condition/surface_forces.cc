@@ -2,7 +2,6 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/base/explanation.h>
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/thickness.h>
 #include <isochor/boundary_condition/surface_forces.h>
@@ -213,36 +212,12 @@ namespace isochor
 
 
   template <int dim>
-  std::vector<std::array<double, 3 * dim>>
-  SurfaceForces<dim>::sums(const Surfaces         &surfaces,
-                           const StepContext<dim> &step,
-                           const NodalField       &unknowns,
-                           const NodalConstraints &constraints) const
+  unsigned int
+  SurfaceForces<dim>::surface_at(const Surfaces    &surfaces,
+                                 const unsigned int b) const
   {
-    std::vector<std::array<double, 3 * dim>> result(surfaces.size());
-    for (unsigned int b = 0; b < n_places(); ++b)
-      {
-        const Place          at   = place(b);
-        const Tensor<1, dim> load = force_at(step, unknowns, b, at);
-        auto                &sum =
-          result[std::find(surfaces.begin(), surfaces.end(), &load_at(b)) -
-                 surfaces.begin()];
-        for (unsigned int a = 0; a < dim; ++a)
-          {
-            sum[a] += load[a];
-            for (unsigned int I = 0; I < at.n_nodes; ++I)
-              {
-                const double part = std::abs(at.shape[I] * load[a]);
-                if (constraints.constrained[first_entry(step, at, I) + a] ==
-                    NodalConstraints::prescribed)
-                  sum[dim + a] += part;
-                sum[2 * dim + a] += part;
-              }
-          }
-      }
-    for (auto &sum : result)
-      sum_over_ranks(sum, step.grid.communicator());
-    return result;
+    return std::find(surfaces.begin(), surfaces.end(), &load_at(b)) -
+           surfaces.begin();
   }
 
 
@@ -252,51 +227,74 @@ namespace isochor
   SurfaceForces<dim>::evaluate(const Surfaces         &surfaces,
                                const StepContext<dim> &step,
                                const NodalField       &unknowns,
-                               const NodalConstraints &constraints,
                                Statistics             &statistics) const
   {
-    // normals of faces along an axis have some
-    constexpr double nearly_all = 0.99, rounding = 1e-9;
-    const auto       found = sums(surfaces, step, unknowns, constraints);
-    for (unsigned int s = 0; s < surfaces.size(); ++s)
+    std::vector<std::array<double, dim>> forces(surfaces.size());
+    for (unsigned int b = 0; b < n_places(); ++b)
       {
-        const auto        &sum     = found[s];
-        const std::string &surface = surfaces[s]->surface;
-        const double       load =
-          std::accumulate(sum.begin() + 2 * dim, sum.end(), 0.);
+        const Tensor<1, dim> load = force_at(step, unknowns, b, place(b));
         for (unsigned int a = 0; a < dim; ++a)
-          {
-            double force = 0; // a surface may have several loads
-            statistics.set_owner(surfaces[s]->owner);
-            for (unsigned int other = 0; other < surfaces.size(); ++other)
-              if (surfaces[other]->surface == surface &&
-                  surfaces[other]->owner == surfaces[s]->owner)
-                force += found[other][a];
-            statistics.set(std::string("Load ") + "xyz"[a] + " on " + surface +
-                             " (N)",
-                           force);
-            if (sum[2 * dim + a] > rounding * load &&
-                sum[dim + a] > nearly_all * sum[2 * dim + a])
-              step.warnings.add(
-                "a load on a support",
-                "the load on <" + surface + "> of <" + surfaces[s]->parameter +
-                  "> acts in " + "xyz"[a] +
-                  " where this component is prescribed: the body doesn't feel "
-                  "it. Leave the component free there.");
-          }
+          forces[surface_at(surfaces, b)][a] += load[a];
       }
+    for (auto &force : forces)
+      sum_over_ranks(force, step.grid.communicator());
+    for (unsigned int s = 0; s < surfaces.size(); ++s)
+      for (unsigned int a = 0; a < dim; ++a)
+        {
+          double force = 0; // a surface may have several loads
+          statistics.set_owner(surfaces[s]->owner);
+          for (unsigned int other = 0; other < surfaces.size(); ++other)
+            if (surfaces[other]->surface == surfaces[s]->surface &&
+                surfaces[other]->owner == surfaces[s]->owner)
+              force += forces[other][a];
+          statistics.set(std::string("Load ") + "xyz"[a] + " on " +
+                           surfaces[s]->surface + " (N)",
+                         force);
+        }
   }
 
 
 
-  ISOCHOR_EXPLAIN(
-    load_on_support,
-    "a load on a support",
-    ISOCHOR_ESSENTIAL,
-    "a load on a surface of the body (`Traction` included) acts, in a "
-    "component, only on nodes at which this component is prescribed: it "
-    "goes into the support, and the body doesn't feel it",
-    "leave the component free there, or put the load elsewhere")
+  template <int dim>
+  std::vector<LoadOnSupport>
+  SurfaceForces<dim>::find_loads_on_supports(
+    const Surfaces         &surfaces,
+    const StepContext<dim> &step,
+    const NodalField       &unknowns,
+    const NodalConstraints &constraints) const
+  {
+    // normals of faces along an axis have some
+    constexpr double nearly_all = 0.99, rounding = 1e-9;
+    // by surface and component: what is on supports, and all of it
+    std::vector<std::array<double, 2 * dim>> sums(surfaces.size());
+    for (unsigned int b = 0; b < n_places(); ++b)
+      {
+        const Place          at   = place(b);
+        const Tensor<1, dim> load = force_at(step, unknowns, b, at);
+        auto                &sum  = sums[surface_at(surfaces, b)];
+        for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int I = 0; I < at.n_nodes; ++I)
+            {
+              const double part = std::abs(at.shape[I] * load[a]);
+              if (constraints.constrained[first_entry(step, at, I) + a] ==
+                  NodalConstraints::prescribed)
+                sum[a] += part;
+              sum[dim + a] += part;
+            }
+      }
+    std::vector<LoadOnSupport> found;
+    for (unsigned int s = 0; s < surfaces.size(); ++s)
+      {
+        sum_over_ranks(sums[s], step.grid.communicator());
+        const double load =
+          std::accumulate(sums[s].begin() + dim, sums[s].end(), 0.);
+        for (unsigned int a = 0; a < dim; ++a)
+          if (sums[s][dim + a] > rounding * load &&
+              sums[s][a] > nearly_all * sums[s][dim + a])
+            found.push_back({surfaces[s]->surface, surfaces[s]->parameter, a});
+      }
+    return found;
+  }
 
 
 

@@ -2,7 +2,6 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/boundary_condition/one_sided_wall.h>
 #include <isochor/boundary_condition/wall_joints.h>
@@ -122,14 +121,26 @@ namespace isochor
         walls[w].take_over(old[w], old_reference, reference);
     }
 
-    void
-    check_scene(const StepContext<dim> &step) const override
+    std::vector<NamedBoundary>
+    named_boundaries() const override
     {
+      std::vector<NamedBoundary> boundaries;
       for (const Wall &wall : walls)
-        warn_if_untouched(step,
-                          parameter(),
-                          wall.boundary,
-                          step.grid.boundary_id(wall.boundary, parameter()));
+        boundaries.push_back({parameter(), wall.boundary});
+      return boundaries;
+    }
+
+    std::vector<BoundaryPush>
+    pushes(const StepContext<dim> &step) const override
+    {
+      std::vector<BoundaryPush> all;
+      if (!step.grid.is_moving())
+        for (const Wall &wall : walls)
+          all.push_back({wall.boundary,
+                         parameter() + " = " + wall.boundary + ": n = ...",
+                         BoundaryPush::along_normal,
+                         {{0., wall.largest_push(reference, step.old_time)}}});
+      return all;
     }
 
     std::vector<unsigned int>
@@ -180,12 +191,8 @@ namespace isochor
     advance(const StepContext<dim> &step, const NodalField &unknowns) override
     {
       for (Wall &wall : walls)
-        {
-          if (step.old_time > 0 && !step.grid_is_kept && !step.grid.is_moving())
-            wall.warn_if_body_is_lost(parameter(), reference, step);
-          if (!wall.surface.is_flat())
-            follow_nodes(wall, step, unknowns);
-        }
+        if (!wall.surface.is_flat())
+          follow_nodes(wall, step, unknowns);
     }
 
     std::string

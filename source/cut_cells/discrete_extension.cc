@@ -4,9 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
-#include <isochor/base/explanation.h>
 #include <isochor/base/mpi_sums.h>
-#include <isochor/base/plain_message.h>
 #include <isochor/cut_cells/discrete_extension.h>
 #include <isochor/equations/nodal_unknowns.h>
 #include <isochor/grid/nearest_cells.h>
@@ -361,7 +359,7 @@ namespace isochor
                                    const NodalField       &unknowns,
                                    const MixedSystem<dim> &system,
                                    const double            energy,
-                                   Statistics             &statistics) const
+                                   Statistics             &statistics)
   {
     // number of ties, of free nodes; work of the extension and of the body
     std::array<double, 4> sums{
@@ -377,21 +375,10 @@ namespace isochor
           sums[2] += std::abs(work(step, unknowns, found[k], force));
         }
     sum_over_ranks(sums, grid.communicator());
-    const double share = sums[3] > 0 ? sums[2] / sums[3] : 0.;
+    share         = sums[3] > 0 ? sums[2] / sums[3] : 0.;
+    n_free_of_all = sums[1];
     statistics.set("Tied nodes", sums[0]);
     statistics.set("Share of ties in internal work", share);
-    if (share > 0.01 || sums[1] > 0)
-      step.warnings.add(
-        "a part of the body too thin for the grid",
-        "at t = " + rounded(step.time) + " " +
-          (share > 0.01 ?
-             "nodes that hardly any material touches hand " +
-               rounded(100 * share) +
-               " % of the internal work on to cells they are tied to" :
-             rounded(sums[1]) +
-               " nodes that hardly any material touches have no cell nearby "
-               "that they could be tied to") +
-          ". Use smaller cells there.");
   }
 
 
@@ -449,20 +436,6 @@ namespace isochor
     arm /= tie.masters.size();
     return force * (symmetrize(gradient) * arm);
   }
-
-
-
-  ISOCHOR_EXPLAIN(
-    thin_part,
-    "a part of the body too thin for the grid",
-    ISOCHOR_ESSENTIAL,
-    "nodes that hardly any material touches hand more than 1 % of a step's "
-    "internal work (in dynamics: and kinetic energy) on to the cells they "
-    "are tied to; or nodes with less than `Cut cells/Smallest support` "
-    "around them have no well filled cell nearby, so that the matrix may be"
-    " badly conditioned. The body is thin or small against the cells there",
-    "smaller cells where the body is thin, or a smaller `Cut cells/Smallest"
-    " support`")
 
 
 

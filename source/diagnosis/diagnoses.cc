@@ -27,14 +27,12 @@ namespace isochor
 
   template <int dim>
   void
-  Diagnoses<dim>::parse_parameters(ParameterHandler &prm, Warnings &warnings)
+  Diagnoses<dim>::parse_parameters(ParameterHandler &prm, const bool print)
   {
     prm.enter_subsection("Diagnosis");
     const std::string level = prm.get("Level");
     prm.leave_subsection();
-    warnings.set_level(level == "all"       ? Warnings::Level::all :
-                       level == "essential" ? Warnings::Level::essential :
-                                              Warnings::Level::none);
+    found.print_here(print);
     if (level == "none")
       return;
     PluginRegistry<Diagnosis<dim>>::create_all(all);
@@ -48,7 +46,7 @@ namespace isochor
                                }),
                 all.end());
     for (const auto &one : all)
-      one->warnings = &warnings;
+      one->warnings = &found;
   }
 
 
@@ -72,6 +70,19 @@ namespace isochor
     for (const auto &one : all)
       if (const std::string line = one->run_ended(); !line.empty())
         text += line + '\n';
+    return text;
+  }
+
+
+
+  template <int dim>
+  std::string
+  Diagnoses<dim>::run_failed() const
+  {
+    std::string text;
+    for (const auto &one : all)
+      if (const std::string hint = one->run_failed(); !hint.empty())
+        text += hint + '\n';
     return text;
   }
 

@@ -23,12 +23,28 @@ namespace isochor
         if (const auto *const interactions =
               dynamic_cast<const InteractionTerm<dim> *>(condition.get()))
           may_let_go = may_let_go || interactions->may_let_go();
-      if (scene.mixed() && !may_let_go && has_free_pressure(matrix))
+      is_free = scene.mixed() && !may_let_go && has_free_pressure(matrix);
+      if (is_free)
         this->warn("with <Material/Poisson ratio> = 0.5 and the whole surface "
                    "of the body held, pressures are known up to a constant, "
                    "which may be anything in each step. Look at differences of "
                    "pressure, or use 0.4999.");
     }
+
+    std::string
+    run_failed() const override
+    {
+      return is_free ?
+               "The material is incompressible and the whole surface of the "
+               "body is held: if what is prescribed there changes the volume "
+               "inside, there is no solution, however small the step. Leave a "
+               "part of the surface free, or let <Material/Poisson ratio> be "
+               "0.4999." :
+               "";
+    }
+
+  private:
+    bool is_free = false;
   };
 
   ISOCHOR_REGISTER_DIAGNOSIS(

@@ -110,7 +110,7 @@ namespace isochor
                  rounded(longest) +
                  " times: displacements of nodes between their corners are "
                  "arbitrary. Use more <Points per cell>, or <Split at share "
-                 "of cell = 0.2>.");
+                 "of cell = 0.1>.");
     }
   };
 
@@ -126,6 +126,6 @@ namespace isochor
     "the grid and of probes become arbitrary while forces, stresses and points "
     "stay right for a while (a bar with 4 points per cell: from a stretch of "
     "2.4 on)",
-    "more points per cell, `Split at share of cell = 0.2`, larger cells, or "
-    "fewer resets")
+    "more points per cell, `Split at share of cell = 0.1` (0.2 halves each "
+    "domain of 4 points per cell once), or fewer resets")
 } // namespace isochor

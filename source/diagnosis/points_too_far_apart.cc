@@ -2,231 +2,36 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <deal.II/base/mpi.h>
-
-#include <isochor/base/disjoint_sets.h>
-#include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/diagnosis/diagnosis.h>
-#include <isochor/grid/nearest_cells.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
+#include <isochor/material_points/bare_cells.h>
 
 namespace isochor
 {
-  namespace
-  {
-    /** @p cells, each brought to the rank that owns it. */
-    template <int dim>
-    std::set<unsigned int>
-    send_to_owners(const std::set<unsigned int> &cells,
-                   const SimplexGeometry<dim>   &geometry)
-    {
-      const MPI_Comm comm = geometry.communicator();
-      if (Utilities::MPI::n_mpi_processes(comm) == 1)
-        return cells;
-      std::map<unsigned int, std::vector<unsigned int>> messages;
-      for (const unsigned int cell : cells)
-        messages[geometry.owner(cell)].push_back(cell);
-      std::set<unsigned int> own;
-      for (const auto &received : Utilities::MPI::some_to_some(comm, messages))
-        own.insert(received.second.begin(), received.second.end());
-      return own;
-    }
-
-    /** The largest J V_0 / |e| of this rank's points. */
-    template <int dim>
-    double
-    largest_share(const BackgroundGrid<dim> &grid,
-                  const PointArrays<dim>    &points)
-    {
-      double share = 0;
-      for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
-        {
-          double largest = 0;
-          for (unsigned int q = points.cell_start[k];
-               q < points.cell_start[k + 1];
-               ++q)
-            largest =
-              std::max(largest, determinant(points.F[q]) * points.volume[q]);
-          share =
-            std::max(share, largest / grid.geometry().measure(points.cell[k]));
-        }
-      return share;
-    }
-
-    /** Add the cells around a point that it covers. */
-    template <int dim>
-    void
-    add_covered_cells(const SimplexGeometry<dim> &geometry,
-                      const PointArrays<dim>     &points,
-                      const unsigned int          k,
-                      const unsigned int          q,
-                      std::set<unsigned int>     &covered)
-    {
-      const Tensor<2, dim> inverse = invert(points.F[q]);
-      const double         radius =
-        std::pow(points.volume[q] * (dim == 2 ? 1. : 0.75) / numbers::PI,
-                 1. / dim);
-      Point<dim> x;
-      for (unsigned int v = 0; v <= dim; ++v)
-        x += points.shape[q][v] * points.corner(geometry, k, v);
-
-      // face by face from the point's own cell
-      std::vector<unsigned int> to_follow = {points.cell[k]};
-      std::set<unsigned int>    seen      = {points.cell[k]};
-      while (!to_follow.empty())
-        {
-          const unsigned int cell = to_follow.back();
-          to_follow.pop_back();
-          for (const unsigned int next : geometry.neighbours(cell))
-            if (next != SimplexGeometry<dim>::no_cell &&
-                seen.insert(next).second &&
-                (inverse * (cell_centroid(geometry, next) - x)).norm() < radius)
-              {
-                covered.insert(next);
-                to_follow.push_back(next);
-              }
-        }
-    }
-
-    /** Cells without points whose centroid lies in what a point stands for:
-     * those of this rank, found by all. Collective. */
-    template <int dim>
-    std::set<unsigned int>
-    find_bare_cells(const BackgroundGrid<dim> &grid,
-                    const PointArrays<dim>    &points)
-    {
-      const SimplexGeometry<dim> &geometry = grid.geometry();
-      std::set<unsigned int>      covered;
-      for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
-        for (unsigned int q = points.cell_start[k];
-             q < points.cell_start[k + 1];
-             ++q)
-          add_covered_cells(geometry, points, k, q, covered);
-      std::set<unsigned int> bare = send_to_owners(covered, geometry);
-      for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
-        bare.erase(points.cell[k]);
-
-      std::set<unsigned int> with_corners;
-      for (const auto &corner : points.domain_corners.cells)
-        with_corners.insert(corner.second);
-      for (const unsigned int cell : send_to_owners(with_corners, geometry))
-        bare.erase(cell);
-      return bare;
-    }
-
-    /** Into how many pieces, not connected by any face, the cells of all ranks
-     * fall. */
-    template <int dim>
-    unsigned int
-    n_pieces(const BackgroundGrid<dim>       &grid,
-             const std::vector<unsigned int> &own_cells)
-    {
-      const SimplexGeometry<dim>     &geometry = grid.geometry();
-      const std::vector<unsigned int> cells =
-        union_over_ranks(own_cells, grid.communicator());
-      DisjointSets pieces(cells.size());
-      for (unsigned int k = 0; k < cells.size(); ++k)
-        for (const unsigned int other : geometry.neighbours(cells[k]))
-          {
-            const auto place =
-              std::lower_bound(cells.begin(), cells.begin() + k, other);
-            if (place != cells.begin() + k && *place == other)
-              pieces.merge(k, place - cells.begin());
-          }
-      return pieces.size();
-    }
-  } // namespace
-
-
-
   /**
    * Material points that lie too far apart for the grid. A cell inside of the
    * body that holds no point resists nothing, so that the body is too soft or
    * falls apart; or it is a hole, whose state is a guess.
-   *
-   * A cell counts as inside if its centroid lies in what a point stands for,
-   * the ball of the point's volume at t = 0, deformed by F. A few such cells
-   * are the method's own error; they are to be expected as soon as points of
-   * half a cell's volume move through the grid.
    */
   template <int dim>
   class PointsTooFarApart : public Diagnosis<dim>
   {
   public:
-    /** @throws ExcMessage if the body falls apart at the start. */
     void
-    grid_reset(const Scene<dim>       &scene,
+    grid_reset(const Scene<dim> & /*scene*/,
                const StepContext<dim> &step,
                const ElementNodes & /*elements*/,
                const bool /*is_kept*/) override
     {
-      // points up to this share of their cell leave no cell empty that
-      // matters; where cells without points are twice as much of the body a
-      // tube needed a tenth less of pressure
-      constexpr double           harmless_share = 0.5, tolerated_part = 0.01;
-      const BackgroundGrid<dim> &grid   = step.grid;
-      const PointArrays<dim>    &points = step.points;
-      const MPI_Comm             comm   = grid.communicator();
-      const double               share =
-        Utilities::MPI::max(largest_share(grid, points), comm);
-      if (share <= harmless_share)
-        return;
-      const std::set<unsigned int> bare = find_bare_cells(grid, points);
-      std::array<double, 3> sums{}; // bare cells, their volume, the body's
-      for (const unsigned int cell : bare)
-        {
-          sums[0] += 1;
-          sums[1] += grid.geometry().measure(cell);
-        }
-      for (unsigned int q = 0; q < points.n_points(); ++q)
-        sums[2] += determinant(points.F[q]) * points.volume[q];
-      sum_over_ranks(sums, comm);
-      if (sums[1] <= tolerated_part * sums[2])
-        return;
-      std::string text =
-        "at t = " + rounded(step.old_time) + " " + rounded(sums[0]) +
-        " cells inside of the body, " + rounded(100 * sums[1] / sums[2]) +
-        " % of its volume, hold no points and resist nothing; the largest "
-        "point has " +
-        rounded(share) +
-        " times the volume of its cell. Use more points (<Points per cell>, "
-        "<Lattice spacing>)";
-      if (const std::string pieces = describe_pieces(grid, points, bare);
-          !pieces.empty())
-        {
-          text += pieces;
-          AssertThrow(scene.time.step > 0,
-                      ExcMessage("The material points are too far apart for "
-                                 "the grid: " +
-                                 text + "."));
-        }
-      this->warn(text + ".");
-    }
-
-  private:
-    /** Whether the body falls apart, in words. Collective. */
-    static std::string
-    describe_pieces(const BackgroundGrid<dim>    &grid,
-                    const PointArrays<dim>       &points,
-                    const std::set<unsigned int> &bare)
-    {
-      std::set<unsigned int> held(points.cell.begin(), points.cell.end());
-      for (const auto &corner : points.domain_corners.cells)
-        held.insert(corner.second);
-      std::set<unsigned int> body = held;
-      body.insert(bare.begin(), bare.end());
-      const unsigned int n_held = n_pieces(grid, {held.begin(), held.end()}),
-                         n_body = n_pieces(grid, {body.begin(), body.end()});
-      return n_held > n_body ?
-               ": the body falls apart, into " + std::to_string(n_held) +
-                 " pieces that share no face, with the empty cells " +
-                 std::to_string(n_body) :
-               "";
+      const BareCells bare = find_bare_cells(step.grid, step.points);
+      if (bare.n > 0)
+        this->warn("at t = " + rounded(step.old_time) + " " + rounded(bare.n) +
+                   " cells inside of the body, " + rounded(100 * bare.part) +
+                   " % of its volume, hold no points and resist nothing; the "
+                   "largest point has " +
+                   rounded(bare.largest_point) +
+                   " times the volume of its cell. Use more points (<Points "
+                   "per cell>, <Lattice spacing>).");
     }
   };
 

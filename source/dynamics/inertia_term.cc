@@ -2,9 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/base/explanation.h>
 #include <isochor/base/mpi_sums.h>
-#include <isochor/base/plain_message.h>
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/dynamics/inertia_term.h>
 #include <isochor/grid/prescribed_motion.h>
@@ -99,7 +97,8 @@ namespace isochor
   {
     if (!is_active())
       return;
-    by_stresses = from_stresses && !carries;
+    worst_projection = 0;
+    by_stresses      = from_stresses && !carries;
     mass.reinit(step, by_stresses);
     mass.collect(step, step.points.velocity, momentum);
     if (by_stresses)
@@ -202,7 +201,7 @@ namespace isochor
                             const Followers           &followers,
                             const std::vector<double> &given,
                             NodalField                &solution,
-                            const bool                 with_domains) const
+                            const bool                 with_domains)
   {
     const auto solve = [&](const bool by_domains) {
       solution.zero_out_ghost_values();
@@ -216,14 +215,8 @@ namespace isochor
     double error = solve(false);
     if (with_domains && !(error < 1e-8))
       error = solve(true);
-    if (!(error < 1e-8))
-      step.warnings.add("projection of velocities",
-                        "velocities or accelerations of the points are "
-                        "projected to the nodes to " +
-                          rounded(error) +
-                          " of their size only. Use more <Material "
-                          "points/Points per cell>, larger steps or, with "
-                          "CPDI, <Dynamics/Acceleration = carried>.");
+    if (!(error <= worst_projection))
+      worst_projection = error;
   }
 
 
@@ -424,17 +417,6 @@ namespace isochor
       }
     return properties[layout.mass] / 2 * motion.first.norm_square();
   }
-
-
-
-  ISOCHOR_EXPLAIN(
-    projection,
-    "projection of velocities",
-    ISOCHOR_ESSENTIAL,
-    "dynamics: conjugate gradients for the projection of velocities or "
-    "accelerations to the nodes stop above 1e-8 of the load",
-    "more `Material points/Points per cell`, larger steps, or "
-    "`Dynamics/Acceleration = carried` with CPDI")
 
 
 

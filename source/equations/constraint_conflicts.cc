@@ -4,7 +4,6 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
-#include <isochor/base/explanation.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/equations/constraint_conflicts.h>
 
@@ -17,23 +16,23 @@ namespace isochor
 {
   namespace
   {
-    /** Conflicts of two conditions. */
-    struct Group
-    {
-      unsigned int n          = 0;
-      double       difference = 0;
-      std::string  place;
-
-      template <class Archive>
-      void
-      serialize(Archive &archive, const unsigned int /*version*/)
-      {
-        archive &n &difference &place;
-      }
-    };
-
     /** Winner, loser, whether they are of the same precedence. */
-    using Key = std::tuple<std::string, std::string, bool>;
+    using Conflicts = std::map<std::tuple<std::string, std::string, bool>,
+                               ConflictOfConditions>;
+
+    void
+    add(const ConflictOfConditions &conflict, Conflicts &all)
+    {
+      const auto known = all.emplace(std::make_tuple(conflict.winner,
+                                                     conflict.loser,
+                                                     conflict.equal_rank),
+                                     conflict);
+      if (known.second)
+        return;
+      ConflictOfConditions &sum = known.first->second;
+      sum.n += conflict.n;
+      sum.difference = std::max(sum.difference, conflict.difference);
+    }
 
     template <int dim>
     std::string
@@ -64,15 +63,35 @@ namespace isochor
 
 
 
+  std::string
+  ConflictOfConditions::names() const
+  {
+    return "<" + parameter_of(winner) + "> and <" + parameter_of(loser) + ">";
+  }
+
+
+
+  std::string
+  ConflictOfConditions::where() const
+  {
+    return std::to_string(n) + " displacement components of nodes, as at " +
+           place;
+  }
+
+
+
   template <int dim>
-  void
-  tell_conflicts(const StepContext<dim> &step,
+  std::vector<ConflictOfConditions>
+  find_conflicts(const StepContext<dim> &step,
                  const NodalConstraints &constraints)
   {
     // formulas that mean the same differ by rounding: of what they prescribe,
     // and of the places of nodes
     constexpr double rounding = 1e-10, rounding_of_places = 1e-13;
-    double           largest = 0, farthest = 0;
+    const MPI_Comm   comm = step.grid.communicator();
+    if (Utilities::MPI::max(constraints.conflicts.size(), comm) == 0)
+      return {};
+    double largest = 0, farthest = 0;
     for (const Point<dim> &vertex : step.grid.geometry().vertices())
       for (unsigned int d = 0; d < dim; ++d)
         farthest = std::max(farthest, std::abs(vertex[d]));
@@ -80,82 +99,47 @@ namespace isochor
       largest = std::max(largest, std::abs(increment));
     for (const double value : constraints.followers.value)
       largest = std::max(largest, std::abs(value));
-    largest = Utilities::MPI::max(largest, step.grid.communicator());
+    largest               = Utilities::MPI::max(largest, comm);
     const double smallest = rounding * largest + rounding_of_places * farthest;
-    std::map<std::pair<std::string, bool>, Group> own;
+    Conflicts    own, all;
     for (const auto &conflict : constraints.conflicts)
       if (conflict.entry < step.nodes.n_owned() * step.n_components &&
           (conflict.difference == 0. || conflict.difference > smallest))
-        {
-          Group &group =
-            own[{conflict.winner + "\n" + conflict.loser, conflict.equal_rank}];
-          ++group.n;
-          group.difference = std::max(group.difference, conflict.difference);
-          if (group.place.empty())
-            group.place = place_of(step, conflict.entry);
-        }
-    std::map<Key, Group> all;
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(step.grid.communicator(), own))
-      for (const auto &entry : of_rank)
-        {
-          const auto   end   = entry.first.first.find('\n');
-          const Group &group = entry.second;
-          Group       &sum   = all[{entry.first.first.substr(0, end),
-                                    entry.first.first.substr(end + 1),
-                                    entry.first.second}];
-          sum.n += group.n;
-          sum.difference = std::max(sum.difference, group.difference);
-          if (sum.place.empty())
-            sum.place = group.place;
-        }
-
+        add({conflict.winner,
+             conflict.loser,
+             conflict.equal_rank,
+             1,
+             conflict.difference,
+             place_of(step, conflict.entry)},
+            own);
+    std::vector<ConflictOfConditions> found;
+    for (const auto &entry : own)
+      found.push_back(entry.second);
+    for (const auto &of_rank : Utilities::MPI::all_gather(comm, found))
+      for (const auto &conflict : of_rank)
+        add(conflict, all);
+    found.clear();
     for (const auto &entry : all)
       {
-        const auto &[winner, loser, equal_rank] = entry.first;
-        const Group      &group                 = entry.second;
-        const std::string names =
-          "<" + parameter_of(winner) + "> and <" + parameter_of(loser) + ">";
-        const std::string where = std::to_string(group.n) +
-                                  " displacement components of nodes, as at " +
-                                  group.place;
-        const std::string by =
-          group.difference > 0 ?
-            ", by up to " + rounded(group.difference) + " m" :
-            "";
-        AssertThrow(!equal_rank,
-                    ExcMessage(names + " prescribe " + where + ", otherwise" +
-                               by +
-                               ". Nothing tells which one is meant: leave "
-                               "these nodes out of one of them."));
-        step.warnings.add(
-          "contradictory conditions",
-          "at t = " + rounded(step.time) + " " + names +
-            " determine the same " + where +
-            (group.difference > 0 ?
-               ", otherwise" + by :
-               std::string(", and the second one may part from these")) +
-            ". The first one counts. Let both prescribe the same, or leave "
-            "these nodes out of one.");
+        const ConflictOfConditions &conflict = entry.second;
+        AssertThrow(!conflict.equal_rank,
+                    ExcMessage(
+                      conflict.names() + " prescribe " + conflict.where() +
+                      ", otherwise" +
+                      (conflict.difference > 0 ?
+                         ", by up to " + rounded(conflict.difference) + " m" :
+                         "") +
+                      ". Nothing tells which one is meant: leave "
+                      "these nodes out of one of them."));
+        found.push_back(conflict);
       }
+    return found;
   }
 
 
 
-  ISOCHOR_EXPLAIN(
-    contradiction,
-    "contradictory conditions",
-    ISOCHOR_ESSENTIAL,
-    "a wall or periodic side asks for something else than a condition that "
-    "comes first: displacements, walls, periodic sides; of the same kind "
-    "the one named first (\"Conditions on nodes\" in "
-    "[method.md](method.md)). Two displacements that differ are an error",
-    "let both prescribe the same, or leave the nodes out of one")
-
-
-
-  template void
-  tell_conflicts(const StepContext<2> &, const NodalConstraints &);
-  template void
-  tell_conflicts(const StepContext<3> &, const NodalConstraints &);
+  template std::vector<ConflictOfConditions>
+  find_conflicts(const StepContext<2> &, const NodalConstraints &);
+  template std::vector<ConflictOfConditions>
+  find_conflicts(const StepContext<3> &, const NodalConstraints &);
 } // namespace isochor

@@ -2,7 +2,6 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/base/explanation.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/linear_solver/linear_solver_choice.h>
 
@@ -20,12 +19,6 @@ namespace isochor
       return dim == 2 ? 2000000 : 8000;
     }
   } // namespace
-
-
-
-  LinearSolverChoice::LinearSolverChoice(Warnings &warnings)
-    : warnings(warnings)
-  {}
 
 
 
@@ -75,8 +68,7 @@ namespace isochor
     direct->parse_parameters(prm);
     if (solver_names.size() > 1)
       {
-        iterative_name = solver_names[1];
-        iterative      = PluginRegistry<LinearSolver>::create(iterative_name);
+        iterative = PluginRegistry<LinearSolver>::create(solver_names[1]);
         iterative->parse_parameters(prm);
       }
     in_use = direct.get();
@@ -179,24 +171,8 @@ namespace isochor
     const SparseSystem &A = *matrix;
     in_use                = direct.get();
     failed_pattern        = A.pattern_id;
-    warnings.add("the iterative linear solver failed",
-                 failure + " The direct solver " + direct_name +
-                   " takes over. If it comes up often, set <Linear "
-                   "solver/Solver = " +
-                   direct_name + ">, or raise <" + iterative_name +
-                   "/Maximum iterations>.");
+    last_failure          = failure;
     return direct->factorise(A);
   }
 
-
-
-  ISOCHOR_EXPLAIN(
-    iterative_solver,
-    "the iterative linear solver failed",
-    ISOCHOR_ADVICE,
-    "block FGMRES did not reach the accuracy in `Block FGMRES/Maximum "
-    "iterations`, or the matrix is indefinite or singular; MUMPS takes over"
-    " as long as the pattern of the matrix stays, and results are the same",
-    "nothing, if it stays rare; else `Linear solver/Solver = MUMPS`, or "
-    "more iterations ([solvers.md](solvers.md))")
 } // namespace isochor

@@ -6,7 +6,7 @@
 #include <isochor/equations/nodal_unknowns.h>
 #include <isochor/equations/pressure_mapping.h>
 #include <isochor/postprocess/carried_reactions.h>
-#include <isochor/postprocess/energy_loss.h>
+#include <isochor/postprocess/energy_balance.h>
 #include <isochor/postprocess/postprocessor.h>
 #include <isochor/postprocess/stabilisation_energy.h>
 
@@ -30,12 +30,12 @@ namespace isochor
    *    what is stored elastically;
    *  - external work of loads and of prescribed motions, by the mean of the
    *    forces at both ends of a step times Δu_I;
-   *  - what the scheme lost (EnergyLoss): external work minus the change of
+   *  - what the scheme lost: external work minus the change of
    *    kinetic and strain energy, minus plastic work: errors of load stepping,
    *    time integration and the transfer between points and nodes.
    */
   template <int dim>
-  class Energies : public Postprocessor<dim>
+  class Energies : public Postprocessor<dim>, public HasEnergyBalance<dim>
   {
   public:
     void
@@ -123,15 +123,10 @@ namespace isochor
         }
       sum_over_ranks(sums, result.step.grid.communicator());
 
-      const EnergyLoss::Balance balance = {sums[6],
-                                           strain_energy + plastic_sum,
-                                           external_sum + initial_energy,
-                                           stiffness};
-      if (is_watched)
-        loss.look_in_statics(result.step.time,
-                             balance,
-                             result.step.points.has_stencils(),
-                             result.step.warnings);
+      balance = {sums[6],
+                 strain_energy + plastic_sum,
+                 external_sum + initial_energy,
+                 stiffness};
       if (!l.dynamic && !in_statics)
         return;
       statistics.set("Strain energy (J)", strain_energy);
@@ -141,13 +136,6 @@ namespace isochor
                      balance.supplied - balance.internal - balance.kinetic);
       if (!l.dynamic)
         return;
-      loss.look(result.step.time,
-                balance,
-                result.time.starts_anew,
-                result.step.points.has_stencils(),
-                result.step.grid_is_kept,
-                result.step.time >= result.time.end_time(),
-                result.step.warnings);
       for (unsigned int a = 0; a < dim; ++a)
         statistics.set(std::string("Momentum ") + "xyz"[a] + " (kg m/s)",
                        sums[a]);
@@ -155,6 +143,14 @@ namespace isochor
         statistics.set(std::string("Angular momentum ") + "xyz"[a] +
                          " (kg m^2/s)",
                        sums[3 + a]);
+    }
+
+    const EnergyBalance *
+    energy_balance(const StepResult<dim> &result) const override
+    {
+      return result.points.layout().dynamic ?
+               (in_dynamics ? &balance : nullptr) :
+               (is_watched ? &balance : nullptr);
     }
 
     std::string
@@ -165,7 +161,6 @@ namespace isochor
       state << initial_energy << ' ' << external_sum << ' ' << stress_work
             << ' ';
       stabilisation.save(state);
-      loss.save(state);
       state << reactions.size() << ' ';
       for (const auto &reaction : reactions)
         state << reaction.first << ' ' << reaction.second << ' ';
@@ -182,7 +177,6 @@ namespace isochor
       std::size_t        n = 0;
       state >> initial_energy >> external_sum >> stress_work;
       stabilisation.load(state);
-      loss.load(state);
       state >> n;
       for (std::size_t i = 0; i < n; ++i)
         {
@@ -447,7 +441,7 @@ namespace isochor
     /** Of the stresses at points that may yield, less what these store. */
     double                   stress_work = 0;
     StabilisationEnergy<dim> stabilisation;
-    EnergyLoss               loss;
+    EnergyBalance            balance; ///< after this step
     /** Σ V_p G_p. */
     double stiffness = 0;
     /** Of held unknowns of this rank's vertices at the end of the last step, by

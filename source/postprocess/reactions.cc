@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
-#include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/postprocess/postprocessor.h>
 
 #include <set>
@@ -87,15 +86,13 @@ namespace isochor
       initialize(grid);
     }
 
-    void
-    check_scene(const StepContext<dim> &step) const override
+    std::vector<NamedBoundary>
+    named_boundaries() const override
     {
-      const std::string parameter = this->parameter("Reactions");
+      std::vector<NamedBoundary> boundaries;
       for (const std::string &name : names)
-        warn_if_untouched(step,
-                          parameter,
-                          name,
-                          step.grid.boundary_id(name, parameter));
+        boundaries.push_back({this->parameter("Reactions"), name});
+      return boundaries;
     }
 
     void

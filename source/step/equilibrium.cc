@@ -23,7 +23,7 @@ namespace isochor
     , terminal(terminal)
     , body(scene.grid, setup.point_arrays())
     , system(setup.active_nodes())
-    , linear_step(system, terminal.timer(), scene.warnings)
+    , linear_step(system, terminal.timer())
   {}
 
 
@@ -280,13 +280,13 @@ namespace isochor
     isochor::constrain_nodes(scene.boundary_conditions, step, constraints);
     setup.constrain(step, constraints);
     constraints.resolve(n_components);
-    std::vector<int> any = {constraints.constrained != previous ||
-                              !constraints.followers.same_structure(old),
-                            !constraints.conflicts.empty()};
-    Utilities::MPI::max(any, scene.grid.communicator(), any);
-    const bool changed = any[0] != 0;
-    if (any[1] != 0)
-      tell_conflicts(step, constraints);
+    const bool changed =
+      Utilities::MPI::max(constraints.constrained != previous ||
+                              !constraints.followers.same_structure(old) ?
+                            1 :
+                            0,
+                          scene.grid.communicator()) != 0;
+    find_conflicts(step, constraints); // errors among them
     scene.inertia.constrain(step,
                             scene.time.next_time(),
                             scene.boundary_conditions,

@@ -21,24 +21,6 @@ namespace isochor
 {
   namespace
   {
-    /** What is to be said first of a body whose volume is given twice, by its
-     * material and by its surface. */
-    std::string
-    advice_on_volume(const Warnings &warnings)
-    {
-      const auto &all = warnings.all();
-      if (std::none_of(all.begin(), all.end(), [](const auto &warning) {
-            return warning.subject == "undetermined pressure";
-          }))
-        return "";
-      return "The material is incompressible and the whole surface of the body "
-             "is held: if what is prescribed there changes the volume inside, "
-             "there is no solution, however small the step. Leave a part of the "
-             "surface free, or let <Material/Poisson ratio> be 0.4999.\n";
-    }
-
-
-
     /** Where the residual force is largest: "12 N at (1, 2)". Owned entries,
      * constrained ones don't count. */
     template <int dim>
@@ -161,8 +143,7 @@ namespace isochor
                        rounded(time.next_time() - time.time) +
                        " failed and can't be cut back further (<Time/Minimum "
                        "step size>): " +
-                       failure.newton.failure + ".\n" +
-                       advice_on_volume(step.warnings);
+                       failure.newton.failure + ".\n" + failure.hints;
     if (time.step == 0)
       text += "It is the very first step, so that the scene is to be looked "
               "at: are all bodies held, the loads in the units of the "

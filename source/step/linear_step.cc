@@ -12,12 +12,9 @@
 namespace isochor
 {
   template <int dim>
-  LinearStep<dim>::LinearStep(MixedSystem<dim> &system,
-                              TimerOutput      &timer,
-                              Warnings         &warnings)
+  LinearStep<dim>::LinearStep(MixedSystem<dim> &system, TimerOutput &timer)
     : system(system)
     , timer(timer)
-    , linear_solver(warnings)
   {}
 
 
@@ -50,6 +47,7 @@ namespace isochor
   LinearStep<dim>::start_step(const ActiveNodes<dim> &nodes,
                               const unsigned int      n_components)
   {
+    linear_solver.forget_failure();
     nodes.initialize(base, n_components);
     nodes.initialize(correction, n_components);
     base.set_ghost_state(true); // ranks write all that they hold themselves

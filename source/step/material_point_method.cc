@@ -41,11 +41,11 @@ namespace isochor
       }
     catch (...)
       {
-        if (!scene.warnings.all().empty())
-          terminal.print_summary(scene.warnings);
+        if (!diagnoses.warnings().all().empty())
+          terminal.print_summary(diagnoses.warnings());
         throw;
       }
-    terminal.print_summary(scene.warnings);
+    terminal.print_summary(diagnoses.warnings());
   }
 
 
@@ -61,7 +61,7 @@ namespace isochor
     initialisation_phase();
     print_conditions();
     equilibrium.evaluate();
-    terminal.print_summary(scene.warnings);
+    terminal.print_summary(diagnoses.warnings());
   }
 
 
@@ -121,13 +121,16 @@ namespace isochor
     if (scene.has_inertia())
       look_for_starts();
     equilibrium.start_step();
-    if (setup.was_laid_out())
-      diagnoses.each([&](Diagnosis<dim> &diagnosis) {
+    diagnoses.each([&](Diagnosis<dim> &diagnosis) {
+      diagnosis.step_started(scene,
+                             setup.context(),
+                             equilibrium.nodal_constraints());
+      if (setup.was_laid_out())
         diagnosis.grid_reset(scene,
                              setup.context(),
                              setup.all_elements(),
                              !setup.reset().always());
-      });
+    });
   }
 
 
@@ -247,9 +250,11 @@ namespace isochor
     }
     const ConvergedStep<dim> converged{scene,
                                        result,
+                                       equilibrium.nodal_constraints(),
+                                       setup.ties(),
                                        is_last_step(scene.time),
-                                       equilibrium.zero_force(),
                                        n_unstable_modes,
+                                       equilibrium.linear().failure(),
                                        grid_to_points.volume_excess(),
                                        failure_report.softening()};
     diagnoses.each(
@@ -288,6 +293,8 @@ namespace isochor
       statistics.end_row();
       terminal.work().count("outputs of fields", scene.time.output_due());
     }
+    diagnoses.each(
+      [&](Diagnosis<dim> &diagnosis) { diagnosis.step_ended(converged); });
   }
 
 

@@ -77,8 +77,8 @@ namespace isochor
     output_directory = prm.get("Directory");
     terminal.parse_parameters(prm);
     prm.leave_subsection();
-    scene.warnings.print_here(Utilities::MPI::this_mpi_process(comm) == 0);
-    diagnoses.parse_parameters(prm, scene.warnings);
+    diagnoses.parse_parameters(prm,
+                               Utilities::MPI::this_mpi_process(comm) == 0);
     diagnoses.each([&](Diagnosis<dim> &diagnosis) {
       diagnosis.scene_read(prm, scene, setup.reset());
     });
@@ -167,7 +167,8 @@ namespace isochor
                                    loaded,
                                    scene.has_inertia(),
                                    scene.quadrature->forces_jump(),
-                                   output_directory});
+                                   output_directory,
+                                   diagnoses.run_failed()});
   }
 
 

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/material_points/bare_cells.h>
 #include <isochor/scene/scene.h>
 #include <isochor/step/scene_checks.h>
 
@@ -13,6 +14,7 @@ namespace isochor
   {
     step.grid.check_motion();
     scene.shape.check_mesh();
+    assert_in_one_piece(step.grid, step.points);
     for (const auto &condition : scene.boundary_conditions)
       condition->check_scene(step);
     for (const auto &postprocessor : scene.postprocessors)

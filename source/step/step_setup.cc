@@ -152,8 +152,7 @@ namespace isochor
                                 scene.kernel,
                                 n_components,
                                 scene.time.time,
-                                scene.time.next_time(),
-                                scene.warnings};
+                                scene.time.next_time()};
     NodalConstraints       held;
     held.reinit(all_nodes.n_local() * n_components,
                 all_nodes.control_entries(n_components));
@@ -193,7 +192,6 @@ namespace isochor
             scene.n_components,
             scene.time.time,
             scene.inertia.in_trial() ? scene.time.time : scene.time.next_time(),
-            scene.warnings,
             !grid_reset.due(),
             scene.has_inertia()};
   }

@@ -68,6 +68,13 @@ namespace isochor
     bool
     needs_sizes() const;
 
+    /** How often coarse cells may be halved. */
+    unsigned int
+    maximum_level() const
+    {
+      return rule.maximum;
+    }
+
     /** The grid is reset: whether it may change this time. */
     bool
     is_due();

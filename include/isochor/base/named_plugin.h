@@ -6,9 +6,18 @@
 #define isochor_named_plugin_h
 
 #include <string>
+#include <vector>
 
 namespace isochor
 {
+  /** A boundary of the grid, or "everywhere", that @p parameter names. */
+  struct NamedBoundary
+  {
+    std::string parameter, name;
+    /** Nodes there are active by the condition, wherever the body is. */
+    bool has_own_nodes = false;
+  };
+
   /**
    * What boundary conditions and post-processors know of themselves. There is
    * one object of each plugin, whose parameters stand in the common section
@@ -21,6 +30,14 @@ namespace isochor
     explicit NamedPlugin(const std::string &section)
       : section(section)
     {}
+    virtual ~NamedPlugin() = default;
+
+    /** Those of the parameters, each once. */
+    virtual std::vector<NamedBoundary>
+    named_boundaries() const
+    {
+      return {};
+    }
 
     /** As it is registered, with ": <instance>" behind it. A checkpoint keeps
      * the object's state by this name. */

@@ -20,14 +20,6 @@ namespace isochor
   class Warnings
   {
   public:
-    /** Which ones are issued, see Explanation::is_essential. */
-    enum class Level
-    {
-      all,
-      essential,
-      none
-    };
-
     struct Warning
     {
       /** What the warning is about: the same from step to step. */
@@ -43,12 +35,6 @@ namespace isochor
     print_here(const bool print)
     {
       prints = print;
-    }
-
-    void
-    set_level(const Level level)
-    {
-      this->level = level;
     }
 
     /** How a warning is printed: "warning [subject]: text", in lines of at
@@ -78,7 +64,6 @@ namespace isochor
   private:
     std::vector<Warning> warnings;
     bool                 prints = false;
-    Level                level  = Level::all;
   };
 } // namespace isochor
 

@@ -74,8 +74,8 @@ namespace isochor
       return {};
     }
 
-    /** The first step is set up: warn of what can't be meant, as parts of the
-     * parameters that act on nothing. See boundary_checks.h. Collective. */
+    /** The first step is set up. @throws ExcMessage for what can't be meant.
+     * Collective. */
     virtual void
     check_scene(const StepContext<dim> & /*step*/) const
     {}

@@ -8,11 +8,24 @@
 #include <isochor/equations/equation_term.h>
 #include <isochor/grid/prescribed_motion.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace isochor
 {
+  /** How far a condition has moved a boundary of the grid. */
+  struct BoundaryPush
+  {
+    /** As a component: along the normal into the grid. */
+    static constexpr unsigned int along_normal = -1;
+
+    std::string  boundary, condition; ///< its name, and what says so
+    unsigned int component;
+    /** The least and the most, beyond what moves the grid (m). */
+    std::array<double, 2> ways;
+  };
+
   /** A boundary condition that prescribes unknowns of nodes or adds equations
    * between them. */
   template <int dim>
@@ -31,6 +44,13 @@ namespace isochor
      * periodic. */
     virtual std::vector<unsigned int>
     held_vertices() const
+    {
+      return {};
+    }
+
+    /** What it has done with boundaries up to the start of the step. */
+    virtual std::vector<BoundaryPush>
+    pushes(const StepContext<dim> & /*step*/) const
     {
       return {};
     }
@@ -163,6 +183,30 @@ namespace isochor
     {
       return false;
     }
+  };
+
+
+
+  /** A load that acts, in a component, on nodes alone at which this component
+   * is prescribed: it goes into the support, and the body doesn't feel it. */
+  struct LoadOnSupport
+  {
+    std::string  surface, parameter; ///< where it is, and what says so
+    unsigned int component;
+  };
+
+  /** A boundary condition that knows of its loads where they act. */
+  template <int dim>
+  class FindsLoadsOnSupports
+  {
+  public:
+    virtual ~FindsLoadsOnSupports() = default;
+
+    /** The step has converged. Collective. */
+    virtual std::vector<LoadOnSupport>
+    loads_on_supports(const StepContext<dim> &step,
+                      const NodalField       &unknowns,
+                      const NodalConstraints &constraints) const = 0;
   };
 
 

@@ -6,7 +6,6 @@
 #define isochor_smooth_wall_h
 
 #include <isochor/base/expression.h>
-#include <isochor/boundary_condition/boundary_checks.h>
 #include <isochor/boundary_condition/wall_surface.h>
 #include <isochor/equations/equation_term.h>
 #include <isochor/grid/prescribed_motion.h>
@@ -84,22 +83,15 @@ namespace isochor
       return !surface.is_flat() && !step.grid.is_moving() && !step.has_inertia;
     }
 
-    /** Tell if the wall of @p parameter has pushed the body out of the row of
-     * cells there, which has been put back since. */
-    void
-    warn_if_body_is_lost(const std::string             &parameter,
-                         const std::vector<Point<dim>> &reference,
-                         const StepContext<dim>        &step) const
+    /** How far the wall has come at @p time into the grid of t = 0 (m). */
+    double
+    largest_push(const std::vector<Point<dim>> &reference,
+                 const double                   time) const
     {
-      double push = 0; // as far as it came before this step
+      double push = 0;
       for (const Node &node : nodes)
-        push =
-          std::max(push, displacement(reference[node.vertex], step.old_time));
-      if (push > 0)
-        warn_of_body_left_behind(step,
-                                 boundary,
-                                 parameter + " = " + boundary + ": n = ...",
-                                 push);
+        push = std::max(push, displacement(reference[node.vertex], time));
+      return push;
     }
 
     /** After a change of the grid, whose vertices were at @p old_reference at

@@ -7,6 +7,7 @@
 
 #include <isochor/base/expression.h>
 #include <isochor/base/statistics.h>
+#include <isochor/boundary_condition/condition_roles.h>
 #include <isochor/equations/equation_term.h>
 
 #include <array>
@@ -82,16 +83,19 @@ namespace isochor
                   const NodalField       &unknowns,
                   NodalField             &force) const;
 
-    /** Set the columns of all @p surfaces. Warn of loads that act, in a
-     * component, on nodes alone at which @p constraints prescribe this
-     * component: they go into the support, and the body doesn't feel them.
-     * Collective. */
+    /** Set the columns of all @p surfaces. Collective. */
     void
     evaluate(const Surfaces         &surfaces,
              const StepContext<dim> &step,
              const NodalField       &unknowns,
-             const NodalConstraints &constraints,
              Statistics             &statistics) const;
+
+    /** See FindsLoadsOnSupports. Collective. */
+    std::vector<LoadOnSupport>
+    find_loads_on_supports(const Surfaces         &surfaces,
+                           const StepContext<dim> &step,
+                           const NodalField       &unknowns,
+                           const NodalConstraints &constraints) const;
 
   protected:
     /** How many places this rank has. */
@@ -103,13 +107,9 @@ namespace isochor
     place(const unsigned int b) const = 0;
 
   private:
-    /** By surface, by component: the force (N), how much of its parts at nodes
-     * is on supports, and all of these. Collective. */
-    std::vector<std::array<double, 3 * dim>>
-    sums(const Surfaces         &surfaces,
-         const StepContext<dim> &step,
-         const NodalField       &unknowns,
-         const NodalConstraints &constraints) const;
+    /** The number of what place @p b has of @p surfaces. */
+    unsigned int
+    surface_at(const Surfaces &surfaces, const unsigned int b) const;
 
     /** Residual and tangent of a place, entries by node and component. */
     struct Element

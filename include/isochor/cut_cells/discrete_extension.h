@@ -46,7 +46,7 @@ namespace isochor
    * first layer with such a cell the one with the smallest Σ λ_J² is taken, and
    * the mean of several if they are equal: the result does not depend on how
    * the grid is numbered. A node without such a cell (the body is thinner there
-   * than some tenth of a cell) stays free, and a warning says so.
+   * than some tenth of a cell) stays free.
    *
    * Components that a boundary condition prescribes are not tied. On a grid
    * that is kept (see GridReset) ties stay those of the reset: since an affine
@@ -118,8 +118,8 @@ namespace isochor
               NodalConstraints       &constraints) const;
 
     /**
-     * The step has converged: set the columns of the statistics, and warn if
-     * ties carry load. @p energy is this rank's Σ_p |V_p τ:Δε| of the step and,
+     * The step has converged: set the columns of the statistics, and find what
+     * ties carry. @p energy is this rank's Σ_p |V_p τ:Δε| of the step and,
      * in dynamics, the kinetic energy of its points (J). What ties carry is
      * measured by the work of the forces that they hand on from unsupported
      * nodes, as these move against the mean of their masters by the strain of
@@ -130,7 +130,20 @@ namespace isochor
              const NodalField       &unknowns,
              const MixedSystem<dim> &system,
              const double            energy,
-             Statistics             &statistics) const;
+             Statistics             &statistics);
+
+    /** What evaluate() has found: the part of the work that ties carry. */
+    double
+    share_of_work() const
+    {
+      return share;
+    }
+    /** How many nodes of all ranks could not be tied, then. */
+    double
+    n_free_nodes() const
+    {
+      return n_free_of_all;
+    }
 
     /** The ties found last. */
     template <class Archive>
@@ -199,6 +212,7 @@ namespace isochor
     std::unordered_set<unsigned int> exempted;
     /** Unsupported nodes of this rank that could not be tied. */
     unsigned int n_free = 0;
+    double       share = 0, n_free_of_all = 0;
   };
 } // namespace isochor
 

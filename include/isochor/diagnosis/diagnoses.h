@@ -28,9 +28,9 @@ namespace isochor
 
     static void
     declare_parameters(ParameterHandler &prm);
-    /** They and all others warn by @p warnings, as much as the level says. */
+    /** @p print: whether this rank prints warnings. */
     void
-    parse_parameters(ParameterHandler &prm, Warnings &warnings);
+    parse_parameters(ParameterHandler &prm, const bool print);
     /** The parameters, by path, that a resumed run may set anew. */
     static std::vector<std::string>
     changeable_parameters()
@@ -42,9 +42,18 @@ namespace isochor
     void
     each(const std::function<void(Diagnosis<dim> &)> &look) const;
 
-    /** What they have to say in the end, a line each. */
+    /** What they have to say in the end, or of a failure, a line each. */
     std::string
     run_ended() const;
+    std::string
+    run_failed() const;
+
+    /** What they have warned of. */
+    const Warnings &
+    warnings() const
+    {
+      return found;
+    }
 
     /** Their states, by name, a line each. */
     std::string
@@ -54,6 +63,7 @@ namespace isochor
 
   private:
     TimerOutput                                 &timer;
+    Warnings                                     found;
     std::vector<std::unique_ptr<Diagnosis<dim>>> all;
   };
 } // namespace isochor

@@ -8,6 +8,7 @@
 #include <isochor/base/explanation.h>
 #include <isochor/base/plugin_registry.h>
 #include <isochor/base/warnings.h>
+#include <isochor/cut_cells/discrete_extension.h>
 #include <isochor/linear_solver/sparse_system.h>
 #include <isochor/postprocess/postprocessor.h>
 #include <isochor/scene/scene.h>
@@ -41,12 +42,16 @@ namespace isochor
   {
     const Scene<dim>      &scene;
     const StepResult<dim> &result;
-    bool                   is_last; ///< it ends the run
-    /** A force that rounding errors may have (N). */
-    double zero_force;
+    /** What was prescribed, at last. */
+    const NodalConstraints &constraints;
+    /** What is tied, and from points_moved() on what ties carry. */
+    const DiscreteExtension<dim> &ties;
+    bool                          is_last; ///< it ends the run
     /** How many negative pivots of displacements the matrix has, below 0 if
      * that isn't known. */
     long n_unstable_modes;
+    /** How an iterative solver has failed in this step, empty if none has. */
+    const std::string &failure_of_iterations;
     /** Once the points have moved, in the u-p form: by point, in the order of
      * step.points, θ^e - p/K. */
     const std::vector<double> &volume_excess;
@@ -56,11 +61,10 @@ namespace isochor
 
   /**
    * Interface of what looks at a scene, or at its results, and warns. It reads
-   * and writes nothing but warnings: results are the same without it, unless it
-   * finds that there can be none (PointsTooFarApart throws). To add one, write
-   * `source/diagnosis/<name>.cc` with a class that overrides the moments at
-   * which it looks, and ends with ISOCHOR_REGISTER_DIAGNOSIS, which has the
-   * longer text of its warning.
+   * and writes nothing but warnings: results are the same without it. To add
+   * one, write `source/diagnosis/<name>.cc` with a class that overrides the
+   * moments at which it looks, and ends with ISOCHOR_REGISTER_DIAGNOSIS, which
+   * has the longer text of its warning.
    */
   template <int dim>
   class Diagnosis
@@ -96,6 +100,14 @@ namespace isochor
                const bool /*is_kept*/)
     {}
 
+    /** A step, or another try at it, begins with what is prescribed by
+     * @p constraints. Collective. */
+    virtual void
+    step_started(const Scene<dim> & /*scene*/,
+                 const StepContext<dim> & /*step*/,
+                 const NodalConstraints & /*constraints*/)
+    {}
+
     /** The step has converged, the points haven't moved yet. Collective. */
     virtual void
     step_converged(const ConvergedStep<dim> & /*step*/)
@@ -105,6 +117,19 @@ namespace isochor
     virtual void
     points_moved(const ConvergedStep<dim> & /*step*/)
     {}
+
+    /** Conditions, the grid and post-processors have followed. Collective. */
+    virtual void
+    step_ended(const ConvergedStep<dim> & /*step*/)
+    {}
+
+    /** A step has failed that can't be cut back further: a hint that goes into
+     * the error, or nothing. */
+    virtual std::string
+    run_failed() const
+    {
+      return "";
+    }
 
     /** The run has ended: a line for the terminal, or nothing. */
     virtual std::string

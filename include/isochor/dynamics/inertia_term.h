@@ -87,6 +87,14 @@ namespace isochor
       MaterialPoints<dim>                                        &points,
       const bool                                                  carries);
 
+    /** The error that the projections of velocities and accelerations to the
+     * nodes have left in this step, of the size of what is projected. */
+    double
+    projection_error() const
+    {
+      return worst_projection;
+    }
+
     /** Whether shear waves cross more than half of the smallest extent of each
      * body within @p step: their vibrations are not resolved then. Collective.
      */
@@ -309,7 +317,7 @@ namespace isochor
             const Followers           &followers,
             const std::vector<double> &given,
             NodalField                &solution,
-            const bool                 with_domains = false) const;
+            const bool                 with_domains = false);
 
     /** The followers of displacements, in fields with dim entries per node. */
     static Followers
@@ -341,9 +349,10 @@ namespace isochor
     std::unique_ptr<TimeIntegrator> integrator;
     const NewmarkFamily             trial_integrator{0.5, 1., 0.};
     TrialStep                       trial{};
-    double                          kept_part     = 0; ///< η
-    bool                            from_stresses = false;
-    bool                            by_stresses   = false; ///< in this step
+    double                          kept_part        = 0; ///< η
+    bool                            from_stresses    = false;
+    bool                            by_stresses      = false; ///< in this step
+    double                          worst_projection = 0;     ///< in this step
     /** Whether the last trial has changed the velocities. */
     bool starts_with_impulse = false;
 

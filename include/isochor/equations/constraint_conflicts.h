@@ -7,6 +7,9 @@
 
 #include <isochor/equations/equation_term.h>
 
+#include <string>
+#include <vector>
+
 namespace isochor
 {
   /** The path of the parameter that NodalConstraints::source names, "Walls" or
@@ -15,15 +18,37 @@ namespace isochor
   std::string
   parameter_of(const std::string &source);
 
-  /**
-   * Say which conditions determine the same unknowns otherwise, for the
-   * conflicts of @p constraints on any rank: a warning with the names of the
-   * conditions and a place; an error if they are of the same precedence, so
-   * that nothing tells which one is meant. Collective.
-   */
+  /** Two conditions that determine the same unknowns otherwise. */
+  struct ConflictOfConditions
+  {
+    /** As in NodalConstraints::Conflict. */
+    std::string winner, loser;
+    bool        equal_rank = false;
+    /** Of how many unknowns; the largest difference (m), 0: not known; and
+     * where, such as "(1, 2)". */
+    unsigned int n          = 0;
+    double       difference = 0;
+    std::string  place;
+
+    /** Both by their parameters, and the number of unknowns with a place. */
+    std::string
+    names() const;
+    std::string
+    where() const;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &winner &loser &equal_rank &n &difference &place;
+    }
+  };
+
+  /** Those of @p constraints on any rank. @throws ExcMessage if two are of the
+   * same precedence, so that nothing tells which one is meant. Collective. */
   template <int dim>
-  void
-  tell_conflicts(const StepContext<dim> &step,
+  std::vector<ConflictOfConditions>
+  find_conflicts(const StepContext<dim> &step,
                  const NodalConstraints &constraints);
 } // namespace isochor
 

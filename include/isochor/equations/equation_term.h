@@ -5,7 +5,6 @@
 #ifndef isochor_equation_term_h
 #define isochor_equation_term_h
 
-#include <isochor/base/warnings.h>
 #include <isochor/equations/active_nodes.h>
 #include <isochor/equations/mixed_kernel.h>
 #include <isochor/equations/mixed_system.h>
@@ -25,8 +24,6 @@ namespace isochor
     unsigned int n_components;
     double       old_time;
     double       time;
-    /** Where to say what should not be trusted without a look. */
-    Warnings &warnings;
     /** Whether the grid is still the one that the last step has deformed; see
      * GridReset. */
     bool grid_is_kept = false;

@@ -15,7 +15,6 @@ namespace isochor
 {
   using namespace dealii;
 
-  class Warnings;
 
   /**
    * The prescribed motion of the grid along one axis (`Grid/Stretch`): planes

@@ -28,7 +28,8 @@ namespace isochor
    */
   template <int dim>
   class InteractionTerm : public BoundaryCondition<dim>,
-                          public ActsByAssembly<dim>
+                          public ActsByAssembly<dim>,
+                          public FindsLoadsOnSupports<dim>
   {
   public:
     /** @param loads The interactions that are loads.
@@ -48,6 +49,17 @@ namespace isochor
         interaction->find_bodies(names);
       for (const auto &load : loads.interactions())
         load->find_bodies(names);
+    }
+
+    std::vector<LoadOnSupport>
+    loads_on_supports(const StepContext<dim> &step,
+                      const NodalField       &unknowns,
+                      const NodalConstraints &constraints) const override
+    {
+      return loads.find_loads_on_supports(loads.loads(),
+                                          step,
+                                          unknowns,
+                                          constraints);
     }
 
     /** Whether surfaces may leave what they touch. */

@@ -5,7 +5,6 @@
 #ifndef isochor_linear_solver_choice_h
 #define isochor_linear_solver_choice_h
 
-#include <isochor/base/warnings.h>
 #include <isochor/linear_solver/linear_solver.h>
 
 #include <memory>
@@ -17,14 +16,12 @@ namespace isochor
   /**
    * The linear solver of a run: the one that the parameters name or, with
    * `auto`, for each matrix the direct or the iterative one, by the number of
-   * equations. Where an iterative solver fails, the direct one takes over, with
-   * a warning, as long as the pattern of the matrix stays.
+   * equations. Where an iterative solver fails, the direct one takes over, as
+   * long as the pattern of the matrix stays.
    */
   class LinearSolverChoice : public LinearSolver
   {
   public:
-    explicit LinearSolverChoice(Warnings &warnings);
-
     /** The names of the solvers that may do the work if @p solver is the
      * parameter's value. */
     static std::vector<std::string>
@@ -45,6 +42,18 @@ namespace isochor
     prefers_iterations() const
     {
       return is_iterative() || failed_pattern != 0;
+    }
+
+    /** How an iterative solver has failed last, since forget_failure(). */
+    const std::string &
+    failure() const
+    {
+      return last_failure;
+    }
+    void
+    forget_failure()
+    {
+      last_failure.clear();
     }
 
     void
@@ -70,12 +79,10 @@ namespace isochor
     LinearSolverReport
     fall_back(const std::string &failure);
 
-    Warnings &warnings;
-
     /** The two that `auto` chooses from, or the one named and, if that is
      * iterative, the one to fall back to. */
     std::unique_ptr<LinearSolver> direct, iterative;
-    std::string                   iterative_name;
+    std::string                   last_failure;
     bool                          automatic             = false;
     unsigned int                  largest_direct_system = 0;
 

@@ -7,7 +7,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <isochor/base/warnings.h>
 #include <isochor/grid/background_grid.h>
 #include <isochor/material_points/bodies.h>
 #include <isochor/material_points/point_locator.h>

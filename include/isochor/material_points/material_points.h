@@ -200,19 +200,11 @@ namespace isochor
       has_one_field = true;
     }
 
-    /** See BodySeeding::check_conditions(), check_rounding(), check_fineness()
-     * and check_domains(); before the grid changes. */
-    void
-    check_seeding(const bool domains_are_integrated, Warnings &warnings) const
+    /** How they were placed. */
+    const BodySeeding<dim> &
+    body_seeding() const
     {
-      seeding.check_conditions(grid, warnings);
-      seeding.check_rounding(grid,
-                             point_layout.with_domains,
-                             point_layout.axisymmetric,
-                             warnings);
-      if (domains_are_integrated && point_layout.with_domains)
-        seeding.check_domains(grid, warnings);
-      seeding.check_fineness(grid, point_layout.with_domains, warnings);
+      return seeding;
     }
 
     /**

@@ -89,8 +89,8 @@ namespace isochor
     owners_changed(const BackgroundGrid<dim> & /*grid*/)
     {}
 
-    /** The first step is set up: warn of what can't be meant, as boundaries
-     * that no material touches. Collective. */
+    /** The first step is set up. @throws ExcMessage for what can't be meant.
+     * Collective. */
     virtual void
     check_scene(const StepContext<dim> & /*step*/) const
     {}

@@ -7,7 +7,6 @@
 
 #include <isochor/adaptation/grid_adaptation.h>
 #include <isochor/base/parameter_file.h>
-#include <isochor/base/warnings.h>
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/dynamics/inertia_term.h>
@@ -112,7 +111,6 @@ namespace isochor
     std::vector<std::string>
     not_needed() const;
 
-    Warnings            warnings;
     BackgroundGrid<dim> grid;
     GridAdaptation<dim> adaptation; ///< what an adaptive grid follows
     MaterialPoints<dim> points;

@@ -114,12 +114,6 @@ namespace isochor
      * both on the body as it is at the start of the step. Collective. */
     LoadChange
     change_of_loads(const TimeInterval &other) const;
-    /** The force (N) of strains that are zero but for rounding. */
-    double
-    zero_force() const
-    {
-      return strain_floor;
-    }
     const NodalField &
     nodal_unknowns() const
     {

@@ -57,6 +57,8 @@ namespace isochor
       /** Whether forces jump when points change cells, see BodyQuadrature. */
       bool               forces_jump;
       const std::string &directory;
+      /** Of diagnoses, a line each. */
+      const std::string hints;
     };
 
     /** A step without inertia has converged: remember how fast it moved the

@@ -21,9 +21,7 @@ namespace isochor
   {
   public:
     /** All arguments are kept by reference. */
-    LinearStep(MixedSystem<dim> &system,
-               TimerOutput      &timer,
-               Warnings         &warnings);
+    LinearStep(MixedSystem<dim> &system, TimerOutput &timer);
 
     static void
     declare_parameters(ParameterHandler &prm);
@@ -74,6 +72,13 @@ namespace isochor
     is_iterative() const
     {
       return linear_solver.is_iterative();
+    }
+
+    /** How an iterative solver has failed in this step, if one has. */
+    const std::string &
+    failure() const
+    {
+      return linear_solver.failure();
     }
 
     /** Set @p unknowns to what solve() has got plus @p s times the correction.

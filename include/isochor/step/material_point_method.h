@@ -64,7 +64,7 @@ namespace isochor
     const Warnings &
     all_warnings() const
     {
-      return scene.warnings;
+      return diagnoses.warnings();
     }
     /** What was done and what was skipped so far. */
     const WorkTally &

@@ -12,8 +12,8 @@ namespace isochor
   template <int dim>
   class Scene;
 
-  /** The first @p step of @p scene is set up: let its parts say what can't be
-   * meant. @throws ExcMessage for what is an error. Collective. */
+  /** The first @p step of @p scene is set up. @throws ExcMessage for what can't
+   * be meant. Collective. */
   template <int dim>
   void
   check_first_step(const Scene<dim> &scene, const StepContext<dim> &step);

@@ -160,8 +160,8 @@ namespace isochor
     {
       return extends;
     }
-    const DiscreteExtension<dim> &
-    ties() const
+    DiscreteExtension<dim> &
+    ties()
     {
       return extension;
     }
