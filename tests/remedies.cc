@@ -8,6 +8,7 @@
 
 #include <isochor/base/explanation.h>
 
+#include <filesystem>
 #include <set>
 
 #include "scene_messages.h"
@@ -284,7 +285,8 @@ namespace
 int
 main(int argc, char **argv)
 {
-  test::MPISession      mpi(argc, argv);
+  test::MPISession mpi(argc, argv);
+  std::filesystem::create_directory("scene_checks");
   std::set<std::string> tried;
   for (const Case &one : cases)
     {

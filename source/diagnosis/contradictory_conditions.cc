@@ -23,10 +23,10 @@ namespace isochor
           "at t = " + rounded(step.time) + " " + conflict.names() +
           " determine the same " + conflict.where() +
           (conflict.difference > 0 ?
-             ", otherwise, by up to " + rounded(conflict.difference) + " m" :
-             ", and the second one may part from these") +
-          ". The first one counts. Let both prescribe the same, or leave "
-          "these nodes out of one.");
+             ", by up to " + rounded(conflict.difference) + " m apart" :
+             "") +
+          ". The first one counts: let both prescribe the same, or leave "
+          "nodes out of one.");
     }
   };
 

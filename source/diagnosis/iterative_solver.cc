@@ -17,9 +17,8 @@ namespace isochor
     {
       if (!step.failure_of_iterations.empty())
         this->warn(step.failure_of_iterations +
-                   " The direct solver MUMPS takes over. If it comes up often, "
-                   "set <Linear solver/Solver = MUMPS>, or raise <Block "
-                   "FGMRES/Maximum iterations>.");
+                   " MUMPS takes over; if often, set <Linear solver/Solver = "
+                   "MUMPS>, or raise <Block FGMRES/Maximum iterations>.");
     }
   };
 
