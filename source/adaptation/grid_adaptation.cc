@@ -176,6 +176,21 @@ namespace isochor
     for (const auto &criterion : criteria)
       if (criterion->needs_state())
         criterion->limit_sizes(state, rule, sizes, statistics);
+    const AdaptiveGrid<dim> &forest    = step.grid.adaptive_grid();
+    double                   n_limited = 0, n = state.size(), smallest = 1e300;
+    for (unsigned int q = 0; q < state.size(); ++q)
+      {
+        const unsigned int tree =
+          forest.leaves()[forest.leaf_of_cell(state.cell[q])].tree;
+        n_limited += sizes[q] < forest.size(tree, rule.maximum) * (1 - 1e-9);
+        smallest = std::min(smallest, sizes[q]);
+      }
+    const MPI_Comm comm = step.grid.communicator();
+    last_limited        = {step.time,
+                           Utilities::MPI::sum(n_limited, comm) /
+                             Utilities::MPI::sum(n, comm),
+                           Utilities::MPI::min(smallest, comm),
+                           rule.maximum};
     points.for_each([&](const unsigned int /*k*/,
                         const unsigned int q,
                         Point<dim> & /*location*/,

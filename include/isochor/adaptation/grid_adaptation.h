@@ -68,11 +68,18 @@ namespace isochor
     bool
     needs_sizes() const;
 
-    /** How often coarse cells may be halved. */
-    unsigned int
-    maximum_level() const
+    /** What set_sizes() has found last. */
+    struct Limited
     {
-      return rule.maximum;
+      double       time          = -1; ///< at the end of its step (s)
+      double       share         = 0;  ///< of points that ask for more
+      double       smallest      = 0;  ///< of what they ask for (m)
+      unsigned int maximum_level = 0;  ///< which doesn't allow it
+    };
+    const Limited &
+    limited() const
+    {
+      return last_limited;
     }
 
     /** The grid is reset: whether it may change this time. */
@@ -179,6 +186,7 @@ namespace isochor
     LoadBalance                                          balance;
     unsigned int n_buffer = 1, n_repetitions = 0, resets_between = 1;
     unsigned int n_resets = 0, n_changes = 0;
+    Limited      last_limited;
   };
 } // namespace isochor
 
