@@ -190,6 +190,17 @@ namespace
      "Grid/Subdivisions = 4, 4\n"
      "Boundary conditions/Displacement = bottom: x=0, y=0\n",
      "Boundary conditions/Gravity = 0, -1\n"},
+    {"parts of one body in contact",
+     "Grid/Lower corner = -0.2, -0.2\nGrid/Upper corner = 2.4, 1.2\n"
+     "Grid/Subdivisions = 26, 14\nMaterial points/Region = x > 0 && x < 2 && y "
+     "> 0 && y < 1 && (x < 0.3 || y < 0.3 || y > 0.7)\n"
+     "Material/Young modulus = 1000\nTime/Step size = 0.05\n"
+     "Boundary conditions/Surfaces of body = top: y > 0.9999 && x > 1.7; low: "
+     "y < 0.0001\n"
+     "Interaction: low - place/Displacement = x=0, y=0\n"
+     "Interaction: top - place/Displacement = y=-0.4*t\n",
+     "Material points/Bodies = web: x < 0.3; lower: x > 0.3 && y < 0.5; upper: "
+     "x > 0.3 && y > 0.5\n"},
     {"rigid-body mode",
      "Grid/Subdivisions = 4, 4\n"
      "Boundary conditions/Gravity = 0, -1\n",
