@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/thickness.h>
 #include <isochor/material_model/tensor_tools.h>
+#include <isochor/material_points/point_domain.h>
 #include <isochor/postprocess/point_fields.h>
 
 #include <algorithm>
@@ -16,8 +17,8 @@ namespace isochor
     /** The rows of the fields in a patch. */
     struct Rows
     {
-      unsigned int id, material, displacement, F, J, stress, pressure, volume,
-        velocity, acceleration, body;
+      unsigned int id, material, displacement, F, J, stress, mean_stress,
+        von_mises, pressure, volume, velocity, acceleration, body;
       /** First of the history, number of names, and for each material the row
        * of each history variable. */
       unsigned int                           first_history, n_history;
@@ -27,11 +28,11 @@ namespace isochor
 
 
     /** One field for each name; materials may share it. */
-    template <int dim>
+    template <int patch_dim, int dim>
     void
-    declare_history(FieldPatches<0, dim>   &patches,
-                    const MixedKernel<dim> &kernel,
-                    Rows                   &rows)
+    declare_history(FieldPatches<patch_dim, dim> &patches,
+                    const MixedKernel<dim>       &kernel,
+                    Rows                         &rows)
     {
       std::vector<std::string>  names;
       std::vector<unsigned int> row_of_name;
@@ -56,11 +57,11 @@ namespace isochor
 
 
 
-    template <int dim>
+    template <int patch_dim, int dim>
     Rows
-    declare_fields(FieldPatches<0, dim>      &patches,
-                   const MaterialPoints<dim> &points,
-                   const MixedKernel<dim>    &kernel)
+    declare_fields(FieldPatches<patch_dim, dim> &patches,
+                   const MaterialPoints<dim>    &points,
+                   const MixedKernel<dim>       &kernel)
     {
       Rows rows{};
       rows.id           = patches.add_scalar("id");
@@ -75,8 +76,10 @@ namespace isochor
           if (i == 0)
             rows.stress = row;
         }
-      rows.pressure = patches.add_scalar("pressure");
-      rows.volume   = patches.add_scalar("volume");
+      rows.mean_stress = patches.add_scalar("mean_stress");
+      rows.von_mises   = patches.add_scalar("von_mises_stress");
+      rows.pressure    = patches.add_scalar("pressure");
+      rows.volume      = patches.add_scalar("volume");
       if (points.layout().dynamic)
         {
           rows.velocity     = patches.add_vector("velocity");
@@ -108,6 +111,9 @@ namespace isochor
       copy(rows.material, layout.material, 1);
       copy(rows.displacement, layout.displacement, dim);
       copy(rows.stress, layout.stress, n_symmetric_components<dim>);
+      const auto stress = load_symmetric<dim>(properties + layout.stress);
+      data(rows.mean_stress, 0) = trace(stress) / 3;
+      data(rows.von_mises, 0)   = std::sqrt(1.5) * deviator(stress).norm();
       copy(rows.pressure, layout.pressure, 1);
       if (layout.dynamic)
         {
@@ -136,22 +142,35 @@ namespace isochor
 
 
 
-  template <int dim>
-  FieldPatches<0, dim>
+  template <int patch_dim, int dim>
+  FieldPatches<patch_dim, dim>
   point_fields(const MaterialPoints<dim> &points,
                const MixedKernel<dim>    &kernel)
   {
-    FieldPatches<0, dim> patches;
-    const Rows           rows    = declare_fields(patches, points, kernel);
-    const auto          &handler = points.handler();
+    static_assert(patch_dim == 0 || patch_dim == dim);
+    Assert(patch_dim == 0 || points.layout().with_domains,
+           ExcMessage("Points of this quadrature have no subdomains."));
+    FieldPatches<patch_dim, dim> patches;
+    const Rows                   rows = declare_fields(patches, points, kernel);
+    const auto                  &handler = points.handler();
+    std::vector<PointDomain<dim>> domains;
+    if constexpr (patch_dim > 0)
+      domains = point_domains(points);
     patches.reserve(handler.n_locally_owned_particles());
     for (const auto &particle : handler)
       {
-        const Point<dim> &x = particle.get_location();
-        auto &patch = patches.add_patch(ArrayView<const Point<dim>>(&x, 1));
-        patch.data(rows.id, 0) = particle.get_id();
+        const Point<dim>           &x = particle.get_location();
+        ArrayView<const Point<dim>> vertices(&x, 1);
+        const PointDomain<dim>     *domain = nullptr;
+        if constexpr (patch_dim > 0)
+          {
+            domain   = &domains[patches.n_patches()];
+            vertices = {domain->current.data(), domain->current.size()};
+          }
+        auto &data       = patches.add_patch(vertices).data;
+        data(rows.id, 0) = particle.get_id();
         if (points.bodies().size() > 1)
-          patch.data(rows.body, 0) = points.body_of(particle);
+          data(rows.body, 0) = points.body_of(particle);
         const double *const properties = particle.get_properties().data();
         const double        hoop =
           kernel.hoop_stretch(properties + points.layout().history);
@@ -160,7 +179,14 @@ namespace isochor
                         hoop,
                         thickness(kernel.axisymmetric, x[0] / hoop),
                         rows,
-                        patch.data);
+                        data);
+        for (unsigned int v = 1; v <= patch_dim; ++v)
+          for (unsigned int row = 0; row < data.size(0); ++row)
+            data(row, v) = data(row, 0);
+        for (unsigned int v = 0; domain != nullptr && v <= dim; ++v)
+          for (unsigned int d = 0; d < dim; ++d)
+            data(rows.displacement + d, v) =
+              domain->current[v][d] - domain->reference[v][d];
       }
     return patches;
   }
@@ -168,7 +194,11 @@ namespace isochor
 
 
   template FieldPatches<0, 2>
+  point_fields<0>(const MaterialPoints<2> &, const MixedKernel<2> &);
+  template FieldPatches<2, 2>
   point_fields<2>(const MaterialPoints<2> &, const MixedKernel<2> &);
   template FieldPatches<0, 3>
+  point_fields<0>(const MaterialPoints<3> &, const MixedKernel<3> &);
+  template FieldPatches<3, 3>
   point_fields<3>(const MaterialPoints<3> &, const MixedKernel<3> &);
 } // namespace isochor

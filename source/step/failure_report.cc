@@ -103,7 +103,7 @@ namespace isochor
                                    const MaterialPoints<dim> &points,
                                    const std::string         &directory)
   {
-    FieldPatches<0, dim> fields = point_fields(points, step.kernel);
+    FieldPatches<0, dim> fields = point_fields<0>(points, step.kernel);
     try
       {
         OutputSeries("failure-points")
@@ -146,13 +146,12 @@ namespace isochor
                        failure.newton.failure + ".\n" + failure.hints;
     if (time.step == 0)
       text += "It is the very first step, so that the scene is to be looked "
-              "at: are all bodies held, the loads in the units of the "
+              "at: are all bodies supported, the loads in the units of the "
               "stiffness and the strength (<Material/Young modulus>, "
-              "<Material/Density>, yield stress or cohesion), and "
-              "<Time/Step size> small enough for what happens in it? A "
-              "load or a displacement that is prescribed by a constant acts in "
-              "this step as a whole, however small the step: let it grow with "
-              "t.";
+              "<Material/Density>, yield stress or cohesion), and <Time/Step "
+              "size> small enough for what happens in it? A load or a "
+              "displacement that is prescribed by a constant acts in this step "
+              "as a whole, however small the step: let it grow with t.";
     else if (failure.dynamic)
       text += "In dynamics there is a solution if the step is small enough: "
               "lower <Time/Minimum step size>, or look at the files for what "
@@ -204,7 +203,7 @@ namespace isochor
               evidence.advice_on_flow();
     else if (evidence.growth < 0 && evidence.plastic_share > 0)
       text += "Whether this is the limit of what the body can carry, or a bad "
-              "step, can't be told (" +
+              "step, is not known (" +
               evidence.text() +
               "). Look for what happens at the place of the residual, use a "
               "finer grid or more points there, or lower <Time/Minimum step "
@@ -212,9 +211,9 @@ namespace isochor
               evidence.advice_on_flow();
     else
       text += "The body has not lost its stiffness (" + evidence.text() +
-              "), so that this is hardly a limit load, but a bad step: look "
-              "for what happens at the place of the residual, use a finer "
-              "grid or more points there, or lower <Time/Minimum step size>.";
+              "), so that this is probably no limit load, but a bad step: look "
+              "for what happens at the place of the residual, use a finer grid "
+              "or more points there, or lower <Time/Minimum step size>.";
 
     return text + "\nThe largest residual force was " +
            largest_residual(step, failure.system) + ". " + write_files(failure);

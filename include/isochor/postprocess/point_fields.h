@@ -11,11 +11,15 @@
 
 namespace isochor
 {
-  /** The material points of this rank with all they carry, to be written.
-   * Values that a point's material doesn't have, as the history of another one,
-   * are NaN. */
-  template <int dim>
-  FieldPatches<0, dim>
+  /** The material points of this rank with all they carry, to be written: as
+   * points (@p patch_dim = 0), or as their subdomains (@p patch_dim = @p dim;
+   * only if PointLayout::with_domains) with the displacement of each corner and
+   * all other fields constant within a subdomain.
+   * Beside what points carry: mean_stress = tr(sigma)/3 and von_mises_stress =
+   * sqrt(3/2) |dev(sigma)| (Pa). Values that a point's material doesn't have,
+   * as the history of another one, are NaN. */
+  template <int patch_dim, int dim>
+  FieldPatches<patch_dim, dim>
   point_fields(const MaterialPoints<dim> &points,
                const MixedKernel<dim>    &kernel);
 } // namespace isochor
