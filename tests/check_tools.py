@@ -123,8 +123,30 @@ def check_fields(program):
     check("outputs", np.allclose(run.times()[[0, -1]], [run.points(0)["time"], 0.2]),
           run.times())
     check("the grid", run.grid()["cells"].max() < len(run.grid()["position"]))
+    corners = points["corners"]
+    side = corners[:, 1:] - corners[:, :1]
+    area = abs(side[:, 0, 0] * side[:, 1, 1] - side[:, 0, 1] * side[:, 1, 0]) / 2
+    check("corners of subdomains",
+          np.allclose(area, points["volume"], rtol=1e-4)
+          and np.allclose(points["reference"].min(axis=(0, 1)), 0, atol=1e-6),
+          area / points["volume"])
     check_message("a field that isn't there", lambda: points["von"], "'von'", "pressure")
     check_message("an output that isn't there", lambda: run.points(99), "no number 99")
+    solid = {
+        "Dimension": 3,
+        "Grid/Lower corner": "0, 0, 0",
+        "Grid/Upper corner": "1, 2.5, 0.25",
+        "Grid/Subdivisions": "4, 10, 1",
+        "Boundary conditions/Displacement": "left: x=0; bottom: y=0; back: z=0; front: z=0",
+        "Interaction: top - place/Displacement": "x=0, y=-0.3*t, z=0",
+        "Material points/Region": "y < 1 || y > 1.25",
+        "Boundary conditions/Surfaces of body": "top: y > 2.49",
+        "Time/End time": 0.05,
+        "Material 2/Model": "J2",
+        "Material 2/J2/Yield stress": 1e9,
+    }
+    run = isochor.run(BLOCKS, solid, program, "solid_blocks")
+    check("two materials in 3D", run.error is None, run.error)
 
 
 def call(tool, *arguments):
@@ -138,7 +160,7 @@ def check_pictures():
         ("load over displacement", "plot.py",
          ["soft", "stiff", "--x", "Displacement y of tip", "--y", "Reaction y on left"]),
         ("a field with NaN in 3D", "solid_view.py",
-         ["blocks", "equivalent_plastic_strain"]),
+         ["solid_blocks", "equivalent_plastic_strain", "--cut", "x"]),
     ):
         picture = Path(f"{tool}.png")
         picture.unlink(missing_ok=True)
@@ -147,8 +169,9 @@ def check_pictures():
         check(what, code == 0 and picture.is_file(), text)
     for what, tool, arguments, part in (
         ("a column that isn't there", "plot.py", ["soft", "--y", "Load"], "'Step'"),
-        ("a field that isn't there", "solid_view.py", ["blocks", "von_mises", "a.png"],
+        ("a field that isn't there", "solid_view.py", ["solid_blocks", "von", "a.png"],
          "There are: J, "),
+        ("a body in the plane", "solid_view.py", ["blocks", "J", "a.png"], "bodies in 3D"),
     ):
         code, text = call(tool, *arguments)
         check(f"{tool}: {what}", code == 1 and text.startswith("Error: ")
@@ -159,7 +182,7 @@ def check_pictures():
     figure, axes = output.plt.subplots()
     output.plot_points(axes, output.read_points("blocks"), "equivalent_plastic_strain")
     output.plot_points(axes, output.read_points("blocks"), "equivalent_plastic_strain",
-                       style="triangles")
+                       style="cells")
     output.save(figure, "blocks.png")
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # Isochor: implicit, stabilised mixed Material Point Method on deal.II.
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Run the scene on a grid that is put back in each step and on one that is
-kept, and draw both:
+"""Run the scene on a grid that is reset in each step and on one that is
+never reset, and draw both:
 
     /usr/bin/python3 draw.py --executable /where/isochor
 """
@@ -19,7 +19,7 @@ import matplotlib  # noqa: E402
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-RUNS = [("put_back", 1, "put back in each step"), ("kept", 0, "kept")]
+RUNS = [("reset", 1, "reset in each step"), ("no_reset", 0, "never reset")]
 
 
 def main():
@@ -45,7 +45,7 @@ def main():
             output.plot_points(axis, points, field, scale=1e-6, unit="MPa", limits=(-limit, limit))
             axis.set_title(f"grid {title}: {force / 1e3:.1f} kN/m")
     figure.tight_layout()
-    figure.savefig(HERE / "bearing.png", dpi=80)
+    output.save(figure, HERE / "bearing.png")
 
 
 if __name__ == "__main__":

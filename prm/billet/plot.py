@@ -40,14 +40,14 @@ for axis, field, scale, unit in (
     (axes[1], "pressure", 1e-6, "MPa"),
     (axes[2], "equivalent_plastic_strain", 1, None),
 ):
-    whole = solid_view.mirrored(solid, [field], "xyz")
+    whole = output.mirrored(solid, "xyz")
     solid_view.plot_solid(
         axis,
         whole,
         field,
         azimuth=45,
         elevation=20,
-        cut=lambda x: (x[:, 0] < 0) | (x[:, 2] < 0),
+        cut="xz",
         limits=tuple(np.percentile(whole[field] * scale, (1, 99))),
         scale=scale,
         unit=unit,

@@ -43,7 +43,6 @@ shown = output.plot_points(
     right,
     output.read_points(sys.argv[2]),
     "equivalent_plastic_strain",
-    style="markers",
     limits=(0, 3e-3),
     window=(-1.2, 1.2, -0.9, 0.05),
     mirror=True,

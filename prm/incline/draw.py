@@ -38,12 +38,13 @@ def way(directory, start):
 def draw(ax, directory, times):
     for time in times:
         data = output.read_points_at(directory, time)
-        x, y = data["position"][:, 0], data["position"][:, 1]
-        # turned back: the slope goes down to the right
-        horizontal = x * cos(ANGLE) + y * sin(ANGLE)
-        height = y * cos(ANGLE) - x * sin(ANGLE)
-        velocity = np.hypot(data["velocity"][:, 0], data["velocity"][:, 1])
-        artist = ax.scatter(horizontal, height, c=velocity, s=3, vmin=0, vmax=9)
+        data["speed"] = np.linalg.norm(data["velocity"], axis=1)
+        for name in ("position", "corners"):
+            x, y = data[name][..., 0].copy(), data[name][..., 1].copy()
+            # turned back: the slope goes down to the right
+            data[name][..., 0] = x * cos(ANGLE) + y * sin(ANGLE)
+            data[name][..., 1] = y * cos(ANGLE) - x * sin(ANGLE)
+        artist = output.plot_points(ax, data, "speed", limits=(0, 9), colour_bar=False)
     s = np.array([-0.7, 6])
     ax.plot(s * cos(ANGLE), -s * sin(ANGLE), "k")
     ax.set_aspect("equal")

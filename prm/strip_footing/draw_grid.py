@@ -32,8 +32,7 @@ def main():
             grid["position"][:, 0],
             grid["position"][:, 1],
             grid["triangles"],
-            color="#303030",
-            linewidth=0.25,
+            **output.GRID_LINES,
         )
         above.set_title(f"w = {times[step]:.3g} B")
         artist = output.plot_points(

@@ -153,10 +153,13 @@ def command_of(scene, parameters, executable, directory, ranks):
     return command + ["--output-directory", str(directory)]
 
 
+OUTPUTS = ("points", "subdomains", "grid", "rigid_bodies", "failure")
+
+
 def remove_results(directory):
     """Delete the results of an earlier run, so that they can't be taken for those of
     the next one. Other files stay."""
-    fields = [f"{kind}*.*vtu" for kind in ("points", "grid", "rigid_bodies", "failure")]
+    fields = [f"{kind}*.*vtu" for kind in OUTPUTS]
     for pattern in ("statistics.txt", "isochor.log", "*.pvd", *fields):
         for old in Path(directory).glob(pattern):
             old.unlink()
@@ -355,14 +358,32 @@ def read_times(directory, kind="points"):
 
 def read_points(directory, step=-1):
     """The Fields of the material points of one output: 'position' (n, 3), 'time', and
-    every field under its name; 'deformation_gradient' as (n, 3, 3). @p step counts
-    the outputs in points.pvd, -1 is the last."""
+    every field under its name; 'deformation_gradient' as (n, 3, 3). With CPDI also
+    'corners' (n, d + 1, 3) of their subdomains, and where these were at t = 0,
+    'reference'. @p step counts the outputs in points.pvd, -1 is the last."""
     data = read_output(directory, "points", step)
     del data["cells"]
     gradient = data.get("deformation_gradient")
     if gradient is not None and gradient.shape[-1] == 9:
         data["deformation_gradient"] = gradient.reshape(-1, 3, 3)
+    if (Path(directory) / "subdomains.pvd").is_file():
+        times = [
+            [record[0] for record in read_times(directory, kind)]
+            for kind in ("points", "subdomains")
+        ]
+        if times[0] == times[1]:
+            _add_subdomains(data, read_output(directory, "subdomains", step))
     return data
+
+
+def _add_subdomains(data, subdomains):
+    """The corners of @p subdomains, in the order of the points in @p data."""
+    cells = subdomains["cells"]
+    corners = subdomains["position"][cells]
+    order = np.argsort(subdomains["id"][cells[:, 0]])
+    order = order[np.argsort(np.argsort(data["id"]))]
+    data["corners"] = corners[order]
+    data["reference"] = (corners - subdomains["displacement"][cells])[order]
 
 
 def read_points_at(directory, time):
@@ -384,8 +405,8 @@ def read_grid(directory, step=-1):
 def read_output(directory, kind, step=-1):
     """The Fields of an output, with 'time', 'position' (n, 3) and 'cells' (m,
     vertices of a cell), those of all pieces together. @p kind: "grid", "points",
-    "rigid_bodies" (its cells are the facets), or, of a run that has failed,
-    "failure-grid" and "failure-points"."""
+    "subdomains" (its cells), "rigid_bodies" (its cells are the facets), or, of a run
+    that has failed, "failure-grid" and "failure-points"."""
     records = read_times(directory, kind)
     if not -len(records) <= step < len(records):
         raise OutputError(

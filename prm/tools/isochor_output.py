@@ -1,6 +1,6 @@
 # Isochor: implicit, stabilised mixed Material Point Method on deal.II.
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draw fields on material points. Runs and their results are those of isochor.py,
+"""Draw fields on the body. Runs and their results are those of isochor.py,
 whose names this module has, too.
 
 Needs numpy, matplotlib and the Python package of vtk (9 or newer), on Debian
@@ -18,12 +18,13 @@ import matplotlib.pyplot as plt  # noqa: E402  (after the choice of backend)
 import numpy as np  # noqa: E402
 from isochor import *  # noqa: E402, F403
 from isochor import Fields, OutputError, read_points  # noqa: E402
-from matplotlib.collections import EllipseCollection  # noqa: E402
+from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.tri import Triangulation  # noqa: E402
+from PIL import Image  # noqa: E402  (Matplotlib needs it, too)
 
-# How a field is drawn. Fields with a sign get a diverging colour map that is
-# white at zero, the others one that grows from dark to bright. 'limits' says
-# how the colour scale lies: "symmetric" to zero, "from zero", or "free".
+# How a field is drawn: one colour map for each kind of quantity. Fields with a
+# sign are white at zero, strains are pale at zero. 'limits' is how the colour
+# scale lies: "symmetric" to zero, "from zero", or "free".
 Style = namedtuple("Style", "label unit colour_map limits")
 FIELD_STYLES = {
     "displacement_x": Style("horizontal displacement", "m", "RdBu_r", "symmetric"),
@@ -33,19 +34,23 @@ FIELD_STYLES = {
     "cauchy_stress_yy": Style(r"$\sigma_{yy}$", "Pa", "RdBu_r", "symmetric"),
     "cauchy_stress_zz": Style(r"$\sigma_{zz}$", "Pa", "RdBu_r", "symmetric"),
     "cauchy_stress_xy": Style(r"$\sigma_{xy}$", "Pa", "RdBu_r", "symmetric"),
+    "mean_stress": Style("mean stress (tension positive)", "Pa", "RdBu_r", "symmetric"),
+    "von_mises_stress": Style("von Mises stress", "Pa", "YlGnBu", "from zero"),
     "equivalent_plastic_strain": Style(
-        "equivalent plastic strain", "-", "inferno", "from zero"
+        "equivalent plastic strain", "-", "YlOrRd", "from zero"
     ),
     "J": Style("J", "-", "viridis", "free"),
 }
 
 # Colours that colour-blind readers can tell apart (Okabe and Ito).
 LINE_COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00")
+OUTLINE = dict(colors="#303030", linewidths=0.6)  # of bodies
+GRID_LINES = dict(color="#b0b0b0", linewidth=0.25)  # of the background grid
 
 plt.rcParams.update(
     {
         "figure.dpi": 100,
-        "savefig.dpi": 200,
+        "savefig.dpi": 130,
         "font.size": 10,
         "axes.titlesize": 10,
         "axes.spines.top": False,
@@ -91,11 +96,94 @@ def with_grey(colour_map):
     return plt.get_cmap(colour_map).with_extremes(bad="#c0c0c0")
 
 
+def mirrored(data, planes):
+    """@p data of points and their mirror images at the coordinate @p planes, for
+    example "xz" for x = 0 and z = 0. Shear stresses keep their sign."""
+    for plane in planes:
+        axis = "xyz".index(plane)
+        image = Fields(data)
+        for name in ("position", "displacement", "corners", "reference"):
+            if name in data:
+                image[name] = data[name].copy()
+                image[name][..., axis] *= -1
+        data = Fields(
+            (n, np.concatenate([data[n], image[n]]) if np.ndim(data[n]) else data[n])
+            for n in data
+        )
+    return data
+
+
+def body_mesh(data):
+    """The body as a mesh: positions of its vertices (n, 3), and its cells, those
+    of the subdomains in @p data, or without subdomains in 2D triangles between
+    the points. Subdomains of a material have a vertex in common where they had
+    one at t = 0; it lies in the mean of their corners."""
+    if "corners" not in data:
+        triangles = Triangulation(*data["position"][:, :2].T)
+        edges = data["position"][triangles.triangles]
+        edges = np.linalg.norm(edges - np.roll(edges, 1, axis=1), axis=2)
+        # longer ones bridge a gap or a concave part of the outline
+        allowed = 3 * _spacing(data)[triangles.triangles].max(axis=1)
+        return data["position"], triangles.triangles[edges.max(axis=1) < allowed]
+    n, n_corners, _ = data["corners"].shape
+    places = data["reference"].reshape(-1, 3)
+    edge = np.linalg.norm(data["reference"][:, 0] - data["reference"][:, 1], axis=1)
+    kind = np.zeros(n)
+    for name in ("material_id", "body"):
+        kind = 1000 * kind + data.get(name, 0)
+    # 1e-3 of an edge, but more than single precision rounds
+    size = max(1e-3 * np.percentile(edge, 5), 3e-6 * np.abs(places).max())
+    label = np.arange(len(places))
+    for shift in np.ndindex(2, 2, 2):  # equal places may be rounded apart
+        key = np.column_stack(
+            [np.round(places / size + np.array(shift) / 2), np.repeat(kind, n_corners)]
+        )
+        group = np.unique(key, axis=0, return_inverse=True)[1]
+        least = np.full(group.max() + 1, len(places))
+        np.minimum.at(least, group, label)
+        label = least[group]
+    cells = np.unique(label, return_inverse=True)[1]
+    count = np.bincount(cells)
+    corners = data["corners"].reshape(-1, 3)
+    vertices = [np.bincount(cells, corners[:, d]) / count for d in range(3)]
+    return np.column_stack(vertices), cells.reshape(n, n_corners)
+
+
+def vertex_values(data, cells, values):
+    """Means of the @p values of points at the vertices of body_mesh(), weighted
+    by volume. Points whose value is NaN don't count; a vertex with no other is
+    NaN."""
+    if "corners" not in data:
+        return values
+    known = np.isfinite(values)
+    weight = np.repeat(np.maximum(data["volume"], 1e-300) * known, cells.shape[1])
+    many = np.repeat(np.where(known, values, 0), cells.shape[1])
+    total = np.bincount(cells.ravel(), weight)
+    return np.where(
+        total > 0,
+        np.bincount(cells.ravel(), many * weight) / np.where(total > 0, total, 1),
+        np.nan,
+    )
+
+
+def outer_faces(cells):
+    """The faces of @p cells that only one of them has, by their vertices, and the
+    vertex opposite to each in its cell."""
+    n = cells.shape[1]
+    faces = np.concatenate([np.delete(cells, c, axis=1) for c in range(n)])
+    opposite = np.concatenate([cells[:, c] for c in range(n)])
+    _, first, count = np.unique(
+        np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True
+    )
+    outer = first[count == 1]
+    return faces[outer], opposite[outer]
+
+
 def plot_points(
     ax,
     data,
     field_name,
-    style="markers",
+    style="smooth",
     limits=None,
     scale=1.0,
     unit=None,
@@ -103,42 +191,54 @@ def plot_points(
     window=None,
     mirror=False,
 ):
-    """Draw the field @p field_name on the material points @p data into @p ax.
+    """Draw the field @p field_name of the material points @p data (2D) on the body
+    into @p ax: on its subdomains, or without these on triangles between points.
 
-    style     "markers": a disc per point as large as the point's volume asks
-              for, each in the colour of its own value: shows oscillations as
-              they are; "triangles": interpolated between neighbouring points
+    style     "smooth": interpolated between vertices, where it is the mean of
+              what is there; "cells": each subdomain in the colour of its own
+              value: shows oscillations as they are
     limits    (low, high) of the colour scale, in scaled units
     scale     factor on the values, @p unit is then the unit they are in
     window    (x0, x1, y0, y1), what to show
     mirror    draw the image at x -> -x as well (half models)
     Returns what a colour bar can be made of.
     """
+    if style not in ("smooth", "cells"):
+        raise ValueError(f"style is 'smooth' or 'cells', not '{style}'.")
     look = FIELD_STYLES.get(field_name, Style(field_name, "", "viridis", "free"))
-    positions = data["position"][:, :2]
-    values = field(data, field_name) * scale
     if mirror:
-        sign = -1 if field_name == "displacement_x" else 1
-        positions = np.vstack([positions, positions * [-1, 1]])
-        values = np.concatenate([values, sign * values])
-    spacing = _spacing(data, len(positions))
+        data = mirrored(data, "x")
+    values = field(data, field_name) * scale
     if window is not None:
-        margin = 2 * spacing.max()
-        inside = (
-            (positions[:, 0] > window[0] - margin)
-            & (positions[:, 0] < window[1] + margin)
-            & (positions[:, 1] > window[2] - margin)
-            & (positions[:, 1] < window[3] + margin)
-        )
+        x, y = data["position"][:, :2].T
+        x0, x1, y0, y1 = window
+        inside = (x > x0) & (x < x1) & (y > y0) & (y < y1)
         if not inside.any():
             raise OutputError(f"No material point lies in the window {window}.")
-        positions, values = positions[inside], values[inside]
-        spacing = spacing[inside]
-    limits = limits or colour_limits([values], look.limits)
-    draw = {"markers": _draw_markers, "triangles": _draw_triangles}
-    if style not in draw:
-        raise ValueError(f"style is 'markers' or 'triangles', not '{style}'.")
-    artist = draw[style](ax, positions, values, spacing, look.colour_map, limits)
+    else:
+        inside = slice(None)
+    limits = limits or colour_limits([values[inside]], look.limits)
+    vertices, cells = body_mesh(data)
+    at_vertices = vertex_values(data, cells, values)
+    if style == "smooth":
+        colours = {"shading": "gouraud"}
+    elif "corners" in data:
+        at_vertices, colours = [], {"facecolors": values, "edgecolors": "face"}
+    else:
+        colours = {"shading": "flat", "edgecolors": "face"}
+    artist = ax.tripcolor(
+        vertices[:, 0],
+        vertices[:, 1],
+        cells,
+        *([at_vertices] if len(at_vertices) else []),
+        cmap=with_grey(look.colour_map),
+        vmin=limits[0],
+        vmax=limits[1],
+        rasterized=True,
+        **colours,
+    )
+    edges = vertices[outer_faces(cells)[0]][:, :, :2]
+    ax.add_collection(LineCollection(edges, **OUTLINE, capstyle="round"))
     ax.set_aspect("equal")
     if window is not None:
         ax.set_xlim(window[:2])
@@ -168,58 +268,15 @@ def add_colour_bar(artist, axes, field_name, values=None, unit=None, **options):
     return bar
 
 
-def _spacing(data, n):
-    """Edge length (m) of the square that has a point's current volume, in bodies of
-    revolution the area of the ring's section."""
+def _spacing(data):
+    """Edge length (m) of the square that has a point's current volume, in
+    axisymmetric bodies the area of the ring's section."""
     if "volume" not in data:
         raise OutputError("The points carry no field 'volume'.")
     area = np.maximum(data["volume"], 0)
     if "hoop_stretch" in data:
         area = area / (2 * np.pi * np.maximum(data["position"][:, 0], 1e-300))
-    spacing = np.sqrt(area)
-    return np.resize(spacing, n)  # repeats it for the mirror image
-
-
-def _draw_markers(ax, positions, values, spacing, colour_map, limits):
-    # Discs on a square lattice of this spacing leave no gap if their diameter
-    # is sqrt(2) times the spacing; a little more for uneven points.
-    diameter = 1.6 * spacing
-    discs = EllipseCollection(
-        diameter,
-        diameter,
-        np.zeros(len(diameter)),
-        units="xy",
-        offsets=positions,
-        transOffset=ax.transData,
-        array=values,
-        cmap=with_grey(colour_map),
-        linewidths=0,
-        rasterized=True,
-    )
-    discs.set_clim(*limits)
-    ax.add_collection(discs)
-    ax.update_datalim(positions)
-    ax.autoscale_view()
-    return discs
-
-
-def _draw_triangles(ax, positions, values, spacing, colour_map, limits):
-    triangles = Triangulation(positions[:, 0], positions[:, 1])
-    corners = positions[triangles.triangles]
-    edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
-    # Longer ones bridge a gap or a concave part of the outline.
-    allowed = 3 * spacing[triangles.triangles].max(axis=1)
-    without = np.isnan(values[triangles.triangles]).any(axis=1)
-    triangles.set_mask((edges.max(axis=1) > allowed) | without)
-    return ax.tripcolor(
-        triangles,
-        values,
-        shading="gouraud",
-        cmap=colour_map,
-        vmin=limits[0],
-        vmax=limits[1],
-        rasterized=True,
-    )
+    return np.sqrt(area)
 
 
 def compare_points(
@@ -283,6 +340,10 @@ def save(figure, path, formats=None):
         metadata = {"Date": None} if ending == "svg" else None
         # tight: with equal axes the layout may leave no room for titles
         figure.savefig(target, metadata=metadata, bbox_inches="tight")
+        if ending == "png":  # 200 colours are enough, and small
+            with Image.open(target) as image:
+                small = image.convert("RGB").quantize(200)
+            small.save(target, optimize=True)
         print(f"wrote {target}")
     plt.close(figure)
 

@@ -118,7 +118,7 @@ def draw_bar(runs):
 
 def draw_bar_3d(runs):
     data = runs.points("bar_3d")
-    data = solid_view.mirrored(data, ["cauchy_stress_xx"], "z")
+    data = output.mirrored(data, "z")
     figure, axes = plt.subplots(figsize=(6, 3.2))
     solid_view.plot_solid(
         axes, data, "cauchy_stress_xx", 30, 20, scale=1e-3, unit="kPa"

@@ -72,14 +72,12 @@ def draw(directory, path):
         grid["position"][:, 0],
         grid["position"][:, 1],
         grid["cells"],
-        color="#303030",
-        linewidth=0.2,
+        **output.GRID_LINES,
     )
     output.plot_points(
         axes[1],
         points,
         "equivalent_plastic_strain",
-        style="triangles",
         limits=(0, 0.01),
     )
     for ax in axes:
