@@ -30,7 +30,7 @@ class Cook(Scene):
         "u-p, α = 1": {"Formulation/PPP coefficient": 1},
         "u-p, α = 8": {"Formulation/PPP coefficient": 8},
     }
-    # a grid that is never put back moves with the body, as finite elements do
+    # a grid that is never reset moves with the body, as finite elements do
     KEPT = {
         "Grid reset/Steps between resets": 0,
         "Grid reset/Smallest element quality": 0,
@@ -240,7 +240,7 @@ class Tube(Scene):
         yield from self.finite_elements(directory)
 
     def finite_elements(self, directory):
-        """The floor: the body's own grid, never put back, one point per cell.
+        """The floor: the body's own grid, never reset, one point per cell.
         Its cells are as large as those of the box."""
         ring = PRM / "plastic_cylinder" / "ring.geo"
         for n in (24, 48, 96):
@@ -321,7 +321,7 @@ class Column(Scene):
         yield from self.finite_elements()
 
     def finite_elements(self):
-        """The floor: the same grid is never put back, one point per cell."""
+        """The floor: the same grid is never reset, one point per cell."""
         for n in (16, 32, 64, 128):
             columns = max(1, round(n / 8))
             yield Run(

@@ -54,7 +54,7 @@ def cases(directory):
 
 
 def quadratures(work):
-    """The same scenes with each quadrature of the body, on a grid that is put back after
+    """The same scenes with each quadrature of the body, on a grid that is reset after
     each step: error against closed forms, and the number of warnings that the run gave."""
     body = []
     for name, (prm, overrides, error_of) in cases(work.directory).items():

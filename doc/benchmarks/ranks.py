@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Two ranks against one: the table of solvers.py about them.
 
-Two scenes of five steps: the cube of scenes/pressed_cube.prm, whose grid is kept, and that
-of scenes/pressed_in_box.prm, whose grid is put back in each step. One rank and two run in
+Two scenes of five steps: the cube of scenes/pressed_cube.prm, whose grid is not reset, and that
+of scenes/pressed_in_box.prm, whose grid is reset in each step. One rank and two run in
 turn. Ranks that wait for each other keep their processors, so that what each of them
 does is measured apart from MPI (mpi_waits.c): the processor time of the one that does
 most. That can be had on a machine with other work to do, too; the elapsed time of the
@@ -54,7 +54,7 @@ def put_back(n):
     wide = n + 2 * round(n / 8)
     return harness.Run(
         "ranks",
-        "put back",
+        "reset",
         n,
         HERE / "scenes" / "pressed_in_box.prm",
         {

@@ -203,7 +203,7 @@ def phases_table(all_rows):
             "factorisation and solution",
             "assembly",
             "initialisation",
-            "putting the grid back",
+            "grid reset",
             "points move",
             "output and probes",
             "set-up",

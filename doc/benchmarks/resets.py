@@ -1,6 +1,6 @@
 # Isochor: implicit, stabilised mixed Material Point Method on deal.II.
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of work.py on how often the grid is put back."""
+"""The table of work.py on how often the grid is reset."""
 
 import elastic_scenes
 import report

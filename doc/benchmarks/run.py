@@ -12,7 +12,7 @@ is known to be right, and write CSV files, pictures and tables.
 
 Everything goes to --directory (default: output-benchmarks); with --publish the
 CSV files and pictures also to doc/benchmarks/results and the tables to
-doc/benchmarks.md. Needs gmsh, numpy, matplotlib and vtk9.
+doc/benchmarks/results/run_time.md. Needs gmsh, numpy, matplotlib and vtk9.
 """
 
 import datetime
@@ -32,7 +32,7 @@ import report  # noqa: E402
 import scenes  # noqa: E402
 
 RESULTS = HERE / "results"
-PAGE = HERE.parent / "benchmarks.md"
+PAGE = HERE / "results" / "run_time.md"
 
 
 def machine():
@@ -108,7 +108,7 @@ def publish(scene, rows, arguments, where):
         for path in arguments.directory.glob(pattern):
             shutil.copy(path, RESULTS / path.name)
     pictures = "\n".join(
-        f"![{path.stem}](benchmarks/results/{path.name})"
+        f"![{path.stem}]({path.name})"
         for path in sorted(RESULTS.glob(f"{scene.name}_*_cpu.png"))
     )
     report.insert(
@@ -184,7 +184,7 @@ def main():
             "benchmark phases",
             "### Where the time goes\n\nThe most expensive run of each scene.\n\n"
             + report.phases_table(all_rows)
-            + "\n\n![phases](benchmarks/results/phases.png)",
+            + "\n\n![phases](phases.png)",
         )
     print(
         f"{sum(map(len, all_rows.values()))} runs, {failed} failed, "

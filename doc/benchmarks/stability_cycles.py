@@ -15,7 +15,7 @@ def ten_cycles(bench):
     """Free motions over ten cycles at 50 steps each, all parameters but the quadrature at
     their defaults: what the scheme loses in a cycle, of the largest kinetic energy, and
     what the turning square loses of its angular momentum in a turn and gets of linear
-    momentum. CPDI puts the grid back in each step, the others keep it."""
+    momentum. CPDI resets the grid in each step, the others keep it."""
     cycles = 10
     figure, axes = plt.subplots(1, 4, figsize=(13, 3.2), constrained_layout=True)
     for axis, scene in zip(
@@ -50,8 +50,7 @@ def ten_cycles(bench):
 
 def two_discs(bench):
     """Two elastic discs bounce and part, in steps of 1/140, 1/560 and 1/2240 of the
-    time: what is left of their energy, by the default quadrature. (Others put the grid
-    back while the discs are together, and say what they lose.)"""
+    time: what is left of their energy, by the default quadrature. (Others reset the grid while the discs are together, and say what they lose.)"""
     energies = ("Kinetic energy (J)", "Strain energy (J)")
     figure, axis = plt.subplots(figsize=(5, 3.2), constrained_layout=True)
     left = []

@@ -153,7 +153,7 @@ def nu(bench):
 
 def load_steps(bench):
     """Steps 1, 10 and 100 times too large: after cuts the same answer, or an
-    error that says so; never NaN."""
+    error with the reason; never NaN."""
     cases = {
         "membrane, P = 10": (
             COOK,

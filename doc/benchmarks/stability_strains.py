@@ -59,7 +59,7 @@ def homogeneous(bench, name, script, measure, exact, axis_label):
 
 def strain(bench):
     """Stretch of a homogeneous incompressible block to ten times its length in a
-    grid that is put back in each step: what is right, and what is not says so."""
+    grid that is reset in each step: what is right, and a warning for what is not."""
     # Neo-Hookean, plane strain, incompressible: first Piola stress times the
     # width at rest is G (l - l^-3)
     homogeneous(
@@ -76,8 +76,8 @@ def strain(bench):
 
 
 def shear(bench):
-    """Simple shear of an incompressible block to γ = 5 in a grid that is put back in
-    each step, its surface driven: what is right, and what is not says so."""
+    """Simple shear of an incompressible block to γ = 5 in a grid that is reset in
+    each step, its surface driven: what is right, and a warning for what is not."""
     homogeneous(
         bench,
         "shear",
@@ -102,14 +102,14 @@ CYCLIC = (
     ("CPDI", {}, 20, 200, "told"),
     ("CPDI, cells half as large", {"Grid/Subdivisions": "54, 62"}, 3, 40, "told"),
     (
-        "CPDI, the grid put back every seventh step",
+        "CPDI, the grid reset every seventh step",
         {"Grid reset/Steps between resets": 7},
         5,
         200,
         "told",
     ),
     (
-        "CPDI, the grid never put back",
+        "CPDI, the grid never reset",
         {"Grid reset/Steps between resets": 0, "Grid reset/Smallest element quality": 0},
         20,
         200,
@@ -127,7 +127,7 @@ def drift_of(tip):
 
 def cycles(bench):
     """Cyclic load on an elastic body at rest, ten steps in a cycle: wherever the grid is
-    put back in between, the body drifts, and has to say so before it matters. A grid that
+    reset in between, the body drifts, and has to say so before it matters. A grid that
     goes along drifts by rounding only."""
     figure, axis = plt.subplots(figsize=(6, 3.4), constrained_layout=True)
     for name, overrides, few, many, demand in CYCLIC:
