@@ -236,7 +236,7 @@ namespace
                    "Time/Minimum step size = 0.25\n"
                    "Boundary conditions/Displacement = left: x=0; right: x=0; "
                    "bottom: y=0; top: y=-0.01*t\n"),
-           {"the whole surface of the body is held", "0.4999"});
+           {"the whole surface of the body is constrained", "0.4999"});
     // a block that hangs upside down; an elastic one has no plastic limit load
     const std::string hanging =
       "Grid/Upper corner = 3, 6\nGrid/Subdivisions = 12, 24\n"
@@ -308,7 +308,7 @@ namespace
             "With 0 there it goes on moving"});
     expect("a grid put back after some steps",
            failure(block + "0.4*t\nGrid reset/Steps between resets = 2\n"),
-           {"put back before, since <Grid reset/Steps between resets> = 2"});
+           {"reset before, since <Grid reset/Steps between resets> = 2"});
   }
 
   /** A moment on a rigid body, and a periodic cell that moves. */
