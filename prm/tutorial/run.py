@@ -94,7 +94,7 @@ class Runs:
         return output.read_grid(self.directory / name)
 
 
-def lines_of(axes, grid, colour="#606060"):
+def lines_of(axes, grid, colour="#b0b0b0"):
     axes.triplot(
         grid["position"][:, 0],
         grid["position"][:, 1],
@@ -132,7 +132,7 @@ def draw_swing(swing, kept, static):
     axes.text(0, static, "at rest", va="bottom", color="#606060")
     for table, label, colour in (
         (swing, "bar_dynamics.prm", BLUE),
-        (kept, "finer, grid kept", ORANGE),
+        (kept, "finer, no reset", ORANGE),
     ):
         axes.plot(table["Time (s)"], table[TIP], color=colour, label=label)
     axes.set_xlabel("time (s)")
