@@ -142,7 +142,9 @@ namespace
             found.outside < 1e-6,
           std::to_string(found.reference_measure) + ", outside by " +
             std::to_string(found.outside));
-    const double volume = get(*problem, "Material volume (m^3)");
+    const double volume =
+      get(*problem,
+          dim == 2 ? "Material volume (m^2)" : "Material volume (m^3)");
     check(name + "the body as it is",
           std::abs(found.measure / volume - 1) < 1e-6 &&
             found.wrong_volume < 1e-4,
@@ -153,10 +155,10 @@ namespace
           std::to_string(found.wrong_stress));
     bool written =
       std::filesystem::exists(directory + "/subdomains.pvd") &&
-      std::filesystem::exists(directory + "/subdomains-00003.pvtu");
+      std::filesystem::exists(directory + "/subdomains-00002.pvtu");
     for (unsigned int rank = 0; rank < n_ranks(); ++rank)
       written =
-        written && std::filesystem::exists(directory + "/subdomains-00003.000" +
+        written && std::filesystem::exists(directory + "/subdomains-00002.000" +
                                            std::to_string(rank) + ".vtu");
     check(name + "a file of each rank", written, directory);
   }
