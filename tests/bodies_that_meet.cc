@@ -50,7 +50,7 @@ main(int argc, char **argv)
   test_message("Quadrature/Type = points", two);
   test_message("Time/End time = 0.7", "");
   test_message("Grid reset/Steps between resets = 0",
-               "2 bodies share no node of a grid that is kept");
+               "2 bodies share no node of a grid that is not reset");
   test_message("Material points/Region = y > 2 && y < 3", "");
   test_message("Material points/Region = y < 1 || (y > 2 && y < 2.5) || "
                "(y > 3 && y < 3.5)",

@@ -50,7 +50,7 @@ CASES = {
         "bar.prm",
         {"Boundary conditions/Displacement": ""},
         {},
-        ["nothing holds a body against: translation in x, translation in y, rotation"],
+        ["without support: a body, free in translation in x, translation in y, rotation"],
         1,
     ),
     "small": (

@@ -171,7 +171,7 @@ namespace
       "Interaction: side - hinge/Law = tie\n";
     expect("a rigid body that is a hinge, under a load",
            messages<2>(hinge + "Rigid body: hinge/Free = rotation\n"),
-           {"against: rotation about (0, 0.5) (the one"});
+           {"free in rotation about (0, 0.5) (the one"});
     expect("... that is held", messages<2>(hinge), {});
   }
 

@@ -99,8 +99,7 @@ namespace
     Moved      result{test::get(*problem, "L2 error of stress yy"),
                  test::get(*problem, "Displacement y of I (m)"),
                  ""};
-    result.told =
-      test::warning_of(*problem, "materials that meet within cells");
+    result.told = test::warning_of(*problem, "material interface within cells");
     return result;
   }
 

@@ -62,7 +62,7 @@ namespace
       {
         expect("materials in the same cells, " + quadrature,
                layers(quadrature, "0.5625", "1e8"),
-               {"WARNING materials that meet within cells",
+               {"WARNING material interface within cells",
                 "differ by up to 100 to 1",
                 "<Quadrature/Type = CPDI>"});
         expect("... nearly the same",

@@ -167,7 +167,7 @@ namespace
      "Boundary conditions/Displacement = left: x=0, y=0\n",
      "Material points/Lattice spacing = 0.1\n",
      true},
-    {"materials that meet within cells",
+    {"material interface within cells",
      "Grid/Subdivisions = 5, 5\n"
      "Quadrature/Type = points\n"
      "Material points/Lattice spacing = 0.05\n"

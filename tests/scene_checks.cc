@@ -65,7 +65,7 @@ namespace
     expect("a body that nothing holds",
            messages<2>(no_load),
            {"WARNING",
-            "nothing holds a body",
+            "without support: a body",
             "translation in x, translation in y, rotation",
             "Boundary conditions/Displacement",
             "Dynamics/Inertia"});
@@ -93,7 +93,7 @@ namespace
            messages<2>(no_load + "Quadrature/Type = CPDI\n"
                                  "Rigid body: a/Free = x, y, rotation\n"
                                  "Interaction: body - a/Law = tie\n"),
-           {"against: translation in x, translation in y, rotation"});
+           {"free in translation in x, translation in y, rotation"});
     expect("... may move in dynamics",
            messages<2>(no_load + "Dynamics/Inertia = true\n"),
            {});
@@ -101,23 +101,24 @@ namespace
       no_load + "Boundary conditions/Displacement = bottom: ";
     expect("free to slide",
            messages<2>(held + "y = 0\n"),
-           {"against: translation in x (the one"});
+           {"free in translation in x (the one"});
     expect("free to slide behind a one-sided wall",
            messages<2>(no_load +
                        "Quadrature/Type = CPDI\n"
                        "Boundary conditions/Walls = bottom: n >= 0\n"),
-           {"against: translation in x (the one"});
+           {"free in translation in x (the one"});
     expect("free to turn about a node",
            messages<2>("Grid/Subdivisions = 1, 1\n"
                        "Material points/Region = y > x\n"
                        "Boundary conditions/Displacement = bottom: x = 0, y = "
                        "0\n"),
-           {"against: rotation about (0, 0) (the one"});
+           {"free in rotation about (0, 0) (the one"});
     expect("one of two bodies",
            messages<2>(held + "x = 0, y = 0\n"
                               "Material points/Region = (y-0.25)*(y-0.75) > "
                               "0\n"),
-           {"nothing holds a body", "rotation (the one around (0.5, 0.875)"});
+           {"without support: a body",
+            "rotation (the one around (0.5, 0.875)"});
     expect("held by an interaction",
            messages<2>(no_load +
                        "Boundary conditions/Surfaces of body = foot: bottom\n"
@@ -128,22 +129,22 @@ namespace
            messages<2>("Grid/Lower corner = 1e4, 1e4\n"
                        "Grid/Upper corner = 10000.01, 10000.01\n"
                        "Boundary conditions/Displacement = bottom: y = 0\n"),
-           {"against: translation in x (the one"});
+           {"free in translation in x (the one"});
     expect("CPDI, cut cells",
            messages<2>(held + "y = 0\nQuadrature/Type = CPDI\n"
                               "Material points/Points per cell = 4\n"
                               "Material points/Region = y < 0.625\n"),
-           {"against: translation in x (the one"});
+           {"free in translation in x (the one"});
     expect("in 3D",
            messages<3>("Grid/Subdivisions = 2, 2, 2\n"
                        "Boundary conditions/Displacement = bottom: y = 0\n"),
-           {"against: translation in x, translation in z, rotation about an "
+           {"free in translation in x, translation in z, rotation about an "
             "axis in y (the one"});
     const std::string end =
       messages<2>(no_load + "Boundary conditions/Gravity = 0, -1\n", false);
     test::check("loaded and not held: the run ends in the first step",
                 end.find("very first step") != std::string::npos &&
-                  end.find("nothing holds a body") != std::string::npos,
+                  end.find("without support: a body") != std::string::npos,
                 end);
   }
 

@@ -61,7 +61,7 @@ namespace
       << "\n"
       << settings;
     const auto problem = test::run_scene<2>(scene.str());
-    told = test::warning_of(*problem, "materials that meet within cells");
+    told = test::warning_of(*problem, "material interface within cells");
     return -test::get(*problem, "Reaction x on bottom (N)") /
              exact_force(thickness) -
            1;

@@ -106,7 +106,7 @@ namespace isochor
         throw ParameterError(origins.at(known.section) + ": the subsection <" +
                              known.section + "> needs a parameter <" +
                              known.section +
-                             "/Type> that says what it describes");
+                             "/Type> that names what it describes");
     return sections;
   }
 } // namespace isochor

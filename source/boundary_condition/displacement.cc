@@ -39,17 +39,17 @@ namespace isochor
         "Prescribed displacements (m) since t = 0 on boundaries of the grid, "
         "formulas in the place at t = 0 of the material, x, y(, z), and t "
         "(angles in radians): 'boundary: x = formula, y = formula; boundary: "
-        "...'. What a formula gives at the first step is applied in "
-        "that step, a constant, too. Components not named are free. A later "
-        "entry overrides an earlier one at common nodes. 'everywhere' names "
-        "all nodes of the boundary. What the body may leave, or come to, is a "
-        "wall that only pushes: <Boundary conditions/Walls = boundary: n >= "
-        "formula>. A boundary that "
-        "pushes the body by more than a hundredth of its length must take the "
-        "grid along (<Grid/Stretch>), or the grid be kept: put back, the row of "
-        "cells there is partly empty and too soft, beyond half of a cell it "
-        "loses the body. The same of a boundary that pulls the body out of the "
-        "grid: beyond a part of a cell points are outside, which is an error.");
+        "...'. What a formula gives at the first step is applied in that step, "
+        "a constant, too. Components not named are free. A later entry "
+        "overrides an earlier one at common nodes. 'everywhere' names all "
+        "nodes of the boundary. What the body may leave, or come to, is a wall "
+        "with unilateral contact: <Boundary conditions/Walls = boundary: n >= "
+        "formula>. A boundary that pushes the body by more than a hundredth of "
+        "its length must take the grid along (<Grid/Stretch>), or not be "
+        "reset: after a reset the row of cells there is partly empty and too "
+        "soft, beyond half of a cell it loses the body. The same of a boundary "
+        "that pulls the body out of the grid: beyond a part of a cell points "
+        "are outside, which is an error.");
     }
 
     void
@@ -202,7 +202,8 @@ namespace isochor
       AssertThrow(axis.empty() || (axis.back() != '>' && axis.back() != '<'),
                   ExcMessage("The entry <" + boundary + ": " + item +
                              "> of the parameter <" + name +
-                             "> asks for a wall that only pushes. Write <" +
+                             "> asks for unilateral contact with a wall. Write "
+                             "<" +
                              NamedPlugin::parameter("Walls") + " = " +
                              boundary +
                              ": n >= formula>, n being the displacement along "

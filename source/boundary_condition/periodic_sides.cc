@@ -55,9 +55,9 @@ namespace isochor
                         Patterns::Bool(),
                         "Whether the vertices that belong to a pair in each "
                         "direction, the corners of a periodic cell, don't move "
-                        "but for the jumps. In statics something has to hold "
-                        "the cell. No effect with one pair only, or where no "
-                        "material is at the corners.");
+                        "but for the jumps. Without inertia something has to "
+                        "support the cell. No effect with one pair only, or "
+                        "where no material is at the corners.");
     }
 
     void

@@ -45,22 +45,22 @@ namespace isochor
         "Walls",
         "",
         Patterns::Anything(),
-        "Smooth walls on boundaries of the grid, inclined and curved ones, too: "
-        "'boundary: n = formula; boundary: n >= formula'. n is the displacement "
-        "(m) since t = 0 along the boundary's normal into the grid, a formula in "
-        "x, y(, z), t; along the boundary the body slides. With 'n = 0' it "
-        "stays at the wall, with 'n = 0.1*t' the wall pushes it. At vertices "
-        "normals are the mean of the faces that meet at less than 40 degrees, "
-        "also of several boundaries with the same formula; at a sharper corner "
-        "those of both sides count. <Boundary conditions/Displacement> "
-        "overrides such a wall, and if it pushes the body by more than a "
-        "hundredth of its length it needs a grid that is kept (<Grid reset/"
-        "Steps between resets>). With 'n >= formula' the wall only pushes: "
-        "bodies may come to it and leave it. It is the boundary of the grid "
-        "(if <Grid/Stretch> moves it, where it is then), shifted by the "
-        "formula, and acts on the surface of bodies: contact without friction, "
-        "or what a section <Interaction: BODY - boundary NAME> says. That "
-        "needs <Quadrature/Type = CPDI>.");
+        "Smooth walls on boundaries of the grid, inclined and curved ones, "
+        "too: 'boundary: n = formula; boundary: n >= formula'. n is the "
+        "displacement (m) since t = 0 along the boundary's normal into the "
+        "grid, a formula in x, y(, z), t; along the boundary the body slides. "
+        "With 'n = 0' it stays at the wall, with 'n = 0.1*t' the wall pushes "
+        "it. At vertices normals are the mean of the faces that meet at less "
+        "than 40 degrees, also of several boundaries with the same formula; at "
+        "a sharper corner those of both sides count. <Boundary "
+        "conditions/Displacement> overrides such a wall, and if it pushes the "
+        "body by more than a hundredth of its length it needs a grid that is "
+        "not reset (<Grid reset/Steps between resets>). With 'n >= formula' "
+        "the wall only pushes: bodies may come to it and leave it. It is the "
+        "boundary of the grid (if <Grid/Stretch> moves it, where it is then), "
+        "shifted by the formula, and acts on the surface of bodies: contact "
+        "without friction, or what a section <Interaction: BODY - boundary "
+        "NAME> asks for. That needs <Quadrature/Type = CPDI>.");
     }
 
     void

@@ -39,11 +39,11 @@ namespace isochor
       "Extension",
       "auto",
       Patterns::Selection("auto|always|never"),
-      "Whether nodes that hardly any material touches follow a cell nearby "
-      "that is better filled, so that the matrix stays well conditioned "
-      "however small the part of a cell is that the body fills. auto: with "
-      "every 'Quadrature/Type' but 'points', and with that if <Grid/Shape "
-      "functions> are not P1.");
+      "Whether nodes with small support follow a cell nearby that is better "
+      "filled, so that the matrix stays well conditioned however small the "
+      "part of a cell is that the body fills. auto: with every "
+      "'Quadrature/Type' but 'points', and with that if <Grid/Shape functions> "
+      "are not P1.");
     prm.declare_entry("Smallest support",
                       "0.01",
                       Patterns::Double(0, 0.5),

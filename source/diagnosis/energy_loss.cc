@@ -198,19 +198,18 @@ namespace isochor
     EnergyLoss,
     "energy balance",
     ISOCHOR_ESSENTIAL,
-    "dynamics: since the tenth step kinetic and strain energy and plastic "
-    "work have fallen behind, or grown beyond, the external work by more "
-    "than 1 % of the largest energy, per cycle of a vibration; or the first"
-    " ten steps (those behind a jump) have created more than 10 %, or lost "
-    "more than 5 % at the end of a run of less than 50. Statics, elastic "
-    "materials, from the eleventh step on: external work and stored energy "
-    "have come apart by more than 5 %. If the body has not snapped, this is"
-    " what resets of the grid set free; with it places of the body drift, "
-    "under loads that come and go by 0.1 to 0.2 of that share of the "
-    "amplitude ([stability.md](stability.md#cycles))",
-    "`Quadrature/Type = CPDI`; a grid that is kept (`Grid reset/Steps "
-    "between resets = 0`, with `Smallest element quality = 0`); smaller "
-    "steps and cells; loads and motions that begin smoothly; where energy "
-    "is created, a smaller `Dynamics/Spectral radius`, or `Time/Tolerated "
-    "error`")
+    "dynamics: since the tenth step kinetic and strain energy and plastic work "
+    "have fallen behind, or grown beyond, the external work by more than 1 % "
+    "of the largest energy, per cycle of a vibration; or the first ten steps "
+    "(those behind a jump) have created more than 10 %, or lost more than 5 % "
+    "at the end of a run of less than 50. Quasi-static, elastic materials, "
+    "from the eleventh step on: external work and stored energy have come "
+    "apart by more than 5 %. If the body has not snapped, this is what resets "
+    "of the grid set free; with it places of the body drift, under loads that "
+    "come and go by 0.1 to 0.2 of that share of the amplitude "
+    "([stability.md](stability.md#cycles))",
+    "`Quadrature/Type = CPDI`; no reset (`Grid reset/Steps between resets = "
+    "0`, with `Smallest element quality = 0`); smaller steps and cells; loads "
+    "and motions that begin smoothly; where energy is created, a smaller "
+    "`Dynamics/Spectral radius`, or `Time/Tolerated error`")
 } // namespace isochor

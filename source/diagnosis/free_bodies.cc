@@ -27,10 +27,10 @@ namespace isochor
         return;
       constexpr std::size_t most = 1;
       std::string           text =
-        "nothing holds " +
+        "without support: " +
         (bodies.size() == 1 ? "a body" :
                               std::to_string(bodies.size()) + " bodies") +
-        " against: ";
+        ", free in ";
       for (unsigned int b = 0; b < std::min(bodies.size(), most); ++b)
         {
           for (unsigned int m = 0; m < bodies[b].motions.size(); ++m)
@@ -50,10 +50,10 @@ namespace isochor
     FreeBodies,
     "rigid-body mode",
     ISOCHOR_ESSENTIAL,
-    "statics: a body can move as a rigid one without force (the free motions "
-    "of the first of such bodies are listed; several bodies each for itself; "
-    "interactions count as supports; mechanisms within a body are not found). "
-    "The displacement is then not unique, and there is no equilibrium if a "
-    "load acts along such a motion",
+    "quasi-static: a body can move as a rigid one without force (the free "
+    "motions of the first of such bodies are listed; several bodies each for "
+    "itself; interactions count as supports; mechanisms within a body are not "
+    "found). The displacement is then not unique, and there is no equilibrium "
+    "if a load acts along such a motion",
     "hold it, or give it inertia")
 } // namespace isochor

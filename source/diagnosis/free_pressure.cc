@@ -26,9 +26,9 @@ namespace isochor
       is_free = scene.mixed() && !may_let_go && has_free_pressure(matrix);
       if (is_free)
         this->warn("with <Material/Poisson ratio> = 0.5 and the whole surface "
-                   "of the body held, pressures are known up to a constant, "
-                   "which may be anything in each step. Look at differences of "
-                   "pressure, or use 0.4999.");
+                   "of the body constrained, pressures are known up to a "
+                   "constant, which may be anything in each step. Look at "
+                   "differences of pressure, or use 0.4999.");
     }
 
     std::string
@@ -36,10 +36,10 @@ namespace isochor
     {
       return is_free ?
                "The material is incompressible and the whole surface of the "
-               "body is held: if what is prescribed there changes the volume "
-               "inside, there is no solution, however small the step. Leave a "
-               "part of the surface free, or let <Material/Poisson ratio> be "
-               "0.4999." :
+               "body is constrained: if what is prescribed there changes the "
+               "volume inside, there is no solution, however small the step. "
+               "Leave a part of the surface free, or let <Material/Poisson "
+               "ratio> be 0.4999." :
                "";
     }
 
@@ -51,7 +51,7 @@ namespace isochor
     FreePressure,
     "undetermined pressure",
     ISOCHOR_ESSENTIAL,
-    "u-p with ν = 0.5: the whole surface of the body is held, so that a "
+    "u-p with ν = 0.5: the whole surface of the body is constrained, so that a "
     "pressure that is the same everywhere acts on nothing (all bodies "
     "together; one of several is not found)",
     "look at differences of pressure, free a part of the surface, or let the "

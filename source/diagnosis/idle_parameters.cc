@@ -167,7 +167,7 @@ namespace isochor
                        "with <Formulation/Stabilisation = none>");
       if (!has_inertia)
         inspect.idle({"Time", "Tolerated error"},
-                     "in statics: it is about steps in dynamics");
+                     "without inertia: it is about steps in dynamics");
       if (!has_inertia)
         inspect.idle_section(
           {"Dynamics"},

@@ -144,12 +144,12 @@ namespace isochor
     LeftBehind,
     "a boundary that leaves the body behind",
     ISOCHOR_ESSENTIAL,
-    "`Displacement` or `Walls` push the body away from a boundary of a grid"
-    " that is reset (`Displacement`: beyond what `Grid/Stretch` moves it, "
-    "so that a stretch with a wrong sign is found, too): by more than half "
-    "a cell; in statics, if the body touches it, by more than 1 % of the "
+    "`Displacement` or `Walls` push the body away from a boundary of a grid "
+    "that is reset (`Displacement`: beyond what `Grid/Stretch` moves it, so "
+    "that a stretch with a wrong sign is found, too): by more than half a "
+    "cell; quasi-static, if the body touches it, by more than 1 % of the "
     "body's length in this direction. The row of cells with the gap is "
-    "strained more than the body, whose forces are too small by up to twice"
-    " the share that the way has of its length",
-    "`Grid/Stretch`, a kept grid, or `Interaction: name - place`")
+    "strained more than the body, whose forces are too small by up to twice "
+    "the share that the way has of its length",
+    "`Grid/Stretch`, a grid without resets, or `Interaction: name - place`")
 } // namespace isochor

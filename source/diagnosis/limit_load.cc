@@ -85,12 +85,12 @@ namespace isochor
     LimitLoad,
     "limit load",
     ISOCHOR_ESSENTIAL,
-    "statics: in five steps in succession the largest displacement per time, "
-    "and per change of the loads where they change, was more than ten times "
-    "that of the stiffest step of the same loading (with other quadratures "
-    "than CPDI the body has also gone more than a fiftieth of the smallest "
-    "cell in them). A loading lasts as long as the loads change in one "
-    "direction (all forces on the nodes together, up to 25 degrees). Where "
+    "quasi-static: in five steps in succession the largest displacement per "
+    "time, and per change of the loads where they change, was more than ten "
+    "times that of the stiffest step of the same loading (with other "
+    "quadratures than CPDI the body has also gone more than a fiftieth of the "
+    "smallest cell in them). A loading lasts as long as the loads change in "
+    "one direction (all forces on the nodes together, up to 25 degrees). Where "
     "nothing has yielded a point must also be strained or turned by more than "
     "2 %: such a body buckles, snaps or is deformed far. Steps don't count in "
     "which the body rests (less than 1e-9 of a cell), or is moved by what is "

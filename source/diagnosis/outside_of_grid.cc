@@ -58,10 +58,10 @@ namespace isochor
     "a body in part outside of the grid",
     ISOCHOR_ESSENTIAL,
     "`Quadrature/Type = CPDI`: more than 1 % of the volume of the points are "
-    "outside of the grid at five resets in succession, where a boundary that "
-    "is held has drawn the body out of a grid that is reset. This part "
+    "outside of the grid at five resets in succession, where a Dirichlet "
+    "condition has drawn the body out of a grid that is reset. This part "
     "carries no stress: forces along the boundary are wrong by as much, those "
     "across it by about half",
-    "`Grid/Stretch`, a kept grid, or a larger grid and `Interaction: name - "
-    "place`")
+    "`Grid/Stretch`, a grid without resets, or a larger grid and `Interaction: "
+    "name - place`")
 } // namespace isochor

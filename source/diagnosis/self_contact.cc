@@ -207,7 +207,7 @@ namespace isochor
     "CPDI: two parts of one body's surface that were more than two cells apart "
     "at t = 0 have come together. On a grid that is reset they face each other "
     "at the same node: from there on they are as one, with a gap between them "
-    "and without slip. On a grid that is kept one is within the other",
+    "and without slip. On a grid without resets one is within the other",
     "let the parts be bodies (`Material points/Bodies`) that are not tied to "
     "each other, which come into contact; smaller cells there")
 } // namespace isochor

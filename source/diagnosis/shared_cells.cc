@@ -101,7 +101,7 @@ namespace isochor
 
   ISOCHOR_REGISTER_DIAGNOSIS(
     SharedCells,
-    "materials that meet within cells",
+    "material interface within cells",
     ISOCHOR_ESSENTIAL,
     "materials of other stiffness, or that may yield, share the functions of "
     "cells, as with other quadratures than CPDI or `Bodies = one`, and the "

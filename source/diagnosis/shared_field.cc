@@ -41,7 +41,7 @@ namespace isochor
         has_several = n_bodies > 1;
       if (at_start && has_several && is_kept)
         this->warn(std::to_string(n_bodies) +
-                   " bodies share no node of a grid that is kept: they go "
+                   " bodies share no node of a grid that is not reset: they go "
                    "through each other. Use <Quadrature/Type = CPDI>.");
       else if (!at_start && n_bodies < n_before)
         this->warn("at t = " + rounded(step.old_time) +
@@ -76,9 +76,9 @@ namespace isochor
     "come to share some: they are as one from there on, from up to a cell "
     "before they touch, without slip, and if they are pulled apart (two discs "
     "with 32 cells over the radius: 1.5 times the force). Or they share none "
-    "at the start of a run whose grid is kept (the default in dynamics), and "
-    "go through each other. Not with `Quadrature/Type = CPDI`, where bodies "
-    "have fields of their own, nor of parts of one body",
+    "at the start of a run without resets (the default in dynamics), and go "
+    "through each other. Not with `Quadrature/Type = CPDI`, where bodies have "
+    "fields of their own, nor of parts of one body",
     "`Quadrature/Type = CPDI` and an interaction of the bodies; smaller cells "
     "where they meet")
 } // namespace isochor

@@ -22,12 +22,11 @@ namespace isochor
       this->warn(
         "at t = " + rounded(step.result.step.time) + " " +
         (share > 0.01 ?
-           "nodes that hardly any material touches hand " +
-             rounded(100 * share) +
+           "nodes with small support hand " + rounded(100 * share) +
              " % of the internal work on to cells they are tied to" :
            rounded(n) +
-             " nodes that hardly any material touches have no cell nearby "
-             "that they could be tied to") +
+             " nodes with small support have no cell nearby that they could be "
+             "tied to") +
         ". Use smaller cells there.");
     }
   };
@@ -36,11 +35,11 @@ namespace isochor
     ThinPart,
     "a part of the body too thin for the grid",
     ISOCHOR_ESSENTIAL,
-    "nodes that hardly any material touches hand more than 1 % of a step's "
-    "internal work (in dynamics: and kinetic energy) on to the cells they "
-    "are tied to; or nodes with less than `Cut cells/Smallest support` "
-    "around them have no well filled cell nearby, so that the matrix may be"
-    " badly conditioned. The body is thin or small against the cells there",
+    "nodes with small support hand more than 1 % of a step's internal work (in "
+    "dynamics: and kinetic energy) on to the cells they are tied to; or nodes "
+    "with less than `Cut cells/Smallest support` around them have no well "
+    "filled cell nearby, so that the matrix may be badly conditioned. The body "
+    "is thin or small against the cells there",
     "smaller cells where the body is thin, or a smaller `Cut cells/Smallest"
     " support`")
 } // namespace isochor

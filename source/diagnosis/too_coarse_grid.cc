@@ -160,19 +160,19 @@ namespace isochor
     TooCoarseGrid,
     "coarse grid",
     ISOCHOR_ESSENTIAL,
-    "in the last step of statics, unless it unloads the body or strains are "
-    "below 10⁻⁶; at the end of a run in dynamics, for the first ten steps and "
-    "each tenth one (since a restart) together, as means over time: the error "
-    "of the stresses, estimated by recovery (energy norm, \"The error\" in "
-    "[method.md](method.md)), is more than 36 %. In dynamics it is measured "
-    "against the kinetic energy where that is larger. The square of it is "
-    "about the part by which an elastic body resists too much (a beam bent by "
-    "its rigid end, four cells high, form u: 24 % too much moment, estimate "
-    "44 %, squared 19 %; with eight cells 6 %, 23 %, 5.4 %). Smaller estimates "
-    "stand at the end of the output (`Estimated error of the grid`). It is of "
-    "all stresses: errors of the bending of a beam that is also pressed along "
-    "its axis are a smaller part, and contact that is hardly wider than a cell "
-    "isn't seen",
+    "in the last step of a quasi-static analysis, unless it unloads the body "
+    "or strains are below 10⁻⁶; at the end of a run in dynamics, for the first "
+    "ten steps and each tenth one (since a restart) together, as means over "
+    "time: the error of the stresses, estimated by recovery (energy norm, "
+    "\"The error\" in [method.md](method.md)), is more than 36 %. In dynamics "
+    "it is measured against the kinetic energy where that is larger. The "
+    "square of it is about the part by which an elastic body resists too much "
+    "(a beam bent by its rigid end, four cells high, form u: 24 % too much "
+    "moment, estimate 44 %, squared 19 %; with eight cells 6 %, 23 %, 5.4 %). "
+    "Smaller estimates stand at the end of the output (`Estimated error of the "
+    "grid`). It is of all stresses: errors of the bending of a beam that is "
+    "also pressed along its axis are a smaller part, and contact that is "
+    "little wider than a cell isn't seen",
     "smaller cells, `Grid/Shape functions = Q1`, an adaptive grid with `Target "
     "of relative error`")
 } // namespace isochor

@@ -29,7 +29,7 @@ namespace isochor
     UnstableEquilibrium,
     "unstable equilibrium",
     ISOCHOR_ESSENTIAL,
-    "statics, at the first step for which it is so: the matrix at the "
+    "quasi-static, at the first step for which it is so: the matrix at the "
     "equilibrium that was found has more negative pivots than pressure "
     "equations (in `u`: any). By Sylvester's law of inertia the body can then "
     "lower its energy by a small motion, as a column beyond its buckling load. "
@@ -41,5 +41,5 @@ namespace isochor
     "or homogeneous yielding",
     "a larger imperfection and smaller steps up to there; prescribed "
     "displacements instead of loads; `Dynamics/Inertia = true`; smaller cells "
-    "or a grid that is kept tell modes of the grid")
+    "or no resets, which show modes of the grid")
 } // namespace isochor

@@ -47,7 +47,7 @@ namespace isochor
                    " the volumes of points differ by " +
                    rounded(100 * difference) + " % (root mean square" +
                    (is_local ? ", weighted with the shear strain" : "") +
-                   ") from what the pressure says: stresses aren't to be "
+                   ") from what the pressure asks for: stresses aren't to be "
                    "trusted. " +
                    (step.grid_is_kept ?
                       "Use smaller cells where the deformation is large." :
@@ -95,11 +95,10 @@ namespace isochor
     "u-p: the volumes of the material points differ by more than 5 % (root "
     "mean square, over the body or weighted with the shear strain \\|dev "
     "b\\|/(tr b/3), b = F Fᵀ, which a neck or the soil beside a pile has) from "
-    "what the pressure says, θ^e ≠ p/K. In a step after a reset of the grid "
+    "those of the pressure, θ^e ≠ p/K. In a step after a reset of the grid "
     "motions that no cell feels have grown from one reset to the next: loads "
-    "may still look right, displacements and stresses are not. On a grid that "
-    "is kept volumes differ from cell to cell more than the pressure can "
-    "follow",
-    "a kept grid (`Steps between resets`), a grid that follows (`Stretch`), "
-    "more points; on a kept grid smaller cells where the deformation is large")
+    "may still look right, displacements and stresses are not. Without resets "
+    "volumes differ from cell to cell more than the pressure can follow",
+    "no resets (`Steps between resets`), a grid that follows (`Stretch`), more "
+    "points; without resets smaller cells where the deformation is large")
 } // namespace isochor

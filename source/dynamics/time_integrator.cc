@@ -13,15 +13,15 @@ namespace isochor
                       "false",
                       Patterns::Bool(),
                       "Whether the body has inertia, or is in equilibrium at "
-                      "all times, as with 'Scheme = statics'.");
+                      "all times (quasi-static), as with 'Scheme = statics'.");
     prm.declare_entry("Scheme",
                       "Bossak",
                       Patterns::Selection(
                         PluginRegistry<TimeIntegrator>::names()),
                       "Bossak: of second order, damps only what the steps "
                       "don't resolve, by 'Spectral radius'. Newmark: with "
-                      "'Newmark beta' and 'Newmark gamma'. statics: no "
-                      "inertia.");
+                      "'Newmark beta' and 'Newmark gamma'. statics: no inertia "
+                      "(quasi-static).");
     PluginRegistry<TimeIntegrator>::declare_parameters(prm);
   }
 

@@ -15,16 +15,14 @@ namespace isochor
       "Type",
       "box",
       Patterns::Selection(PluginRegistry<GridSource<dim>>::names()),
-      "How the background grid is made. Boxes and trapezoids are divided "
-      "into rows of equal cells and these into triangles or tetrahedra. "
-      "Their boundaries are called left and right (least and largest x), "
-      "bottom and top (y) and, in 3D, front and back (z); a trapezoid's "
-      "have the names of the sides of the box that it is a distorted image "
-      "of. A gmsh file "
-      "brings its physical groups as boundary names. An adaptive "
-      "grid is refined from coarse quadrilaterals or "
-      "hexahedra, see 'Coarse cells', as the section 'Adaptive "
-      "grid' says.");
+      "How the background grid is made. Boxes and trapezoids are divided into "
+      "rows of equal cells and these into triangles or tetrahedra. Their "
+      "boundaries are called left and right (least and largest x), bottom and "
+      "top (y) and, in 3D, front and back (z); a trapezoid's have the names of "
+      "the sides of the box that it is a distorted image of. A gmsh file "
+      "brings its physical groups as boundary names. An adaptive grid is "
+      "refined from coarse quadrilaterals or hexahedra, see 'Coarse cells', "
+      "and the section 'Adaptive grid'.");
     PluginRegistry<GridSource<dim>>::declare_parameters(prm);
   }
 

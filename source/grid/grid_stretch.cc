@@ -47,10 +47,10 @@ namespace isochor
       "",
       Patterns::Anything(),
       "A grid that follows a prescribed motion: 'axis: coordinate -> "
-      "displacement(t), coordinate -> displacement(t), ...', for example "
-      "'y: 0 -> 0, 0.1 -> 1e-3*t'. The grid planes at the given coordinates "
-      "move as told, those between them are interpolated linearly. Empty: the "
-      "grid rests.");
+      "displacement(t), coordinate -> displacement(t), ...', for example 'y: 0 "
+      "-> 0, 0.1 -> 1e-3*t'. The grid planes at the given coordinates move as "
+      "given, those between them are interpolated linearly. Empty: the grid "
+      "rests.");
   }
 
 

@@ -15,11 +15,11 @@ namespace isochor
       "Law",
       usual,
       Patterns::Selection(PluginRegistry<InteractionLaw<dim>>::names()),
-      "What the partner does to the surface. unilateral: it pushes but does not "
-      "pull, without friction. Coulomb: the same with friction. tie: the "
-      "surface stays where it is on the partner; the only law with 'place'. "
-      "load: a given traction; the only law with 'load'. none: nothing; of two "
-      "bodies, which pass through each other.");
+      "What the partner does to the surface. unilateral: contact without "
+      "friction. Coulomb: the same with friction. tie: the surface stays where "
+      "it is on the partner; the only law with 'place'. load: a given "
+      "traction; the only law with 'load'. none: nothing; of two bodies, which "
+      "pass through each other.");
     PluginRegistry<InteractionLaw<dim>>::declare_parameters(prm);
   }
 

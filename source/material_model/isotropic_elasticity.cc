@@ -69,7 +69,7 @@ namespace isochor
     if (strength > 0 && strength < least * E)
       return "<" + parameter + "> = " + rounded(strength) + " Pa is only " +
              rounded(strength / E) + " of <Young modulus> = " + rounded(E) +
-             " Pa: the material yields under hardly any load. Are both in the "
+             " Pa: the material yields under very small loads. Are both in the "
              "same unit, not one in MPa or kPa and the other in Pa?";
     if (strength <= E)
       return "";

@@ -87,12 +87,12 @@ namespace isochor
       "where their surfaces touch: 'name: condition; name: condition', the "
       "conditions in x, y(, z) at a point's place at t = 0. The last condition "
       "that holds counts; points for which none holds are the body called "
-      "'body'. auto: with <Quadrature/Type = CPDI>, what is not connected at "
-      "t = 0, or of different materials, is a body, called 'body 1', 'body 2', "
+      "'body'. auto: with <Quadrature/Type = CPDI>, what is not connected at t "
+      "= 0, or of different materials, is a body, called 'body 1', 'body 2', "
       "... They are tied where they touch at t = 0, and come into contact "
-      "elsewhere, if no section 'Interaction: name - name' says otherwise. one: "
-      "all points have one field, and are tied where they share nodes of the "
-      "grid.");
+      "elsewhere, if no section 'Interaction: name - name' has another law. "
+      "one: all points have one field, and are tied where they share nodes of "
+      "the grid.");
     prm.leave_subsection();
   }
 

@@ -16,8 +16,8 @@ namespace isochor
     prm.declare_entry("End time",
                       "1",
                       Patterns::Double(0),
-                      "Time (s), in statics the load parameter t, at which the "
-                      "run ends.");
+                      "Time (s), quasi-static the load parameter t, at which "
+                      "the run ends.");
     prm.declare_entry(
       "Step size",
       "1",

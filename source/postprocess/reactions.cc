@@ -31,9 +31,9 @@ namespace isochor
                         "two boundaries share, as at corners, count in both, "
                         "whichever of them holds the node: the sum over "
                         "boundaries that meet is not the whole force, and a "
-                        "smooth wall shows what the wall next to it carries "
-                        "at the corner. Interactions (also walls that only "
-                        "push) and <Periodic sides> have columns of their "
+                        "smooth wall shows what the wall next to it carries at "
+                        "the corner. Interactions (also walls with unilateral "
+                        "contact) and <Periodic sides> have columns of their "
                         "own.");
     }
 

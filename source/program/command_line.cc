@@ -57,8 +57,8 @@ namespace isochor
       prm.declare_entry("Dimension",
                         "2",
                         Patterns::Selection("2|3"),
-                        "The space dimension: 2 (plane strain, or a body of "
-                        "revolution, see <Formulation/Geometry>) or 3.");
+                        "The space dimension: 2 (plane strain, or "
+                        "axisymmetric, see <Formulation/Geometry>) or 3.");
     }
 
 

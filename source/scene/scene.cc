@@ -139,7 +139,7 @@ namespace isochor
                       "plane strain",
                       Patterns::Selection("plane strain|axisymmetric"),
                       "In 2D: a slice of a body that is long in z, or a "
-                      "section of a body of revolution, x being the distance "
+                      "section of an axisymmetric body, x being the distance "
                       "from the axis (r) and y the place along it (z). "
                       "Volumes, forces and energies are then those of the "
                       "whole circle.");
@@ -178,8 +178,8 @@ namespace isochor
           "Model",
           "Neo-Hookean",
           Patterns::Selection(PluginRegistry<MaterialModel<dim>>::names()),
-          "The constitutive law. What it is told besides elasticity is in "
-          "the subsection of its name; see doc/materials.md.");
+          "The constitutive law. What it needs besides elasticity is in the "
+          "subsection of its name; see doc/materials.md.");
         IsotropicElasticity::declare_parameters(prm);
         PluginRegistry<MaterialModel<dim>>::declare_parameters(prm);
         prm.leave_subsection();
@@ -378,8 +378,8 @@ namespace isochor
           asked_by = "section <" + path.front() + ">";
         }
     if (!walls.empty())
-      asked_by = "one-sided wall <" + walls[0].boundary + ": n >= ...> of <" +
-                 walls[0].parameter + '>';
+      asked_by = "wall with unilateral contact <" + walls[0].boundary +
+                 ": n >= ...> of <" + walls[0].parameter + '>';
     const bool can_interact = quadrature->is_linear_on_domains();
     if (asked_by.empty() && !can_interact)
       {

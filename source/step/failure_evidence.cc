@@ -27,8 +27,7 @@ namespace isochor
     if (soft_since < 0 || soft_since >= last_equilibrium)
       return "near t = " + rounded(last_equilibrium);
     return "between t = " + rounded(soft_since) +
-           ", since when the body gives way, and t = " +
-           rounded(last_equilibrium) +
+           ", when the collapse began, and t = " + rounded(last_equilibrium) +
            ", the last equilibrium that was found (none at t = " +
            rounded(failed) +
            "): nearer to the latter where the body yields bit by bit in small "

@@ -11,7 +11,7 @@ namespace isochor
   why_to_reset(const Scene<dim> &scene, const bool splits_points)
   {
     if (!scene.has_inertia())
-      return "in statics";
+      return "without inertia";
     if (!scene.quadrature->forces_jump())
       return "with a <Quadrature/Type> whose forces don't jump";
     if (scene.grid.source().is_adaptive() &&

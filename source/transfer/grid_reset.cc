@@ -21,21 +21,21 @@ namespace isochor
     prm.declare_entry("Steps between resets",
                       "auto",
                       Patterns::Anything(),
-                      "Steps after which the deformed grid is put back and the "
+                      "Steps after which the deformed grid is reset and the "
                       "points are located anew, or 'auto'. 1: after each, the "
                       "Material Point Method as it is. Between resets the grid "
                       "moves with the body, as in updated Lagrangian finite "
-                      "elements. 0: only by 'Smallest element quality'. "
-                      "Then bodies that share a field, as with another "
+                      "elements. 0: only by 'Smallest element quality'. Then "
+                      "bodies that share a field, as with another "
                       "<Quadrature/Type> than CPDI, don't feel each other, nor "
-                      "a held boundary that they did not touch at the last "
-                      "reset. auto: 0 in "
-                      "dynamics with another <Quadrature/Type> than CPDI, "
-                      "where points that change cells lose energy; but 1 "
-                      "on an adaptive grid that changes, with <Grid/Stretch> "
-                      "or <Material points/Split at share of cell>; and 1 in "
-                      "statics and with CPDI. In dynamics with another "
-                      "quadrature the run says which.");
+                      "a constrained boundary that they did not touch at the "
+                      "last reset. auto: 0 in dynamics with another "
+                      "<Quadrature/Type> than CPDI, where points that change "
+                      "cells lose energy; but 1 on an adaptive grid that "
+                      "changes, with <Grid/Stretch> or <Material points/Split "
+                      "at share of cell>; and 1 without inertia and with CPDI. "
+                      "In dynamics with another quadrature the run reports "
+                      "which.");
     prm.declare_entry("Smallest element quality",
                       "0.3",
                       Patterns::Double(0, 1),
@@ -68,8 +68,8 @@ namespace isochor
       }
     AssertThrow(Patterns::Integer(0).match(text),
                 ExcMessage("The parameter <Grid reset/Steps between resets> "
-                           "must be 'auto' or a number of steps, 0 for a grid "
-                           "that is kept, not '" +
+                           "must be 'auto' or a number of steps, 0 for no "
+                           "reset, not '" +
                            text + "'."));
     interval = Utilities::string_to_int(text);
   }
@@ -83,8 +83,8 @@ namespace isochor
     if (!is_automatic)
       return {};
     const std::string value = "<Grid reset/Steps between resets = auto>: ";
-    return always() ? value + "the grid is put back in each step, " + reason :
-                      value + "the grid is kept, and put back where cells are "
+    return always() ? value + "the grid is reset in each step, " + reason :
+                      value + "the grid is reset only where cells are "
                               "distorted";
   }
 
@@ -158,7 +158,7 @@ namespace isochor
         remedy = "With 0 there it goes on moving with the body until a cell is "
                  "turned inside out.";
       }
-    return "The grid, which moved with the body, was put back before, since " +
+    return "The grid, which moved with the body, was reset before, since " +
            cause + ". " + remedy;
   }
 
