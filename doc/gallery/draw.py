@@ -228,7 +228,12 @@ def store(image, name):
     path = GALLERY / f"{name}.png"
     image.save(path, optimize=True)
     if path.stat().st_size > 150_000:
-        image.quantize(256).save(path, optimize=True)
+        palette = image.quantize(256, kmeans=3)
+        colours = np.array(palette.getpalette()).reshape(-1, 3)
+        colours[colours.min(axis=1) > 247] = 255  # white stays white
+        palette.putpalette(colours.ravel().tolist())
+        dither = Image.Dither.FLOYDSTEINBERG
+        image.quantize(palette=palette, dither=dither).save(path, optimize=True)
     print(f"wrote {path}, {path.stat().st_size // 1000} kB")
 
 
