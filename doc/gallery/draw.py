@@ -27,8 +27,12 @@ from PIL import Image  # noqa: E402  (Matplotlib needs it, too)
 SIZE = 4.4, 3.3  # inches, at 150 dpi
 STRAIN, PRESSURE = "equivalent_plastic_strain", "pressure"
 
-# A scene: its file, the arguments of gmsh, and parameters that aren't the file's.
-Scene = namedtuple("Scene", "prm mesh overrides", defaults=((), {}))
+# A scene: its file, the arguments of gmsh, parameters that aren't the file's, and
+# the one that names the mesh.
+Scene = namedtuple(
+    "Scene", "prm mesh overrides parameter", defaults=((), {}, "Grid/File")
+)
+BODY_MESH = "Material points/Body mesh"
 TIMES = "Time/Output interval"
 SCENES = {
     "tutorial": Scene("tutorial/bar_3d.prm"),
@@ -91,6 +95,15 @@ SCENES = {
     "bearing": Scene("bearing/bearing.prm"),
     "ring_compression": Scene("ring_compression/ring_compression.prm"),
     "stl_tool": Scene("stl_tool/stl_tool.prm"),
+    "pipe": Scene(
+        "pipe/pipe.prm", ("pipe.geo", 2, {"n": 8}, "pipe.msh"), {}, BODY_MESH
+    ),
+    "shallow_ironing": Scene(
+        "shallow_ironing/shallow_ironing.prm",
+        ("ironing.geo", 2, {"h": 0.2}, "ironing.msh"),
+        {"Grid/Subdivisions": "65, 28", "Time/End time": 1.8, TIMES: 1.8},
+        BODY_MESH,
+    ),
 }
 
 
@@ -103,7 +116,7 @@ def run(name, runs):
     file, overrides = PRM / scene.prm, dict(scene.overrides)
     if scene.mesh:
         geometry, dimension, numbers, mesh = scene.mesh
-        overrides["Grid/File"] = output.make_mesh(
+        overrides[scene.parameter] = output.make_mesh(
             file.parent / geometry, directory / mesh, dimension, **numbers
         )
     check = name != "vertical_cut"  # which is run until it falls
@@ -161,6 +174,12 @@ def strip_footing(axes, directory):
     axes.fill([-0.5, 0.5, 0.5, -0.5], [8, 8, 10.8, 10.8], color=solid_view.GREY)
 
 
+def pipe(axes, directory):
+    plane(axes, directory, STRAIN, window=(-4, 4, -3.3, 2.7), mirror=True)
+    angle = np.linspace(0, 2 * np.pi, 200)
+    axes.fill(np.cos(angle), np.sin(angle) - 0.3, color=solid_view.GREY)
+
+
 def ring_compression(axes, directory):
     """Half of the ring, its section turned about the axis."""
     data = output.read_points(directory)
@@ -201,6 +220,8 @@ PICTURES = {
     "billet": lambda a, d: solid(a, d, STRAIN, "xyz", azimuth=45, elevation=20, cut="xz"),
     "bearing": lambda a, d: plane(a, d, "cauchy_stress_xy", limits=(-1.5e6, 1.5e6)),
     "ring_compression": ring_compression,
+    "pipe": pipe,
+    "shallow_ironing": lambda a, d: plane(a, d, "cauchy_stress_yy", limits=(-500, 500)),
     "stl_tool": lambda a, d: solid(
         a,
         d,

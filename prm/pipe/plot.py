@@ -32,4 +32,4 @@ for axis, directory, name, exact in (
     axes[2].axhline(exact, color="k", linestyle=":")
 axes[2].set(xlabel="w/D", ylabel="force / (c_u D)", ylim=(0, 13))
 axes[2].legend(loc="lower right", fontsize=8)
-figure.savefig(SCENE / "pipe.png")
+output.save(figure, SCENE / "pipe.png")

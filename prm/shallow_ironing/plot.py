@@ -34,4 +34,4 @@ for at, forces in (
     axes[1].plot([at] * len(forces), forces, "k_")
 axes[1].set(xlabel="t", ylabel="force on the die (N/mm)")
 axes[1].legend(fontsize=8)
-figure.savefig(SCENE / "ironing.png")
+output.save(figure, SCENE / "ironing.png")
