@@ -23,7 +23,7 @@ def main():
     picture = Path(sys.argv[2] if len(sys.argv) > 2 else "adaptive_grid.png")
     times = [time for time, _ in output.read_times(directory)]
     figure, axes = output.plt.subplots(
-        2, len(SETTLEMENTS), figsize=(11, 7.4), constrained_layout=True
+        2, len(SETTLEMENTS), figsize=(10, 6.8), constrained_layout=True
     )
     for above, below, settlement in zip(*axes, SETTLEMENTS):
         step = min(range(len(times)), key=lambda i: abs(times[i] - settlement))

@@ -113,6 +113,14 @@ def mirrored(data, planes):
     return data
 
 
+def _part(data):
+    """A number for each point, the same for those of one material and body."""
+    part = np.zeros(len(data["position"]))
+    for name in ("material_id", "body"):
+        part = 1000 * part + data.get(name, 0)
+    return part
+
+
 def body_mesh(data):
     """The body as a mesh: positions of its vertices (n, 3), and its cells, those
     of the subdomains in @p data, or without subdomains in 2D triangles between
@@ -128,9 +136,7 @@ def body_mesh(data):
     n, n_corners, _ = data["corners"].shape
     places = data["reference"].reshape(-1, 3)
     edge = np.linalg.norm(data["reference"][:, 0] - data["reference"][:, 1], axis=1)
-    kind = np.zeros(n)
-    for name in ("material_id", "body"):
-        kind = 1000 * kind + data.get(name, 0)
+    kind = _part(data)
     # 1e-3 of an edge, but more than single precision rounds
     size = max(1e-3 * np.percentile(edge, 5), 3e-6 * np.abs(places).max())
     label = np.arange(len(places))
@@ -177,6 +183,45 @@ def outer_faces(cells):
     )
     outer = first[count == 1]
     return faces[outer], opposite[outer]
+
+
+def outline(data, vertices, cells):
+    """The edges (n, 2, 2) around a body in 2D, a mesh as of body_mesh(). Edges that
+    only one cell has, but beyond which another of the same material and body lies
+    (seeded with other distances) are none."""
+    faces, opposite = outer_faces(cells)
+    corners = vertices[faces][:, :, :2]
+    if "corners" not in data:
+        return corners
+    # not at the top: who draws nothing needs no vtk
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkCellArray
+    from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator, vtkUnstructuredGrid
+
+    grid, points, triangles = vtkUnstructuredGrid(), vtkPoints(), vtkCellArray()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(vertices), deep=1))
+    triangles.SetData(
+        numpy_to_vtk(np.arange(0, cells.size + 1, 3), deep=1),
+        numpy_to_vtk(cells.ravel().astype(np.int64), deep=1),
+    )
+    grid.SetPoints(points)
+    grid.SetCells(VTK_TRIANGLE, triangles)
+    locator = vtkStaticCellLocator()
+    locator.SetDataSet(grid)
+    locator.BuildLocator()
+    side = corners[:, 1] - corners[:, 0]
+    normal = np.column_stack([side[:, 1], -side[:, 0]])  # as long as the edge
+    middle = corners.mean(axis=1)
+    inwards = ((vertices[opposite][:, :2] - middle) * normal).sum(axis=1) > 0
+    normal[inwards] *= -1
+    owner = {vertex: cell for cell, three in enumerate(cells) for vertex in three}
+    part = _part(data)
+    kept = np.ones(len(corners), dtype=bool)
+    for e, (x, y) in enumerate(middle + 0.02 * normal):
+        found = locator.FindCell((x, y, 0.0))
+        kept[e] = found < 0 or part[found] != part[owner[opposite[e]]]
+    return corners[kept]
 
 
 def plot_points(
@@ -237,7 +282,7 @@ def plot_points(
         rasterized=True,
         **colours,
     )
-    edges = vertices[outer_faces(cells)[0]][:, :, :2]
+    edges = outline(data, vertices, cells)
     ax.add_collection(LineCollection(edges, **OUTLINE, capstyle="round"))
     ax.set_aspect("equal")
     if window is not None:
