@@ -224,6 +224,7 @@ def draw_fields(cases, arguments):
             scale=scale,
             unit=unit,
             window=arguments.window,
+            style="cells",  # oscillations as they are
         )
 
 
