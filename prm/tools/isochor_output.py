@@ -387,7 +387,7 @@ def save(figure, path, formats=None):
         figure.savefig(target, metadata=metadata, bbox_inches="tight")
         if ending == "png":  # 200 colours are enough, and small
             with Image.open(target) as image:
-                small = image.convert("RGB").quantize(200)
+                small = image.convert("RGB").quantize(200, kmeans=2)
             small.save(target, optimize=True)
         print(f"wrote {target}")
     plt.close(figure)
