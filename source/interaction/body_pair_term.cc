@@ -143,7 +143,7 @@ namespace isochor
       {
         const double size   = size_of<dim>(copies[i].x),
                      margin = size + 2 * largest_increment;
-        reach               = std::min(reach, margin);
+        reach               = std::min(reach, margin / 2);
         at_start.emplace_back(box_around<dim>(copies[i].X, 1e-3 * size), i);
         now.emplace_back(box_around<dim>(copies[i].x, margin), i);
       }
@@ -374,8 +374,9 @@ namespace isochor
         nearest.projection = std::move(projection);
       }
     if (nearest.projection && !element.is_tied &&
-        facing(copies[element.own].normal_now,
-               copies[element.others[nearest.place]].normal_now) == 0)
+        (facing(copies[element.own].normal_now,
+                copies[element.others[nearest.place]].normal_now) == 0 ||
+         nearest.projection->distance_beyond() > reach))
       nearest.projection.reset();
     return nearest;
   }

@@ -8,7 +8,9 @@
 #include <isochor/interaction/face_copies.h>
 #include <isochor/interaction/interaction_kernel.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace isochor
@@ -33,6 +35,13 @@ namespace isochor
 
     FaceProjection(const Point<dim>                  &x,
                    const std::array<Point<dim>, dim> &corners);
+
+    /** From ξ to the face, 0 within it (m). */
+    double
+    distance_beyond() const
+    {
+      return std::sqrt(std::max(0., distance_square - distance * distance));
+    }
 
     /** Weights of the corners at ξ. */
     std::array<double, dim>
