@@ -32,6 +32,7 @@ namespace isochor
     std::array<Tensor<1, dim>, n_tangents> tangent, dual; ///< τ_α, τ^α
     Tensor<2, n_tangents>                  inverse_metric;
     Tensor<1, n_tangents>                  xi;
+    std::array<double, dim>                nearest; ///< weights of that place
 
     FaceProjection(const Point<dim>                  &x,
                    const std::array<Point<dim>, dim> &corners);
