@@ -72,7 +72,7 @@ namespace
   {
     const auto body = make_body<2>(
       box2 + "Reference point = 2, 1\nMotion = y = -0.1*t, rotation = pi*t/4");
-    const auto     pose = body->prescribed_pose(2);
+    const auto     pose = body->move(2, {}).pose();
     const Point<2> x    = pose.place({1, 1});
     test::report("a place that turns by 90 degrees and moves",
                  x.distance(Point<2>(2, -0.2)) < 1e-14,
@@ -80,15 +80,15 @@ namespace
     test::report("back to where it was",
                  pose.original(x).distance({1, 1}) < 1e-14,
                  "");
-    test::test_shape<2>(Posed<2>(*body, body->prescribed_pose(0.7)),
+    test::test_shape<2>(Posed<2>(*body, body->move(0.7, {}).pose()),
                         {"a box that has moved", {2, 0}, 2});
     const auto solid =
       make_body<3>(box3 + "Motion = x = t, rx = 3*t, ry = -2*t, rz = 4*t");
     test::test_shape<3>(
-      Posed<3>(*solid, solid->prescribed_pose(0.8)),
+      Posed<3>(*solid, solid->move(0.8, {}).pose()),
       {"a solid that has moved", {1.8, 0.5, 0.75}, 1.3, 5e-3, 40});
     // the exponential by its definition
-    const auto   R = solid->prescribed_pose(1).rotation;
+    const auto   R = solid->move(1, {}).pose().rotation;
     Tensor<2, 3> W, expected = unit_symmetric_tensor<3>();
     W[0][1] = -4;
     W[0][2] = -2;
@@ -150,10 +150,7 @@ namespace
     const double           dt = 0.1, time = 0.2, h = 1e-5;
     test::Random           random;
     test::WorstError       motion, second, distance, normal, matrix;
-    for (const RigidScheme &scheme :
-         {RigidScheme(),
-          RigidScheme::newmark(0.25, 0.5, dt),
-          RigidScheme::newmark(0.3025, 0.6, dt, -0.1)})
+    for (const RigidScheme &scheme : {RigidScheme(), RigidScheme(dt)})
       for (unsigned int k = 0; k < 10; ++k)
         {
           const auto body = make_free_body<dim>(scheme, random);
@@ -258,7 +255,7 @@ namespace
              "Moment of inertia = 0.5\nForce = y = -20\n"
              "Moment = rotation = 3\nInitial velocity = y = 4, rotation = 1");
     body->check_inertia();
-    const auto scheme = RigidScheme::newmark(0.25, 0.5, 0.1);
+    const RigidScheme scheme(0.1);
     for (unsigned int k = 1; k <= 20; ++k)
       step(*body, 0.1 * k, scheme);
     // exact for constant forces; more than one turn
@@ -291,8 +288,8 @@ namespace
     const auto top =
       make_body<3>(box3 + "Free = rx, ry, rz\nMoment of inertia = 1, 1, 2\n"
                           "Initial velocity = rx = 1, rz = 3");
-    const double dt     = 2. / n_steps;
-    const auto   scheme = RigidScheme::newmark(0.25, 0.5, dt);
+    const double      dt = 2. / n_steps;
+    const RigidScheme scheme(dt);
     for (unsigned int k = 1; k <= n_steps; ++k)
       step(*top, k * dt, scheme);
     const Tensor<1, 3> L({1, 0, 6}), axis({0, 0, 1});
@@ -312,7 +309,7 @@ namespace
       make_body<3>(box3 + "Free = rx, ry, rz\nMoment of inertia = 1, 2, 3\n"
                           "Initial velocity = rz = 5");
     for (unsigned int k = 1; k <= 40; ++k)
-      step(*body, 0.1 * k, RigidScheme::newmark(0.25, 0.5, 0.1));
+      step(*body, 0.1 * k, RigidScheme(0.1));
     Statistics statistics;
     body->set_statistics(4, {}, statistics);
     test::report(
@@ -325,11 +322,11 @@ namespace
   void
   test_state()
   {
-    test::Random random;
-    const auto   scheme = RigidScheme::newmark(0.25, 0.5, 0.1);
-    const auto   body   = make_free_body<3>(scheme, random);
-    test::Random again;
-    const auto   copy = make_free_body<3>(scheme, again);
+    test::Random      random;
+    const RigidScheme scheme(0.1);
+    const auto        body = make_free_body<3>(scheme, random);
+    test::Random      again;
+    const auto        copy = make_free_body<3>(scheme, again);
     step(*body, 0.2, scheme);
     copy->load_state(body->save_state());
     step(*body, 0.3, scheme);

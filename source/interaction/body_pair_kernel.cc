@@ -214,16 +214,11 @@ namespace isochor
       own.area_ratio,
       rounding_of_contact(2 * own.gamma * share, own.area_per_volume),
       step.step_size() > 0 && element.has_start ? &element.start : nullptr};
-    const auto projection = kernel.add(law, place, measure);
-    action.meets          = true;
-    action.force          = measure.weight * kernel.mean_traction();
-    action.end            = kernel.at_end();
-    if (!element.is_tied && law.constrains_tangent() &&
-        projection.state != SurfaceState::open)
-      {
-        action.slip = (kernel.traction() - projection.f) / measure.gamma;
-        action.slip -= (action.slip * at.normal) * at.normal;
-      }
+    kernel.add(law, place, measure);
+    action.meets = true;
+    action.force = measure.weight * kernel.mean_traction();
+    action.end   = kernel.at_end();
+    action.slip  = kernel.slip();
     return EvaluationStatus::success;
   }
 
@@ -256,57 +251,6 @@ namespace isochor
 
 
 
-  template <int dim>
-  void
-  BodyPairTerm<dim>::add_unit_residual(const StepContext<dim> &step,
-                                       NodalField             &scale) const
-  {
-    for (const PairElement &element : elements)
-      {
-        const FaceCopy<dim> &own   = copies[element.own],
-                            &other = copies[element.others.front()];
-        const double gamma =
-          2 * own.gamma * other.gamma / (own.gamma + other.gamma);
-        const double area =
-          own.area * thickness(step.kernel.axisymmetric, own.x[0][0]);
-        for (const FaceCopy<dim> *side : {&own, &other})
-          add_rounding_of_gap(step,
-                              side->vertex.size(),
-                              side->vertex.data(),
-                              side->shape.data(),
-                              area,
-                              gamma,
-                              own.x[0].norm(),
-                              scale);
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  BodyPairTerm<dim>::add_boundary_force(const StepContext<dim> &step,
-                                        const NodalField       &unknowns,
-                                        NodalField             &force) const
-  {
-    InteractionKernel<dim> kernel;
-    Action                 action;
-    for (const PairElement &element : elements)
-      {
-        // what can't be evaluated stops assemble(), too
-        if (evaluate_element(step, unknowns, element, false, kernel, action) !=
-            EvaluationStatus::success)
-          return;
-        for (unsigned int I = 0; I < element.vertices.size(); ++I)
-          for (unsigned int a = 0; a < dim; ++a)
-            force.local_element(
-              step.nodes.node(element.vertices[I]) * step.n_components + a) -=
-              kernel.residual[I * step.n_components + a];
-      }
-  }
-
-
-
   template EvaluationStatus
   BodyPairTerm<2>::assemble(const StepContext<2> &,
                             const NodalField &,
@@ -314,13 +258,6 @@ namespace isochor
                             const unsigned int,
                             const bool,
                             MixedSystem<2> &);
-  template void
-  BodyPairTerm<2>::add_unit_residual(const StepContext<2> &,
-                                     NodalField &) const;
-  template void
-  BodyPairTerm<2>::add_boundary_force(const StepContext<2> &,
-                                      const NodalField &,
-                                      NodalField &) const;
   template EvaluationStatus
   BodyPairTerm<3>::assemble(const StepContext<3> &,
                             const NodalField &,
@@ -328,13 +265,6 @@ namespace isochor
                             const unsigned int,
                             const bool,
                             MixedSystem<3> &);
-  template void
-  BodyPairTerm<3>::add_unit_residual(const StepContext<3> &,
-                                     NodalField &) const;
-  template void
-  BodyPairTerm<3>::add_boundary_force(const StepContext<3> &,
-                                      const NodalField &,
-                                      NodalField &) const;
   template EvaluationStatus
   BodyPairTerm<2>::evaluate_element(const StepContext<2> &,
                                     const NodalField &,

@@ -34,17 +34,6 @@ namespace isochor
     }
 
     template <int dim>
-    Tensor<1, dim>
-    vector_on(const std::array<Tensor<1, dim>, dim> &corners,
-              const std::array<double, dim>         &weights)
-    {
-      Tensor<1, dim> place;
-      for (unsigned int i = 0; i < dim; ++i)
-        place += weights[i] * corners[i];
-      return place;
-    }
-
-    template <int dim>
     BoundingBox<dim>
     box_around(const std::array<Point<dim>, dim> &corners, const double margin)
     {
@@ -143,7 +132,7 @@ namespace isochor
       {
         const double size   = size_of<dim>(copies[i].x),
                      margin = size + 2 * largest_increment;
-        reach               = std::min(reach, margin);
+        reach               = std::min(reach, margin / 2);
         at_start.emplace_back(box_around<dim>(copies[i].X, 1e-3 * size), i);
         now.emplace_back(box_around<dim>(copies[i].x, margin), i);
       }
@@ -177,10 +166,8 @@ namespace isochor
       for (unsigned int i = 0; i < copies.size(); ++i)
         {
           PairElement element;
-          element.own = i;
-          std::array<double, dim> middle;
-          middle.fill(1. / dim);
-          const Point<dim> X = place_on<dim>(copies[i].X, middle);
+          element.own        = i;
+          const Point<dim> X = copies[i].centre();
           if (find(tree_at_start, X, element, acts) && find_tie(X, element))
             tied_pairs.insert(
               std::minmax(copies[i].body, copies[element.others[0]].body));
@@ -374,10 +361,62 @@ namespace isochor
         nearest.projection = std::move(projection);
       }
     if (nearest.projection && !element.is_tied &&
-        facing(copies[element.own].normal_now,
-               copies[element.others[nearest.place]].normal_now) == 0)
+        (facing(copies[element.own].normal_now,
+                copies[element.others[nearest.place]].normal_now) == 0 ||
+         nearest.projection->distance_beyond() > reach))
       nearest.projection.reset();
     return nearest;
+  }
+
+
+
+  template <int dim>
+  void
+  BodyPairTerm<dim>::add_unit_residual(const StepContext<dim> &step,
+                                       NodalField             &scale) const
+  {
+    for (const PairElement &element : elements)
+      {
+        const FaceCopy<dim> &own   = copies[element.own],
+                            &other = copies[element.others.front()];
+        const double gamma =
+          2 * own.gamma * other.gamma / (own.gamma + other.gamma);
+        const double area =
+          own.area * thickness(step.kernel.axisymmetric, own.x[0][0]);
+        for (const FaceCopy<dim> *side : {&own, &other})
+          add_rounding_of_gap(step,
+                              side->vertex.size(),
+                              side->vertex.data(),
+                              side->shape.data(),
+                              area,
+                              gamma,
+                              own.x[0].norm(),
+                              scale);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  BodyPairTerm<dim>::add_boundary_force(const StepContext<dim> &step,
+                                        const NodalField       &unknowns,
+                                        NodalField             &force) const
+  {
+    InteractionKernel<dim> kernel;
+    Action                 action;
+    for (const PairElement &element : elements)
+      {
+        // what can't be evaluated stops assemble(), too
+        if (evaluate_element(step, unknowns, element, false, kernel, action) !=
+            EvaluationStatus::success)
+          return;
+        for (unsigned int I = 0; I < element.vertices.size(); ++I)
+          for (unsigned int a = 0; a < dim; ++a)
+            force.local_element(
+              step.nodes.node(element.vertices[I]) * step.n_components + a) -=
+              kernel.residual[I * step.n_components + a];
+      }
   }
 
 

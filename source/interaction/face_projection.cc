@@ -5,33 +5,10 @@
 #include <isochor/interaction/face_projection.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace isochor
 {
-  namespace
-  {
-    /** The square of the distance of @p x from the segment or triangle. */
-    double
-    distance_from(const Point<2> &x, const std::array<Point<2>, 2> &y)
-    {
-      const Tensor<1, 2> t = y[1] - y[0];
-      const double s = std::clamp(((x - y[0]) * t) / t.norm_square(), 0., 1.);
-      return (x - y[0] - s * t).norm_square();
-    }
-
-    double
-    distance_from_segment(const Point<3> &x,
-                          const Point<3> &a,
-                          const Point<3> &b)
-    {
-      const Tensor<1, 3> t = b - a;
-      const double s = std::clamp(((x - a) * t) / t.norm_square(), 0., 1.);
-      return (x - a - s * t).norm_square();
-    }
-  } // namespace
-
-
-
   template <int dim>
   FaceProjection<dim>::FaceProjection(const Point<dim>                  &x,
                                       const std::array<Point<dim>, dim> &y)
@@ -54,17 +31,25 @@ namespace isochor
     distance = (x - y[0]) * normal;
     for (unsigned int a = 0; a < n_tangents; ++a)
       xi[a] = dual[a] * (x - y[0]);
-    if constexpr (dim == 2)
-      distance_square = distance_from(x, y);
-    else
+    nearest         = corner_weights();
+    distance_square = distance * distance;
+    if (*std::min_element(nearest.begin(), nearest.end()) >= 0)
+      return;
+    // on one of the edges, which in 2D are the face itself
+    distance_square = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i < (dim == 2 ? 1 : dim); ++i)
       {
-        const auto weights = corner_weights();
-        distance_square =
-          *std::min_element(weights.begin(), weights.end()) >= 0 ?
-            distance * distance :
-            std::min({distance_from_segment(x, y[0], y[1]),
-                      distance_from_segment(x, y[1], y[2]),
-                      distance_from_segment(x, y[2], y[0])});
+        const unsigned int   j    = (i + 1) % dim;
+        const Tensor<1, dim> edge = y[j] - y[i];
+        const double         s =
+          std::clamp((x - y[i]) * edge / edge.norm_square(), 0., 1.);
+        const double square = x.distance_square(y[i] + s * edge);
+        if (square >= distance_square)
+          continue;
+        distance_square = square;
+        nearest.fill(0);
+        nearest[i] = 1 - s;
+        nearest[j] = s;
       }
   }
 

@@ -135,6 +135,11 @@ namespace isochor
     end = {w * place.normal, at_end.f};
     mean =
       measure.start != nullptr ? (measure.start->f + acting.f) / 2 : at_end.f;
+    to_remember = Tensor<1, dim>();
+    if (law.is_unilateral() && law.constrains_tangent() &&
+        at_end.state != SurfaceState::open)
+      to_remember = (t - at_end.f) / measure.gamma;
+    to_remember -= (to_remember * place.normal) * place.normal;
     // (f - M t) / γ
     const Tensor<1, dim> constrained = law.constrains_tangent() ?
                                          place.mask * t :

@@ -2,14 +2,10 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-// What InteractionTerm leaves behind: resultants in the statistics, and what it
-// remembers from step to step.
+// What InteractionTerm leaves in the statistics.
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/interaction/interaction_term.h>
-
-#include <limits>
-#include <sstream>
 
 namespace isochor
 {
@@ -81,53 +77,6 @@ namespace isochor
 
 
 
-  template <int dim>
-  void
-  InteractionTerm<dim>::advance(const StepContext<dim> & /*step*/,
-                                const NodalField & /*unknowns*/)
-  {
-    slips.accept();
-    forces.accept();
-  }
-
-
-
-  template <int dim>
-  std::string
-  InteractionTerm<dim>::save_state() const
-  {
-    const MPI_Comm     comm  = grid->communicator();
-    const std::string  first = slips.save(comm);
-    std::ostringstream text;
-    text.precision(std::numeric_limits<double>::max_digits10);
-    text << Utilities::MPI::sum(acting, comm) << ' ' << first.size() << '\n'
-         << first << forces.save(comm);
-    return text.str();
-  }
-
-
-
-  template <int dim>
-  void
-  InteractionTerm<dim>::load_state(const std::string &state)
-  {
-    const std::size_t line = state.find('\n');
-    if (line == std::string::npos)
-      return;
-    std::istringstream text(state);
-    std::size_t        size = 0;
-    for (unsigned int d = 0; d < dim; ++d)
-      text >> acting[d];
-    text >> size;
-    slips.load(state.substr(line + 1, size));
-    forces.load(state.substr(line + 1 + size));
-  }
-
-
-
-  template std::vector<std::array<double, 2 + 3>>
-  InteractionTerm<2>::resultants(const StepContext<2> &,
-                                 const NodalField &) const;
   template void
   InteractionTerm<2>::evaluate(const StepContext<2> &,
                                const NodalField &,
@@ -135,24 +84,9 @@ namespace isochor
                                const NodalConstraints &,
                                Statistics &) const;
   template void
-  InteractionTerm<2>::advance(const StepContext<2> &, const NodalField &);
-  template std::string
-  InteractionTerm<2>::save_state() const;
-  template void
-  InteractionTerm<2>::load_state(const std::string &);
-  template std::vector<std::array<double, 3 + 3>>
-  InteractionTerm<3>::resultants(const StepContext<3> &,
-                                 const NodalField &) const;
-  template void
   InteractionTerm<3>::evaluate(const StepContext<3> &,
                                const NodalField &,
                                const MixedSystem<3> &,
                                const NodalConstraints &,
                                Statistics &) const;
-  template void
-  InteractionTerm<3>::advance(const StepContext<3> &, const NodalField &);
-  template std::string
-  InteractionTerm<3>::save_state() const;
-  template void
-  InteractionTerm<3>::load_state(const std::string &);
 } // namespace isochor

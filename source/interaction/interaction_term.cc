@@ -2,10 +2,14 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/interaction/interaction_checks.h>
 #include <isochor/interaction/interaction_term.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+#include <sstream>
+#include <utility>
 
 namespace isochor
 {
@@ -309,14 +313,6 @@ namespace isochor
         const auto projection = kernel.add(*interaction.law, found, measure);
         if (actions == nullptr)
           continue;
-        Tensor<1, dim> slip;
-        if (interaction.law->is_unilateral() &&
-            interaction.law->constrains_tangent() &&
-            projection.state != SurfaceState::open)
-          {
-            slip = (kernel.traction() - projection.f) / measure.gamma;
-            slip -= (slip * found.normal) * found.normal;
-          }
         actions->push_back({element.partners[chosen],
                             g,
                             start.x + place.increment -
@@ -326,7 +322,7 @@ namespace isochor
                             measure.weight * (interaction.law->is_unilateral() ?
                                                 kernel.mean_traction() :
                                                 kernel.at_end().f),
-                            slip,
+                            kernel.slip(),
                             projection.state,
                             kernel.at_end()});
       }
@@ -419,6 +415,79 @@ namespace isochor
               kernel.residual[I * step.n_components + a];
       }
     loads.add_pressures(step, unknowns, force);
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::check_surfaces()
+  {
+    FacesOfInteractions<dim> faces_of_all(interactions.size());
+    std::vector<std::pair<unsigned int, unsigned int>> tied_twice;
+    for (const FaceElement &element : faces)
+      {
+        std::vector<unsigned int> ties;
+        for (const unsigned int i : element.partners)
+          {
+            faces_of_all[i].push_back(surface.faces()[element.face]);
+            if (!interactions[i]->law->is_unilateral())
+              ties.push_back(i);
+          }
+        if (ties.size() > 1)
+          tied_twice.emplace_back(ties[0], ties[1]);
+      }
+    const MPI_Comm comm = grid->communicator();
+    description = check_faces(interactions, faces_of_all, tied_twice, comm);
+    const std::string of_loads =
+      check_faces(loads.interactions(), loads.faces_of_all(), {}, comm);
+    description +=
+      (description.empty() || of_loads.empty() ? "" : "\n") + of_loads;
+    is_checked = true;
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::advance(const StepContext<dim> & /*step*/,
+                                const NodalField & /*unknowns*/)
+  {
+    slips.accept();
+    forces.accept();
+  }
+
+
+
+  template <int dim>
+  std::string
+  InteractionTerm<dim>::save_state() const
+  {
+    const MPI_Comm     comm  = grid->communicator();
+    const std::string  first = slips.save(comm);
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    text << Utilities::MPI::sum(acting, comm) << ' ' << first.size() << '\n'
+         << first << forces.save(comm);
+    return text.str();
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::load_state(const std::string &state)
+  {
+    const std::size_t line = state.find('\n');
+    if (line == std::string::npos)
+      return;
+    std::istringstream text(state);
+    std::size_t        size = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      text >> acting[d];
+    text >> size;
+    slips.load(state.substr(line + 1, size));
+    forces.load(state.substr(line + 1 + size));
   }
 
 

@@ -12,16 +12,6 @@ namespace isochor
   namespace
   {
     template <int dim>
-    Point<dim>
-    centre_at_start(const FaceCopy<dim> &face)
-    {
-      Point<dim> centre;
-      for (const Point<dim> &corner : face.X)
-        centre += corner / static_cast<double>(dim);
-      return centre;
-    }
-
-    template <int dim>
     bool
     is_contact(const InteractionLaw<dim> &law)
     {
@@ -63,7 +53,7 @@ namespace isochor
   {
     for (const auto &interaction : interactions)
       if (interaction->is_between(
-            own.body, centre_at_start(own), other.body, centre_at_start(other)))
+            own.body, own.centre(), other.body, other.centre()))
         return interaction->law.get();
     return nullptr;
   }

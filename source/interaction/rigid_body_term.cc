@@ -187,17 +187,6 @@ namespace isochor
 
 
   template <int dim>
-  RigidScheme
-  RigidBodyTerm<dim>::scheme(const StepContext<dim> &step)
-  {
-    return step.has_inertia && step.step_size() > 0 ?
-             RigidScheme::newmark(0.25, 0.5, step.step_size()) :
-             RigidScheme();
-  }
-
-
-
-  template <int dim>
   EvaluationStatus
   RigidBodyTerm<dim>::assemble(const StepContext<dim> &step,
                                const NodalField       &unknowns,
@@ -215,8 +204,12 @@ namespace isochor
           continue;
         typename RigidBody<dim>::Components R{};
         typename RigidBody<dim>::Matrix     K{};
-        one->body.equations(
-          step.time, scheme(step), one->increments(step, unknowns), R, K);
+        one->body.equations(step.time,
+                            RigidScheme(step.has_inertia ? step.step_size() :
+                                                           0),
+                            one->increments(step, unknowns),
+                            R,
+                            K);
         std::fill(residual.begin(), residual.end(), 0.);
         std::fill(matrix.begin(), matrix.end(), 0.);
         const auto place = [&](const unsigned int i) {
@@ -300,7 +293,7 @@ namespace isochor
   {
     for (const auto &one : bodies)
       one->body.advance(step.time,
-                        scheme(step),
+                        RigidScheme(step.has_inertia ? step.step_size() : 0),
                         one->increments(step, unknowns));
   }
 

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/numerics/rtree.h>
 
+#include <isochor/interaction/face_projection.h>
 #include <isochor/interaction/smooth_facets.h>
 
 #include <algorithm>
@@ -14,39 +15,7 @@ namespace isochor
 {
   namespace
   {
-    /** The gradients of the barycentric coordinates of a facet, in it. */
-    std::array<Tensor<1, 2>, 2>
-    gradients(const std::array<Point<2>, 2> &corner)
-    {
-      const Tensor<1, 2> edge = corner[1] - corner[0];
-      return {{-edge / edge.norm_square(), edge / edge.norm_square()}};
-    }
-
-    std::array<Tensor<1, 3>, 3>
-    gradients(const std::array<Point<3>, 3> &corner)
-    {
-      const Tensor<1, 3> a = corner[1] - corner[0], b = corner[2] - corner[0];
-      const double aa = a * a, ab = a * b, bb = b * b, det = aa * bb - ab * ab;
-      const Tensor<1, 3> first  = (bb * a - ab * b) / det,
-                         second = (aa * b - ab * a) / det;
-      return {{-first - second, first, second}};
-    }
-
-    /** Barycentric coordinates of @p x, projected to the plane. */
-    template <std::size_t n, int dim>
-    std::array<double, n>
-    coordinates(const std::array<Point<dim>, n> &corner, const Point<dim> &x)
-    {
-      const auto            by_x = gradients(corner);
-      std::array<double, n> weights{};
-      weights[0] = 1;
-      for (unsigned int v = 1; v < n; ++v)
-        {
-          weights[v] = by_x[v] * (x - corner[0]);
-          weights[0] -= weights[v];
-        }
-      return weights;
-    }
+    constexpr double rounding = 1e-10;
 
     template <std::size_t n, int dim>
     Point<dim>
@@ -91,9 +60,8 @@ namespace isochor
         const Facet                      &first = all_facets[part.facets[0]];
         for (const unsigned int f : part.facets)
           {
-            constexpr double     rounding = 1e-10;
-            const Facet         &facet    = all_facets[f];
-            const Tensor<1, dim> r        = facet.corners[0] - first.corners[0];
+            const Facet         &facet = all_facets[f];
+            const Tensor<1, dim> r     = facet.corners[0] - first.corners[0];
             part.is_plane =
               part.is_plane &&
               std::abs(r * first.normal) <= rounding * r.norm() &&
@@ -128,51 +96,16 @@ namespace isochor
 
 
   template <int dim>
-  double
-  SmoothFacets<dim>::project(const Facet             &facet,
-                             const Point<dim>        &x,
-                             std::array<double, dim> &weights) const
-  {
-    weights = coordinates(facet.corners, x);
-    if (std::all_of(weights.begin(), weights.end(), [](const double w) {
-          return w >= 0;
-        }))
-      return x.distance_square(place_of(facet.corners, weights));
-    // on one of the edges, which in 2D are the line itself
-    double best = std::numeric_limits<double>::max();
-    for (unsigned int i = 0; i < (dim == 2 ? 1 : dim); ++i)
-      {
-        const unsigned int   j    = (i + 1) % dim;
-        const Tensor<1, dim> edge = facet.corners[j] - facet.corners[i];
-        const double         s =
-          std::clamp((x - facet.corners[i]) * edge / edge.norm_square(),
-                     0.,
-                     1.);
-        const double square = x.distance_square(facet.corners[i] + s * edge);
-        if (square < best)
-          {
-            best = square;
-            weights.fill(0);
-            weights[i] = 1 - s;
-            weights[j] = s;
-          }
-      }
-    return best;
-  }
-
-
-
-  template <int dim>
   typename SmoothFacets<dim>::Place
   SmoothFacets<dim>::evaluate(const unsigned int             number,
                               const std::array<double, dim> &weights,
                               const Point<dim>              &x) const
   {
-    constexpr double rounding  = 1e-10;
-    const Facet     &facet     = all_facets[number];
-    const Point<dim> p         = place_of(facet.corners, weights);
-    const auto       unclamped = coordinates(facet.corners, x);
-    Place            place;
+    const Facet              &facet = all_facets[number];
+    const Point<dim>          p     = place_of(facet.corners, weights);
+    const FaceProjection<dim> on_plane(x, facet.corners);
+    const auto                unclamped = on_plane.corner_weights();
+    Place                     place;
     place.facet    = number;
     place.weights  = weights;
     place.distance = 0;
@@ -194,10 +127,11 @@ namespace isochor
     place.normal /= length;
     if (is_inside)
       {
-        const auto     by_x = gradients(facet.corners);
         Tensor<2, dim> turn;
-        for (unsigned int v = 0; v < dim; ++v)
-          turn += outer_product(facet.normals[v], by_x[v]) / length;
+        for (unsigned int a = 0; a + 1 < dim; ++a)
+          turn += outer_product(facet.normals[a + 1] - facet.normals[0],
+                                on_plane.dual[a]) /
+                  length;
         place.curvature = symmetrize(T * turn * T);
       }
     else if (is_beyond && x.distance(p) > 0)
@@ -215,43 +149,33 @@ namespace isochor
   SmoothFacets<dim>::nearest_of(const Part &part, const Point<dim> &x) const
   {
     namespace bgi = boost::geometry::index;
-    std::array<double, dim> weights;
+    std::array<double, dim> weights{};
     if (part.is_plane)
       {
-        weights.fill(0);
         weights[0]  = 1;
         Place place = evaluate(part.facets[0], weights, x);
         place.distance =
           place.normal * (x - all_facets[part.facets[0]].corners[0]);
         return place;
       }
-    double                  least = std::numeric_limits<double>::max();
-    unsigned int            facet = part.facets[0];
-    std::array<double, dim> of_facet{};
+    double       least = std::numeric_limits<double>::max();
+    unsigned int facet = part.facets[0];
     for (auto entry = part.boxes.qbegin(bgi::nearest(x, part.facets.size()));
          entry != part.boxes.qend();
          ++entry)
       {
         // the boxes come in the order of their distances
-        double      from_box = 0;
-        const auto &box      = entry->first.get_boundary_points();
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const double beyond =
-              std::max({box.first[d] - x[d], x[d] - box.second[d], 0.});
-            from_box += beyond * beyond;
-          }
-        if (from_box > least)
+        if (boost::geometry::comparable_distance(x, entry->first) > least)
           break;
-        const double square = project(all_facets[entry->second], x, weights);
-        if (square < least)
+        const FaceProjection<dim> at(x, all_facets[entry->second].corners);
+        if (at.distance_square < least)
           {
-            least    = square;
-            facet    = entry->second;
-            of_facet = weights;
+            least   = at.distance_square;
+            facet   = entry->second;
+            weights = at.nearest;
           }
       }
-    return evaluate(facet, of_facet, x);
+    return evaluate(facet, weights, x);
   }
 
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace isochor
 {
@@ -101,6 +102,11 @@ namespace isochor
         !is_name(condition))
       {
         formula.emplace(condition, parameter, FormulaVariables::space);
+        double size = 0;
+        for (const Point<dim> &vertex : grid.vertices_at_time(0.))
+          size = std::max(size, vertex.norm());
+        size      = Utilities::MPI::max(size, grid.communicator());
+        per_digit = std::pow(10., 10 - std::ceil(std::log10(size)));
         return;
       }
     id = grid.boundary_id(condition.empty() ? name : condition, parameter);
@@ -131,7 +137,12 @@ namespace isochor
   SurfaceRegion<dim>::contains(const Point<dim> &X) const
   {
     if (!on_grid_boundary)
-      return (*formula)(X, 0.) > 0;
+      {
+        Point<dim> place;
+        for (unsigned int d = 0; d < dim; ++d)
+          place[d] = std::round(X[d] * per_digit) / per_digit;
+        return (*formula)(place, 0.) > 0;
+      }
     namespace bgi = boost::geometry::index;
     std::vector<Entry> near;
     faces.query(bgi::intersects(X) && bgi::satisfies([&X](const Entry &entry) {

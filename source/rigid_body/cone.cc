@@ -11,7 +11,7 @@ namespace isochor
 {
   /** A cone on a shaft, as the tip of a penetrometer or of a pile. */
   template <int dim>
-  class Cone : public RigidShape<dim>
+  class Cone : public ShapeOfRevolution<dim>
   {
   public:
     static void
@@ -36,38 +36,18 @@ namespace isochor
                   "Length",
                   "must be more than the length of the conical part, " +
                     std::to_string(shoulder) + " m.");
-      solid.origin  = this->get_place(prm, "Apex");
-      solid.axis    = this->get_direction(prm, "Direction");
-      solid.outline = Outline({{Point<2>(0, 0), prm.get_double("Tip radius")},
-                               {Point<2>(r, shoulder)},
-                               {Point<2>(r, z)},
-                               {Point<2>(-r, z)},
-                               {Point<2>(-r, shoulder)}},
-                              true,
-                              "<" + this->parameter("Shape") +
-                                " = cone> with its <Tip radius>");
+      this->solid.origin = this->get_place(prm, "Apex");
+      this->solid.axis   = this->get_direction(prm, "Direction");
+      this->solid.outline =
+        Outline({{Point<2>(0, 0), prm.get_double("Tip radius")},
+                 {Point<2>(r, shoulder)},
+                 {Point<2>(r, z)},
+                 {Point<2>(-r, z)},
+                 {Point<2>(-r, shoulder)}},
+                true,
+                "<" + this->parameter("Shape") +
+                  " = cone> with its <Tip radius>");
     }
-
-    ClosestPoint<dim>
-    closest(const Point<dim> &x) const override
-    {
-      return solid.closest(x);
-    }
-
-    std::vector<typename RigidShape<dim>::Facet>
-    surface(const double /*reach*/) const override
-    {
-      return solid.surface();
-    }
-
-    BoundingBox<dim>
-    box() const override
-    {
-      return solid.box();
-    }
-
-  private:
-    Revolution<dim> solid;
   };
 
   ISOCHOR_REGISTER_FOR_DIMENSION(RigidShape, Cone, "cone")

@@ -9,7 +9,7 @@ namespace isochor
 {
   /** A circular cylinder, whose edges may be rounded. */
   template <int dim>
-  class Cylinder : public RigidShape<dim>
+  class Cylinder : public ShapeOfRevolution<dim>
   {
   public:
     static void
@@ -30,11 +30,12 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm) override
     {
-      const double r = this->get_positive(prm, "Radius"),
-                   e = prm.get_double("Edge radius");
-      solid.origin   = this->get_place(prm, "First end");
-      solid.axis     = this->get_place(prm, "Second end") - solid.origin;
-      const double z = solid.axis.norm();
+      const double r     = this->get_positive(prm, "Radius"),
+                   e     = prm.get_double("Edge radius");
+      this->solid.origin = this->get_place(prm, "First end");
+      this->solid.axis =
+        this->get_place(prm, "Second end") - this->solid.origin;
+      const double z = this->solid.axis.norm();
       this->check(z > 0,
                   "Second end",
                   "must be another place than <" +
@@ -42,35 +43,15 @@ namespace isochor
       this->check(e <= r && 2 * e <= z,
                   "Edge radius",
                   "must exceed neither the radius nor half of the length.");
-      solid.axis /= z;
-      solid.outline = Outline({{Point<2>(-r, 0), e},
-                               {Point<2>(r, 0), e},
-                               {Point<2>(r, z), e},
-                               {Point<2>(-r, z), e}},
-                              true,
-                              "<" + this->parameter("Shape") + " = cylinder>");
+      this->solid.axis /= z;
+      this->solid.outline =
+        Outline({{Point<2>(-r, 0), e},
+                 {Point<2>(r, 0), e},
+                 {Point<2>(r, z), e},
+                 {Point<2>(-r, z), e}},
+                true,
+                "<" + this->parameter("Shape") + " = cylinder>");
     }
-
-    ClosestPoint<dim>
-    closest(const Point<dim> &x) const override
-    {
-      return solid.closest(x);
-    }
-
-    std::vector<typename RigidShape<dim>::Facet>
-    surface(const double /*reach*/) const override
-    {
-      return solid.surface();
-    }
-
-    BoundingBox<dim>
-    box() const override
-    {
-      return solid.box();
-    }
-
-  private:
-    Revolution<dim> solid;
   };
 
   ISOCHOR_REGISTER_FOR_DIMENSION(RigidShape, Cylinder, "cylinder")

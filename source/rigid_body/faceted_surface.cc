@@ -2,8 +2,6 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <deal.II/numerics/rtree.h>
-
 #include <isochor/rigid_body/faceted_surface.h>
 
 #include <algorithm>
@@ -12,39 +10,23 @@
 
 namespace isochor
 {
-  /** The boxes of the facets. */
-  template <int dim>
-  struct FacetedSurface<dim>::Tree
-  {
-    using Value = std::pair<BoundingBox<dim>, unsigned int>;
-    RTree<Value> boxes;
-  };
-
-
-
   template <int dim>
   FacetedSurface<dim>::FacetedSurface(SurfaceMesh<dim>   surface,
                                       const std::string &subject)
     : closed(std::move(surface), subject)
     , mesh(closed.mesh)
-    , tree(std::make_unique<Tree>())
   {
     find_normals();
-    std::vector<typename Tree::Value> boxes;
+    std::vector<Value> all;
     for (unsigned int f = 0; f < mesh.facets.size(); ++f)
       {
         std::vector<Point<dim>> corners;
         for (const unsigned int v : mesh.facets[f])
           corners.push_back(mesh.vertices[v]);
-        boxes.emplace_back(BoundingBox<dim>(corners), f);
+        all.emplace_back(BoundingBox<dim>(corners), f);
       }
-    tree->boxes = pack_rtree(boxes);
+    boxes = pack_rtree(all);
   }
-
-
-
-  template <int dim>
-  FacetedSurface<dim>::~FacetedSurface() = default;
 
 
 
@@ -208,20 +190,13 @@ namespace isochor
     namespace bgi = boost::geometry::index;
     Candidate    best{std::numeric_limits<double>::max(), Point<dim>(), 0};
     unsigned int facet = 0;
-    for (auto entry = tree->boxes.qbegin(bgi::nearest(x, mesh.facets.size()));
-         entry != tree->boxes.qend();
+    for (auto entry = boxes.qbegin(bgi::nearest(x, mesh.facets.size()));
+         entry != boxes.qend();
          ++entry)
       {
         // the boxes come in the order of their distances
-        double      from_box = 0;
-        const auto &box      = entry->first.get_boundary_points();
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const double beyond =
-              std::max({box.first[d] - x[d], x[d] - box.second[d], 0.});
-            from_box += beyond * beyond;
-          }
-        if (from_box > best.distance_square)
+        if (boost::geometry::comparable_distance(x, entry->first) >
+            best.distance_square)
           break;
         const Candidate candidate = nearest(entry->second, x);
         if (candidate.distance_square < best.distance_square)
@@ -244,14 +219,7 @@ namespace isochor
       }
     result.point    = best.point;
     result.distance = arm.norm() * (arm * result.normal >= 0 ? 1. : -1.);
-    // a direction that isn't that of rounding
-    constexpr double rounding = 1e-12;
-    if (arm.norm() > rounding * (x.norm() + best.point.norm()))
-      {
-        result.normal = arm / result.distance;
-        result.curvature =
-          rounded_curvature(result.distance, result.normal, at->edge);
-      }
+    round_corner(x, at->edge, result);
     return result;
   }
 

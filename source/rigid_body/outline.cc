@@ -280,13 +280,7 @@ namespace isochor
     result.point            = best.point;
     result.distance         = sign * best.distance;
     result.normal           = mean;
-    // a direction that isn't that of rounding
-    constexpr double rounding = 1e-12;
-    if (best.distance > rounding * (x.norm() + best.point.norm()))
-      {
-        result.normal    = arm / result.distance;
-        result.curvature = rounded_curvature(result.distance, result.normal);
-      }
+    round_corner(x, Tensor<1, 2>(), result);
     return result;
   }
 
@@ -334,11 +328,10 @@ namespace isochor
   BoundingBox<2>
   Outline::box() const
   {
-    constexpr double far = std::numeric_limits<double>::max();
-    Point<2>         lower(far, far), upper(-far, -far);
+    std::vector<Point<2>> places;
     for (const Piece &piece : pieces)
       {
-        std::vector<Point<2>> places{piece.begin, piece.end};
+        places.insert(places.end(), {piece.begin, piece.end});
         for (const double sign : {-1., 1.})
           for (unsigned int d = 0; d < 2 && piece.radius > 0; ++d)
             {
@@ -348,13 +341,7 @@ namespace isochor
                   cross(axis, piece.end_normal) >= 0)
                 places.push_back(piece.centre + piece.radius * axis);
             }
-        for (const Point<2> &place : places)
-          for (unsigned int d = 0; d < 2; ++d)
-            {
-              lower[d] = std::min(lower[d], place[d]);
-              upper[d] = std::max(upper[d], place[d]);
-            }
       }
-    return BoundingBox<2>({lower, upper});
+    return BoundingBox<2>(places);
   }
 } // namespace isochor

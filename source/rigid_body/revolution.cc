@@ -34,17 +34,16 @@ namespace isochor
   ClosestPoint<dim>
   Revolution<dim>::closest(const Point<dim> &x) const
   {
-    const Tensor<1, dim> arm      = x - origin;
-    const double         z        = arm * axis;
-    Tensor<1, dim>       radial   = across();
-    double               r        = arm * radial;
-    constexpr double     rounding = 1e-12;
-    bool                 on_axis  = true;
+    const Tensor<1, dim> arm     = x - origin;
+    const double         z       = arm * axis;
+    Tensor<1, dim>       radial  = across();
+    double               r       = arm * radial;
+    bool                 on_axis = true;
     if constexpr (dim == 3)
       {
         const Tensor<1, dim> from_axis = arm - z * axis;
         r                              = from_axis.norm();
-        on_axis                        = r <= rounding * arm.norm();
+        on_axis                        = r == 0;
         if (!on_axis)
           radial = from_axis / r;
       }

@@ -16,46 +16,12 @@ namespace isochor
   {
     using Vector3 = Tensor<1, 3>;
 
-    /** What the scheme makes of increment, velocity and acceleration. */
-    template <typename Value>
-    Value
-    combine(const std::array<double, 3> &coefficients,
-            const Value                 &increment,
-            const Value                 &velocity,
-            const Value                 &acceleration)
-    {
-      return coefficients[0] * increment + coefficients[1] * velocity +
-             coefficients[2] * acceleration;
-    }
-
-
-
     Vector3
     scale(const Vector3 &by, const Vector3 &v)
     {
       return Vector3({by[0] * v[0], by[1] * v[1], by[2] * v[2]});
     }
   } // namespace
-
-
-
-  RigidScheme
-  RigidScheme::newmark(const double beta,
-                       const double gamma,
-                       const double dt,
-                       const double alpha)
-  {
-    Assert(beta > 0 && dt > 0, ExcMessage("There is no such scheme."));
-    RigidScheme scheme;
-    scheme.acceleration = {
-      {1 / (beta * dt * dt), -1 / (beta * dt), 1 - 0.5 / beta}};
-    scheme.velocity = {
-      {gamma / (beta * dt), 1 - gamma / beta, dt * (1 - 0.5 * gamma / beta)}};
-    for (unsigned int k = 0; k < 3; ++k)
-      scheme.inertia[k] =
-        (1 - alpha) * scheme.acceleration[k] + (k == 2 ? alpha : 0.);
-    return scheme;
-  }
 
 
 
@@ -214,28 +180,24 @@ namespace isochor
     for (unsigned int d = 0; d < dim; ++d)
       if (motion.is_free(d))
         {
-          residual[d] = mass * combine(scheme.inertia,
-                                       increments[d],
-                                       velocity[d],
-                                       acceleration[d]) -
-                        loads[d];
-          matrix[d][d] = mass * scheme.inertia[0];
+          residual[d] =
+            mass *
+              scheme.acceleration(increments[d], velocity[d], acceleration[d]) -
+            loads[d];
+          matrix[d][d] = mass * scheme.rate * scheme.rate;
         }
     if (!motion.has_free_rotations())
       return;
 
-    const Vector3 theta       = Components::rotation(increments),
-                  moment      = Components::rotation(loads);
-    const Tensor<2, 3> back   = transpose(rotation);
-    const Vector3      turn   = back * theta;
-    const auto         of_end = [&](const std::array<double, 3> &coefficients) {
-      return combine(coefficients,
-                     turn,
-                     angular_velocity,
-                     angular_acceleration);
-    };
-    const Vector3 A = of_end(scheme.inertia), spin = of_end(scheme.velocity);
-    const Vector3 h = rotation * (scale(moments, A) +
+    const Vector3 theta     = Components::rotation(increments),
+                  moment    = Components::rotation(loads);
+    const Tensor<2, 3> back = transpose(rotation);
+    const Vector3      turn = back * theta;
+    const Vector3      A    = scheme.acceleration(turn,
+                                          angular_velocity,
+                                          angular_acceleration),
+                  spin      = scheme.velocity(turn, angular_velocity);
+    const Vector3 h         = rotation * (scale(moments, A) +
                                   cross_product_3d(spin, scale(moments, spin)));
     // the work of R_{n+1} J A on δθ is that of Tᵀ(θ) exp([θ]×) h = T(θ) h, and
     // T(θ) = Tᵀ(-θ)
@@ -246,9 +208,9 @@ namespace isochor
         const unsigned int j = Components::axis(s);
         Vector3            e;
         e[j]                 = 1;
-        const Vector3 d_turn = back * e, d_spin = scheme.velocity[0] * d_turn;
+        const Vector3 d_turn = back * e, d_spin = scheme.rate * d_turn;
         const Vector3 dh =
-          rotation * (scale(moments, scheme.inertia[0] * d_turn) +
+          rotation * (scale(moments, scheme.rate * d_spin) +
                       cross_product_3d(d_spin, scale(moments, spin)) +
                       cross_product_3d(spin, scale(moments, d_spin)));
         const Vector3 d_force = backwards.pull_back(dh) -
@@ -271,20 +233,15 @@ namespace isochor
                              const Values       &increments,
                              const Tensor<2, 3> &rotation)
   {
-    if (scheme.is_static())
+    if (scheme.rate == 0)
       return;
     const Tensor<1, dim> u = Components::translation(increments);
     const Vector3 turn = transpose(rotation) * Components::rotation(increments);
-    const auto    a = combine(scheme.acceleration, u, velocity, acceleration);
-    velocity        = combine(scheme.velocity, u, velocity, acceleration);
-    acceleration    = a;
-    const Vector3 A = combine(scheme.acceleration,
-                              turn,
-                              angular_velocity,
-                              angular_acceleration);
-    angular_velocity =
-      combine(scheme.velocity, turn, angular_velocity, angular_acceleration);
-    angular_acceleration = A;
+    acceleration       = scheme.acceleration(u, velocity, acceleration);
+    velocity           = scheme.velocity(u, velocity);
+    angular_acceleration =
+      scheme.acceleration(turn, angular_velocity, angular_acceleration);
+    angular_velocity = scheme.velocity(turn, angular_velocity);
   }
 
 

@@ -199,14 +199,10 @@ namespace isochor
   BoundingBox<dim>
   RigidShape<dim>::unbounded()
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Point<dim>       lower, upper;
+    Point<dim> upper;
     for (unsigned int d = 0; d < dim; ++d)
-      {
-        lower[d] = -infinity;
-        upper[d] = infinity;
-      }
-    return BoundingBox<dim>({lower, upper});
+      upper[d] = std::numeric_limits<double>::infinity();
+    return BoundingBox<dim>({-upper, upper});
   }
 
 
@@ -229,6 +225,22 @@ namespace isochor
 
 
 
+  template <int dim>
+  void
+  round_corner(const Point<dim>     &x,
+               const Tensor<1, dim> &edge,
+               ClosestPoint<dim>    &place)
+  {
+    // a direction that isn't that of rounding
+    const Tensor<1, dim> arm = x - place.point;
+    if (arm.norm() <= 1e-12 * (x.norm() + place.point.norm()))
+      return;
+    place.normal    = arm / place.distance;
+    place.curvature = rounded_curvature(place.distance, place.normal, edge);
+  }
+
+
+
   template class RigidShape<2>;
   template class RigidShape<3>;
   template SymmetricTensor<2, 2>
@@ -239,4 +251,8 @@ namespace isochor
   rounded_curvature<3>(const double,
                        const Tensor<1, 3> &,
                        const Tensor<1, 3> &);
+  template void
+  round_corner(const Point<2> &, const Tensor<1, 2> &, ClosestPoint<2> &);
+  template void
+  round_corner(const Point<3> &, const Tensor<1, 3> &, ClosestPoint<3> &);
 } // namespace isochor

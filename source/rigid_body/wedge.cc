@@ -10,7 +10,7 @@
 namespace isochor
 {
   /** A wedge in the plane, cut off across its axis. */
-  class Wedge : public RigidShape<2>
+  class Wedge : public ShapeOfRevolution<2>
   {
   public:
     static void
@@ -26,36 +26,15 @@ namespace isochor
                    z     = get_positive(prm, "Length"),
                    r     = z * std::tan(angle * numbers::PI / 360);
       check(angle < 180, "Apex angle", "must be less than 180.");
-      section.origin = get_place(prm, "Apex");
-      section.axis   = get_direction(prm, "Direction");
-      section.outline =
+      solid.origin = get_place(prm, "Apex");
+      solid.axis   = get_direction(prm, "Direction");
+      solid.outline =
         Outline({{Point<2>(0, 0), prm.get_double("Tip radius")},
                  {Point<2>(r, z)},
                  {Point<2>(-r, z)}},
                 true,
                 "<" + parameter("Shape") + " = wedge> with its <Tip radius>");
     }
-
-    ClosestPoint<2>
-    closest(const Point<2> &x) const override
-    {
-      return section.closest(x);
-    }
-
-    std::vector<Facet>
-    surface(const double /*reach*/) const override
-    {
-      return section.surface();
-    }
-
-    BoundingBox<2>
-    box() const override
-    {
-      return section.box();
-    }
-
-  private:
-    Revolution<2> section;
   };
 
   ISOCHOR_REGISTER(RigidShape<2>, Wedge, "wedge")

@@ -187,9 +187,10 @@ namespace isochor
     unsigned int             first_own = 0;                 ///< of the copies
     std::vector<PairElement> elements;
     double                   largest_increment = 0; ///< of the last step (m)
-    /** How far from each other faces and Gauss points of elements were at the
-     * last reset, at most where there is an element; and how much two bodies
-     * can have come closer since (m). */
+    /** Half of the distance within which the elements have all faces, at the
+     * last reset; and how much two bodies can have come closer since (m). Up to
+     * there the nearest face is an element's: a place that is farther beyond
+     * its nearest face is next to one that it doesn't have, and isn't met. */
     double                     reach = 0, way_since_reset = 0;
     mutable SlipMemory<dim>    slips;
     mutable SurfaceStress<dim> own_stress, other_stress;

@@ -41,6 +41,16 @@ namespace isochor
     /** B_J,b of SurfaceStress at the start of the step; empty in statics. */
     std::vector<Tensor<1, dim>> adjoint;
 
+    /** At t = 0. */
+    Point<dim>
+    centre() const
+    {
+      Point<dim> centre;
+      for (const Point<dim> &corner : X)
+        centre += corner / static_cast<double>(dim);
+      return centre;
+    }
+
     /** The shape functions of all nodes at @p r from the subdomain's point. */
     double
     shape_at(const unsigned int I, const Tensor<1, dim> &r) const
@@ -67,7 +77,7 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &body &material &key &F &history &radius &pressure &vertex &shape
-        &gradient &normal &normal_now &area &area_per_volume &X &x &r &gamma;
+        &gradient &normal &normal_now &area &area_per_volume &X &x &r;
     }
   };
 

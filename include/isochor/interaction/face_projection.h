@@ -8,7 +8,9 @@
 #include <isochor/interaction/face_copies.h>
 #include <isochor/interaction/interaction_kernel.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace isochor
@@ -30,9 +32,17 @@ namespace isochor
     std::array<Tensor<1, dim>, n_tangents> tangent, dual; ///< τ_α, τ^α
     Tensor<2, n_tangents>                  inverse_metric;
     Tensor<1, n_tangents>                  xi;
+    std::array<double, dim>                nearest; ///< weights of that place
 
     FaceProjection(const Point<dim>                  &x,
                    const std::array<Point<dim>, dim> &corners);
+
+    /** From ξ to the face, 0 within it (m). */
+    double
+    distance_beyond() const
+    {
+      return std::sqrt(std::max(0., distance_square - distance * distance));
+    }
 
     /** Weights of the corners at ξ. */
     std::array<double, dim>

@@ -199,11 +199,12 @@ namespace isochor
         residual[i] -= force * trace[i];
     }
 
-    /** t at the place, after add_side(). */
+    /** After add(): the tangential gap that friction remembers, T (t - f)/γ
+     * (m). */
     const Tensor<1, dim> &
-    traction() const
+    slip() const
     {
-      return t;
+      return to_remember;
     }
     /** After add(): what acts there at the end of the step, for the next one.
      */
@@ -271,7 +272,7 @@ namespace isochor
      * partner; ∂t; what n and g turn by with the partner; the adjoint B. */
     std::vector<Tensor<1, dim>> trace, t_by, turn_of_normal, turn_of_gap,
       adjoint;
-    Tensor<1, dim>               t, mean;
+    Tensor<1, dim>               t, mean, to_remember;
     StartOfStep<dim>             end;
     std::vector<Side>            sides;
     std::vector<Turn>            turns;

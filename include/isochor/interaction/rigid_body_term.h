@@ -125,9 +125,6 @@ namespace isochor
     /** Whether this rank has the equations of @p one. */
     bool
     owns(const StepContext<dim> &step, const RigidBodyInScene<dim> &one) const;
-    /** Newmark's scheme of the step (β = 1/4, γ = 1/2), zeros in statics. */
-    static RigidScheme
-    scheme(const StepContext<dim> &step);
 
     const Bodies bodies;
     /** Whether there is a trial step in which bodies move. */

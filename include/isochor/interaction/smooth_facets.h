@@ -82,11 +82,6 @@ namespace isochor
   private:
     struct Part;
 
-    /** The place on a facet next to @p x: the square of its distance. */
-    double
-    project(const Facet             &facet,
-            const Point<dim>        &x,
-            std::array<double, dim> &weights) const;
     Place
     evaluate(const unsigned int             facet,
              const std::array<double, dim> &weights,

@@ -53,7 +53,7 @@ namespace isochor
     find_place(const BackgroundGrid<dim> &grid);
 
     /** Whether a face of a body's surface belongs to the region that has its
-     * centre at @p X at t = 0. */
+     * centre at @p X at t = 0, to ten digits. */
     bool
     contains(const Point<dim> &X) const;
 
@@ -61,6 +61,10 @@ namespace isochor
     using Entry = std::pair<BoundingBox<dim>, FaceCorners<dim>>;
 
     std::optional<Expression<dim>> formula;
+    /** Of the tenth digit of places in the grid: faces on the border of a
+     * region are in it or not whatever the rounding of where they were at t =
+     * 0. */
+    double per_digit = 1;
     /** The faces of the boundary at t = 0. */
     RTree<Entry> faces;
   };

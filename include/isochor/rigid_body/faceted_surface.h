@@ -5,12 +5,14 @@
 #ifndef isochor_faceted_surface_h
 #define isochor_faceted_surface_h
 
+#include <deal.II/numerics/rtree.h>
+
 #include <isochor/rigid_body/closed_mesh.h>
 #include <isochor/rigid_body/rigid_shape.h>
 
 #include <array>
-#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace isochor
@@ -27,7 +29,6 @@ namespace isochor
   public:
     /** See ClosedMesh. */
     FacetedSurface(SurfaceMesh<dim> mesh, const std::string &subject);
-    ~FacetedSurface();
     FacetedSurface(const FacetedSurface &) = delete;
     FacetedSurface &
     operator=(const FacetedSurface &) = delete;
@@ -80,8 +81,8 @@ namespace isochor
     std::vector<Tensor<1, dim>> normals; ///< of facets
     std::vector<Corner>         at_vertices, at_edges;
 
-    struct Tree;
-    std::unique_ptr<Tree> tree;
+    using Value = std::pair<BoundingBox<dim>, unsigned int>;
+    RTree<Value> boxes; ///< of the facets
   };
 } // namespace isochor
 

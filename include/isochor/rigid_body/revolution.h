@@ -39,6 +39,33 @@ namespace isochor
     Tensor<1, dim>
     across() const;
   };
+
+  /** A shape that is such a solid. */
+  template <int dim>
+  class ShapeOfRevolution : public RigidShape<dim>
+  {
+  public:
+    ClosestPoint<dim>
+    closest(const Point<dim> &x) const override
+    {
+      return solid.closest(x);
+    }
+
+    std::vector<typename RigidShape<dim>::Facet>
+    surface(const double /*reach*/) const override
+    {
+      return solid.surface();
+    }
+
+    BoundingBox<dim>
+    box() const override
+    {
+      return solid.box();
+    }
+
+  protected:
+    Revolution<dim> solid;
+  };
 } // namespace isochor
 
 #endif

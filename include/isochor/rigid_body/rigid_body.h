@@ -100,20 +100,15 @@ namespace isochor
     {
       return RigidMove<dim>(pose_n, complete(time, increments));
     }
-    /** The pose at @p time if what is free stays where it is. */
-    RigidPose<dim>
-    prescribed_pose(const double time) const
-    {
-      return move(time, Components()).pose();
-    }
     /** What @p x sees of the surface, in space. */
     ClosestPoint<dim>
     closest(const Point<dim> &x, const RigidPose<dim> &pose) const;
 
     /** The equations of what is free, without forces of contact: inertia minus
-     * force and moment (N, N m), in statics (a @p scheme of zeros) without the
-     * former; work-conjugate to the increments. The @p matrix is the derivative
-     * of the @p residual; 0 in rows and columns of other components. */
+     * force and moment (N, N m), in statics (a @p scheme without a step)
+     * without the former; work-conjugate to the increments. The @p matrix is
+     * the derivative of the @p residual; 0 in rows and columns of other
+     * components. */
     void
     equations(const double       time,
               const RigidScheme &scheme,

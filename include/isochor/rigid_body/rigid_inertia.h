@@ -15,28 +15,34 @@
 
 namespace isochor
 {
-  /** What a scheme in time makes of the increment Δ of a step and of velocity
-   * and acceleration at its start: their coefficients, in this order. All are
-   * zero in statics. */
+  /** The trapezoidal rule: what it makes of an increment and of velocity and
+   * acceleration at the start of a step at its end. Zero in statics. */
   struct RigidScheme
   {
-    /** The acceleration in the equation of motion; the acceleration and the
-     * velocity at the end of the step. */
-    std::array<double, 3> inertia{}, acceleration{}, velocity{};
+    double rate; ///< 2/Δt (1/s); 0 in statics
 
-    bool
-    is_static() const
+    /** Of a step of size @p dt, 0 in statics. */
+    explicit RigidScheme(const double dt = 0)
+      : rate(dt > 0 ? 2 / dt : 0.)
+    {}
+
+    template <typename Value>
+    Value
+    velocity(const Value &increment, const Value &velocity) const
     {
-      return inertia[0] == 0;
+      return rate > 0 ? Value(rate * increment - velocity) : Value();
     }
 
-    /** Newmark's scheme over a step of size @p dt, Bossak's for @p alpha ≠ 0.
-     */
-    static RigidScheme
-    newmark(const double beta,
-            const double gamma,
-            const double dt,
-            const double alpha = 0);
+    template <typename Value>
+    Value
+    acceleration(const Value &increment,
+                 const Value &velocity,
+                 const Value &acceleration) const
+    {
+      return rate > 0 ?
+               Value(rate * (rate * increment - 2 * velocity) - acceleration) :
+               Value();
+    }
   };
 
   /** Mass and moments of inertia of a rigid body, velocity and acceleration at

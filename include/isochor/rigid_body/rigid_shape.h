@@ -167,6 +167,14 @@ namespace isochor
   rounded_curvature(const double          distance,
                     const Tensor<1, dim> &normal,
                     const Tensor<1, dim> &edge = Tensor<1, dim>());
+
+  /** The @p place nearest to @p x is a corner or on an @p edge: set normal and
+   * curvature, unless x is there, too. */
+  template <int dim>
+  void
+  round_corner(const Point<dim>     &x,
+               const Tensor<1, dim> &edge,
+               ClosestPoint<dim>    &place);
 } // namespace isochor
 
 #endif
