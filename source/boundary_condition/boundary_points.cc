@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/rounding.h>
 #include <isochor/boundary_condition/boundary_points.h>
 #include <isochor/equations/nodal_unknowns.h>
 #include <isochor/grid/nearest_cells.h>
@@ -118,7 +119,6 @@ namespace isochor
       return std::binary_search(occupied.begin(), occupied.end(), cell);
     };
     constexpr unsigned int no_cell  = SimplexGeometry<dim>::no_cell;
-    constexpr double       on_face  = 1e-7;
     constexpr double       furthest = 30; // sizes of a cell
     const auto            &geometry = grid.geometry();
     const Point<dim>      &x        = records.locations[b];
@@ -128,7 +128,7 @@ namespace isochor
       {
         bool is_inside = true;
         for (unsigned int v = 0; v <= dim; ++v)
-          is_inside = is_inside && (place.barycentric[v] > on_face ||
+          is_inside = is_inside && (place.barycentric[v] > rounding::places ||
                                     geometry.neighbours(start)[v] == no_cell);
         if (is_inside)
           return {start};

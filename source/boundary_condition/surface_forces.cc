@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/rounding.h>
 #include <isochor/base/thickness.h>
 #include <isochor/boundary_condition/surface_forces.h>
 #include <isochor/equations/nodal_unknowns.h>
@@ -264,7 +265,7 @@ namespace isochor
     const NodalConstraints &constraints) const
   {
     // normals of faces along an axis have some
-    constexpr double nearly_all = 0.99, rounding = 1e-9;
+    constexpr double nearly_all = 0.99;
     // by surface and component: what is on supports, and all of it
     std::vector<std::array<double, 2 * dim>> sums(surfaces.size());
     for (unsigned int b = 0; b < n_places(); ++b)
@@ -289,7 +290,7 @@ namespace isochor
         const double load =
           std::accumulate(sums[s].begin() + dim, sums[s].end(), 0.);
         for (unsigned int a = 0; a < dim; ++a)
-          if (sums[s][dim + a] > rounding * load &&
+          if (sums[s][dim + a] > rounding::accumulated * load &&
               sums[s][a] > nearly_all * sums[s][dim + a])
             found.push_back({surfaces[s]->surface, surfaces[s]->parameter, a});
       }

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/rounding.h>
 #include <isochor/cut_cells/discrete_extension.h>
 #include <isochor/equations/nodal_unknowns.h>
 #include <isochor/grid/nearest_cells.h>
@@ -245,13 +246,12 @@ namespace isochor
                 for (const double lambda :
                      geometry.barycentric(cell, geometry.vertices()[vertex]))
                   sum += lambda * lambda;
-                constexpr double equal = 1e-6;
-                if (sum < (1 - equal) * smallest)
+                if (sum < (1 - rounding::places) * smallest)
                   {
                     best.clear();
                     smallest = sum;
                   }
-                if (sum < (1 + equal) * smallest)
+                if (sum < (1 + rounding::places) * smallest)
                   best.push_back(cell);
               }
         front.swap(next);
@@ -389,8 +389,7 @@ namespace isochor
                                            const NodalField &unknowns) const
   {
     // stresses of a body that moves as if rigid are noise
-    constexpr double noise   = 1e-10; // of the shear modulus
-    double           largest = 0;
+    double largest = 0;
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       for (unsigned int a = 0; a < dim; ++a)
         largest = std::max(largest,
@@ -406,7 +405,7 @@ namespace isochor
              q < step.points.cell_start[k + 1];
              ++q)
           work +=
-            step.points.measure(q) * noise * gradient *
+            step.points.measure(q) * rounding::accumulated * gradient *
             step.kernel.materials[step.points.material[q]]->shear_modulus();
       }
     return work;

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/exceptions.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/equations/constraint_conflicts.h>
 #include <isochor/equations/nodal_constraints.h>
 
@@ -187,8 +188,8 @@ namespace isochor
   unsigned int
   NodalConstraints::find_pivot(const Equation &equation) const
   {
-    constexpr double rounding = 1e-8, small = 1e-3, equal = 1 - 1e-6;
-    double           size = 0;
+    constexpr double small = 1e-3;
+    double           size  = 0;
     for (std::size_t i = equation.first; i < equation.last; ++i)
       size = std::max(size, std::abs(coefficient[i]));
     const auto allowed = [&](const unsigned int e) {
@@ -207,14 +208,14 @@ namespace isochor
           largest = std::max(largest, std::abs(a));
       for (unsigned int i = 0; i < row.size() && largest > least * size; ++i)
         if (candidate(row[i].first) &&
-            std::abs(row[i].second) >= equal * largest)
+            std::abs(row[i].second) >= (1 - rounding::places) * largest)
           return i;
       return none;
     };
     unsigned int i = largest_of(false, small);
     if (i == none)
-      i = largest_of(true, rounding);
-    return i != none ? i : largest_of(false, rounding);
+      i = largest_of(true, rounding::accumulated);
+    return i != none ? i : largest_of(false, rounding::accumulated);
   }
 
 

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_simplex_p.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/grid/background_grid.h>
 #include <isochor/grid/coordinate_bisection.h>
 #include <isochor/grid/grid_layers.h>
@@ -388,9 +389,8 @@ namespace isochor
 
     // the first face that the line from there meets: where the barycentric
     // coordinate of the opposite vertex vanishes and the others don't exceed 1
-    constexpr double   tolerance = 1e-6;
-    double             first     = 1 + tolerance;
-    types::boundary_id id        = numbers::invalid_boundary_id;
+    double             first = 1 + rounding::places;
+    types::boundary_id id    = numbers::invalid_boundary_id;
     for (const BoundaryFace &face : faces)
       {
         const double a =
@@ -403,7 +403,7 @@ namespace isochor
         const auto   lambda =
           geometry.barycentric(face.cell, Point<dim>(start + s * (x - start)));
         if (s<first && * std::min_element(lambda.begin(), lambda.end())> -
-            tolerance)
+            rounding::places)
           {
             first = s;
             id    = face.id;

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/rounding.h>
 #include <isochor/grid/nearest_cells.h>
 
 #include <algorithm>
@@ -155,8 +156,7 @@ namespace isochor
                 const std::function<bool(const unsigned int)> &is_candidate,
                 const double                                   largest_distance)
   {
-    constexpr double relative_tolerance = 1e-8;
-    using Entry                         = std::pair<double, unsigned int>;
+    using Entry = std::pair<double, unsigned int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     std::unordered_set<unsigned int>                                    seen;
     const auto add = [&](const unsigned int cell) {
@@ -179,7 +179,8 @@ namespace isochor
             if (distance < least)
               {
                 least = distance;
-                limit = least + relative_tolerance * cell_size(geometry, cell);
+                limit =
+                  least + rounding::accumulated * cell_size(geometry, cell);
               }
           }
         for (const unsigned int neighbour : geometry.neighbours(cell))

@@ -7,6 +7,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/point_locator.h>
 
@@ -22,11 +23,7 @@ namespace isochor
   {
     /** Bounding boxes are enlarged by this part of their extent (to contain
      * the points that are clamped) and of the coordinates (rounding). */
-    constexpr double box_margin      = 1e-8;
-    constexpr double rounding_margin = 1e-14;
-    /** Coordinates so far from the origin that rounding() is more than this are
-     * not served. */
-    constexpr double largest_rounding = 1e-6;
+    constexpr double box_margin = 1e-8;
 
 
 
@@ -61,9 +58,9 @@ namespace isochor
      * and ∇λ enlarges it. */
     template <int dim>
     double
-    rounding(const SimplexGeometry<dim> &geometry,
-             const unsigned int          cell,
-             const Point<dim>           &x)
+    rounding_at(const SimplexGeometry<dim> &geometry,
+                const unsigned int          cell,
+                const Point<dim>           &x)
     {
       double steepest = 0;
       for (const auto &gradient : geometry.gradients(cell))
@@ -101,7 +98,7 @@ namespace isochor
           }
       const double margin =
         box_margin * lower.distance(upper) +
-        rounding_margin * std::max(lower.norm(), upper.norm());
+        rounding::numbers * std::max(lower.norm(), upper.norm());
       for (unsigned int d = 0; d < dim; ++d)
         {
           lower[d] -= margin;
@@ -171,8 +168,8 @@ namespace isochor
         const auto lambda = simplices.barycentric(cell, x);
         const auto lowest = minimum(lambda);
         if (lowest >= -inside_tolerance ||
-            (lowest > -largest_rounding &&
-             lowest >= -rounding(simplices, cell, x)))
+            (lowest > -rounding::places &&
+             lowest >= -rounding_at(simplices, cell, x)))
           return accept<dim>(cell, lambda);
 
         unsigned int next   = no_cell;
@@ -189,7 +186,7 @@ namespace isochor
         if (next == no_cell || next == previous)
           {
             if (lowest >=
-                -std::max(clamp_tolerance, rounding(simplices, cell, x)))
+                -std::max(clamp_tolerance, rounding_at(simplices, cell, x)))
               return accept<dim>(cell, lambda);
             break;
           }
@@ -233,7 +230,7 @@ namespace isochor
         if (simplices.layer_of_cell(cell) != layer)
           continue;
         const auto   lambda = simplices.barycentric(cell, x);
-        const double error  = rounding(simplices, cell, x);
+        const double error  = rounding_at(simplices, cell, x);
         double       lowest = minimum(lambda);
         if (lowest < -std::max(clamp_tolerance, error))
           continue;

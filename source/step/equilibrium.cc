@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/rounding.h>
 #include <isochor/equations/constraint_conflicts.h>
 #include <isochor/equations/pressure_mapping.h>
 #include <isochor/step/equilibrium.h>
@@ -180,7 +181,6 @@ namespace isochor
   {
     // strains carry rounding errors of some 1e-15: residuals of ten times that
     // are zero
-    constexpr double        rounding     = 1e-14;
     const ActiveNodes<dim> &nodes        = setup.active_nodes();
     const unsigned int      n_components = scene.n_components;
     const MPI_Comm          comm         = scene.grid.communicator();
@@ -196,14 +196,14 @@ namespace isochor
                             Utilities::MPI::sum(volume, comm));
     };
     body.add_unit_residual(setup.context(), unit);
-    strain_floor = rounding * std::sqrt(sums().first);
+    strain_floor = rounding::numbers * std::sqrt(sums().first);
     unit.zero_out_ghost_values();
     for (const EquationTerm<dim> *term : terms)
       if (term != &body)
         term->add_unit_residual(setup.context(), unit);
     const auto [force, volume] = sums();
-    force_floor                = rounding * std::sqrt(force);
-    volume_floor               = rounding * std::sqrt(volume);
+    force_floor                = rounding::numbers * std::sqrt(force);
+    volume_floor               = rounding::numbers * std::sqrt(volume);
   }
 
 

@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/rounding.h>
 #include <isochor/step/equilibrium.h>
 
 #include <algorithm>
@@ -41,17 +42,16 @@ namespace isochor
   bool
   Equilibrium<dim>::update_pending()
   {
-    constexpr double rounding = 1e-12;
-    bool             any      = false;
+    bool any = false;
     for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
       if (constraints.constrained[i])
         {
           double &rest = pending.local_element(i);
           rest         = constraints.increment[i] - unknowns.local_element(i);
-          any =
-            any ||
-            (constraints.constrained[i] != NodalConstraints::follows &&
-             std::abs(rest) > rounding * std::abs(constraints.increment[i]));
+          any          = any ||
+                (constraints.constrained[i] != NodalConstraints::follows &&
+                 std::abs(rest) >
+                   rounding::arithmetic * std::abs(constraints.increment[i]));
         }
     // what follows comes where those that it follows will be
     const Followers &followers = constraints.followers;
@@ -69,7 +69,7 @@ namespace isochor
           });
         double &rest = pending.local_element(followers.entry[k]);
         rest         = place - unknowns.local_element(followers.entry[k]);
-        if (std::abs(rest) <= rounding * size)
+        if (std::abs(rest) <= rounding::arithmetic * size)
           rest = 0.;
         any = any || rest != 0.;
       }
@@ -102,8 +102,7 @@ namespace isochor
   LoadChange
   Equilibrium<dim>::change_of_loads(const TimeInterval &other) const
   {
-    constexpr double rounding = 1e-10;
-    const auto       loads_at = [&](const double time) {
+    const auto loads_at = [&](const double time) {
       StepContext<dim> step = setup.context();
       step.time             = time;
       NodalField loads, rest;
@@ -124,7 +123,7 @@ namespace isochor
       const double all    = change.l1_norm();
       if (interval.start > 0) // nothing has been applied at t = 0
         change -= loads_at(interval.start);
-      if (!(change.l1_norm() > rounding * all))
+      if (!(change.l1_norm() > rounding::accumulated * all))
         change = 0.;
       return change;
     };

@@ -6,6 +6,7 @@
 // the weight that the stabilisation leaves out.
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/equations/connected_parts.h>
 #include <isochor/step/equilibrium.h>
 
@@ -23,8 +24,7 @@ namespace isochor
       const unsigned int d = entry % n_components;
       return d < dim ? x * gravity[d] : 0.;
     };
-    constexpr double tolerance = 1e-10;
-    bool             supported = false;
+    bool supported = false;
     for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
       supported = supported ||
                   (constraints.constrained[i] == NodalConstraints::prescribed &&
@@ -37,7 +37,8 @@ namespace isochor
         double sum = 0;
         for (std::size_t j = equation.first; j < equation.last; ++j)
           sum += along(constraints.entry[j], constraints.coefficient[j]);
-        supported = supported || std::abs(sum) > tolerance * gravity.norm();
+        supported =
+          supported || std::abs(sum) > rounding::accumulated * gravity.norm();
       }
     for (const auto *const condition :
          with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))

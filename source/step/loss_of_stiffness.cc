@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/plain_message.h>
+#include <isochor/base/rounding.h>
 #include <isochor/equations/smallest_cell.h>
 #include <isochor/step/failure_report.h>
 
@@ -127,12 +128,12 @@ namespace isochor
     const double h = smallest_cell(step);
     // what holds a node in place may be rounding, and a body at rest moves by
     // what Newton's method leaves
-    constexpr double negligible = 0.01, rounding = 1e-9;
+    constexpr double negligible = 0.01;
     Softness         result;
     const double     told    = largest_prescribed(step, drive);
     const bool       dragged = is_dragged(step, drive);
-    if (!std::isfinite(u) || u < rounding * h || told > negligible * u ||
-        dragged)
+    if (!std::isfinite(u) || u < rounding::accumulated * h ||
+        told > negligible * u || dragged)
       return result;
     result.per_time = u / step.step_size();
     result.in_cells = u / h;

@@ -6,6 +6,7 @@
 // the terminal, is in material_point_method_interface.cc.
 #include <isochor/base/earlier_output.h>
 #include <isochor/base/plain_message.h>
+#include <isochor/base/rounding.h>
 #include <isochor/equations/cells_crossed.h>
 #include <isochor/step/material_point_method.h>
 
@@ -17,8 +18,7 @@ namespace isochor
   static bool
   is_last_step(const LoadStepping &time)
   {
-    constexpr double rounding = 1e-9;
-    return time.next_time() >= (1 - rounding) * time.end_time();
+    return time.next_time() >= (1 - rounding::accumulated) * time.end_time();
   }
 
 
