@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/rounding.h>
 #include <isochor/nonlinear_solver/load_stepping.h>
 
 #include <algorithm>
@@ -128,6 +129,14 @@ namespace isochor
     if (rest <= step_size * (1 + 1e-8))
       return target;
     return time + (rest < 2 * step_size * (1 - 1e-8) ? rest / 2 : step_size);
+  }
+
+
+
+  bool
+  LoadStepping::is_last_step() const
+  {
+    return next_time() >= (1 - rounding::accumulated) * end_time();
   }
 
 
