@@ -357,20 +357,48 @@ namespace isochor
 
 
 
+  /** Scaled to a unit diagonal, so that residuals of nodes with little mass
+   * count for what they do to their points. */
   template <int dim>
-  double
-  MassMatrix<dim>::solve(const StepContext<dim>           &step,
-                         const NodalField                 &load,
-                         const std::vector<unsigned char> &held,
-                         const Followers                  &followers,
-                         const std::vector<double>        &given,
-                         NodalField                       &solution,
-                         const bool                        with_domains) const
+  struct MassMatrix<dim>::ScaledMatrix
   {
-    // The matrix scaled to a unit diagonal, so that residuals of nodes with
-    // little mass count for what they do to their points.
+    const MassMatrix<dim>  &mass;
+    const StepContext<dim> &step;
+    const Followers        &followers;
+    const NodalField       &scale;
+    const bool              with_domains;
+    mutable NodalField      scaled;
+
+    void
+    vmult(NodalField &result, const NodalField &x) const
+    {
+      scaled.zero_out_ghost_values();
+      scaled = x;
+      scaled.scale(scale);
+      mass.interpolate(followers, {}, scaled);
+      result = 0.;
+      mass.add_product(step, scaled, result);
+      if (with_domains)
+        mass.add_product_of_domains(step, scaled, result);
+      result.compress(VectorOperation::add);
+      mass.hand_on(step, followers, result);
+      result.scale(scale);
+    }
+  };
+
+
+
+  template <int dim>
+  void
+  MassMatrix<dim>::scale_diagonal(const StepContext<dim>           &step,
+                                  const std::vector<unsigned char> &held,
+                                  const Followers                  &followers,
+                                  const bool  with_domains,
+                                  NodalField &scale,
+                                  NodalField &solution) const
+  {
     const unsigned int n = step.nodes.n_owned() * n_components;
-    NodalField         scale, residual, correction;
+    AssertIndexRange(n, held.size() + 1);
     step.nodes.initialize(scale, n_components);
     for (unsigned int i = 0; i < n; ++i)
       scale.local_element(i) =
@@ -395,33 +423,22 @@ namespace isochor
         if (!held[i] && m == 0)
           solution.local_element(i) = 0;
       }
+  }
 
-    struct ScaledMatrix
-    {
-      const MassMatrix<dim>  &mass;
-      const StepContext<dim> &step;
-      const Followers        &followers;
-      const NodalField       &scale;
-      const bool              with_domains;
-      mutable NodalField      scaled;
 
-      void
-      vmult(NodalField &result, const NodalField &x) const
-      {
-        scaled.zero_out_ghost_values();
-        scaled = x;
-        scaled.scale(scale);
-        mass.interpolate(followers, {}, scaled);
-        result = 0.;
-        mass.add_product(step, scaled, result);
-        if (with_domains)
-          mass.add_product_of_domains(step, scaled, result);
-        result.compress(VectorOperation::add);
-        mass.hand_on(step, followers, result);
-        result.scale(scale);
-      }
-    };
 
+  template <int dim>
+  double
+  MassMatrix<dim>::solve(const StepContext<dim>           &step,
+                         const NodalField                 &load,
+                         const std::vector<unsigned char> &held,
+                         const Followers                  &followers,
+                         const std::vector<double>        &given,
+                         NodalField                       &solution,
+                         const bool                        with_domains) const
+  {
+    NodalField scale, residual, correction;
+    scale_diagonal(step, held, followers, with_domains, scale, solution);
     interpolate(followers, given, solution);
     step.nodes.initialize(residual, n_components);
     add_product(step, solution, residual);

@@ -65,7 +65,9 @@ namespace isochor
     constraint_forces.reinit(constraints, n_components, any_equations);
     if (any_equations)
       nodes.initialize(reactions, n_components);
-    number_equations();
+    const FreeEntries free_entries = number_free_entries();
+    describe_equations(free_entries);
+    order_nodes(free_entries);
     collect_neighbours();
     build_rows();
     find_blocks();
@@ -77,8 +79,8 @@ namespace isochor
 
 
   template <int dim>
-  void
-  MixedSystem<dim>::number_equations()
+  std::vector<std::pair<types::global_dof_index, unsigned int>>
+  MixedSystem<dim>::number_free_entries()
   {
     const unsigned int n_owned = nodes.n_owned() * n_components;
     const unsigned int n_local = nodes.n_local() * n_components;
@@ -105,13 +107,21 @@ namespace isochor
       global.local_element(i) = is_free(i) ? next++ : -1.;
     global.update_ghost_values();
 
-    std::vector<std::pair<types::global_dof_index, unsigned int>> sorted;
+    FreeEntries sorted;
     for (unsigned int i = 0; i < n_local; ++i)
       if (global.local_element(i) >= 0)
         sorted.emplace_back(global.local_element(i), i);
     std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
 
-    equations.assign(n_local, invalid);
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::describe_equations(const FreeEntries &sorted)
+  {
+    equations.assign(nodes.n_local() * n_components, invalid);
     const unsigned int n = sorted.size();
     system.global_equation.resize(n);
     system.field.resize(n);
@@ -138,11 +148,18 @@ namespace isochor
             system.rotation_arm[eq] = control->rotation_arm;
           }
       }
+  }
 
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::order_nodes(const FreeEntries &sorted)
+  {
     node_first_free.assign(nodes.n_local() + 1, 0);
     nodes_in_order.clear();
     node_order.assign(nodes.n_local(), invalid);
-    for (unsigned int eq = 0; eq < n; ++eq)
+    for (unsigned int eq = 0; eq < sorted.size(); ++eq)
       {
         const unsigned int node = sorted[eq].second / n_components;
         ++node_first_free[node + 1];
