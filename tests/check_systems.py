@@ -5,8 +5,9 @@ A system is a folder of include/isochor/ and the folder of the same name in
 source/. One uses another if a file of it includes a header of the other one.
 The checks: headers and sources lie in folders of the same name; no system
 uses, directly or through others, one that uses it; no file has more than 500
-lines; the top level holds what it should, and no output of a run; the picture
-and the table of large classes in doc/architecture.md show what the files say.
+lines and no function more than 60 (function_lengths.py); the top level holds
+what it should, and no output of a run; the picture and the table of large
+classes in doc/architecture.md show what the files say.
 
     check_systems.py            exit code 1 and a list of what is wrong
     check_systems.py --picture  write both into doc/architecture.md
@@ -17,6 +18,7 @@ import subprocess
 import sys
 
 import class_sizes
+import function_lengths
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "doc" / "architecture.md"
@@ -100,6 +102,7 @@ def problems():
     if BEGIN + picture(uses) + END not in PAGE.read_text():
         yield ("the picture in doc/architecture.md is out of date: "
                "run tests/check_systems.py --picture")
+    yield from function_lengths.problems(path for _, path in system_files())
     yield from class_sizes.problems(large_classes(), PAGE.read_text())
 
 

@@ -4,15 +4,44 @@
  * --------------------------------------------------------------------- */
 #include <isochor/adaptation/body_state.h>
 #include <isochor/equations/final_state.h>
+#include <isochor/equations/invariants.h>
 
 #include <algorithm>
 
 namespace isochor
 {
+  namespace
+  {
+    /** Where the equivalent plastic strain stands in the history, by material;
+     * invalid if there is none. */
+    template <int dim>
+    std::vector<unsigned int>
+    places_of_plastic_strain(const MixedKernel<dim> &kernel)
+    {
+      std::vector<unsigned int> places;
+      for (const auto &material : kernel.materials)
+        {
+          const auto names = material->history_names();
+          const auto found =
+            std::find(names.begin(), names.end(), "equivalent_plastic_strain");
+          places.push_back(found == names.end() ?
+                             numbers::invalid_unsigned_int :
+                             found - names.begin());
+        }
+      return places;
+    }
+  } // namespace
+
+
+
   template <int dim>
   BodyState<dim>
   state_of_body(const StepContext<dim> &step, const NodalField &unknowns)
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(invariants::is_consistent(step.points),
+           ExcMessage("The arrays are of different points."));
     const PointArrays<dim> &points = step.points;
     BodyState<dim>          state{step.grid,
                          static_cast<unsigned int>(
@@ -26,17 +55,7 @@ namespace isochor
                          {},
                          {},
                          {}};
-    // the variable whose increment is asked for, by material
-    std::vector<unsigned int> plastic_strain;
-    for (const auto &material : step.kernel.materials)
-      {
-        const auto names = material->history_names();
-        const auto found =
-          std::find(names.begin(), names.end(), "equivalent_plastic_strain");
-        plastic_strain.push_back(found == names.end() ?
-                                   numbers::invalid_unsigned_int :
-                                   found - names.begin());
-      }
+    const auto plastic_strain = places_of_plastic_strain(step.kernel);
     std::array<double, max_history> history;
     const NodalUnknowns<dim>        nodal(step, unknowns);
     const unsigned int n = points.cell_start[points.n_occupied_cells];

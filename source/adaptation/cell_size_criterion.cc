@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/adaptation/cell_size_criterion.h>
+#include <isochor/base/rounding.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +16,12 @@ namespace isochor
                         const Leaf<dim>         &leaf,
                         const double             size) const
   {
-    constexpr double rounding = 1e-9;
-    const double     needed   = std::log2(grid.size(leaf.tree) / size);
-    const double     finer    = std::ceil(needed - rounding);
-    const double     coarser  = std::ceil(needed + hysteresis - rounding);
-    double           level    = leaf.level;
+    Assert(size > 0, ExcInternalError());
+    const double needed = std::log2(grid.size(leaf.tree) / size);
+    const double finer  = std::ceil(needed - rounding::accumulated);
+    const double coarser =
+      std::ceil(needed + hysteresis - rounding::accumulated);
+    double level = leaf.level;
     if (finer > level)
       level = finer;
     else if (coarser < level)

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/plugin_registry.h>
+#include <isochor/base/rounding.h>
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/body_quadrature/cell_filling.h>
 #include <isochor/grid/simplex_overlap.h>
@@ -152,8 +153,6 @@ namespace isochor
     // trusted, unless they fill the cell: where points have been split, a cell
     // may hold a single small one, and parts of many others
     constexpr double smallest = 0.02, largest = 5;
-    // of a cell: less may be rounding
-    constexpr double smallest_part = 1e-8;
 
     const BackgroundGrid<dim> &grid = occupancy.grid;
     const unsigned int         rank =
@@ -165,7 +164,8 @@ namespace isochor
         continue;
       else if (occupancy.content(cell.first) == nullptr)
         {
-          if (cell.second > smallest_part * grid.geometry().measure(cell.first))
+          if (cell.second >
+              rounding::accumulated * grid.geometry().measure(cell.first))
             empty.insert(cell);
         }
       else if (!is_full(cell.first, occupancy))

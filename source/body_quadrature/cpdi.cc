@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/plugin_registry.h>
+#include <isochor/base/rounding.h>
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/body_quadrature/domain_stencil.h>
 #include <isochor/body_quadrature/walls_at_place.h>
@@ -105,10 +106,10 @@ namespace isochor
                       const LocateResult<dim>   &place,
                       std::vector<unsigned int> &cells)
     {
-      constexpr double near_face = 1e-6, within = 1e-3;
+      constexpr double within       = 1e-3;
       const auto       is_near_face = [&](const LocateResult<dim> &at) {
         for (unsigned int v = 0; v <= dim; ++v)
-          if (at.barycentric[v] < near_face &&
+          if (at.barycentric[v] < rounding::places &&
               locator.geometry().neighbours(at.cell)[v] !=
                 SimplexGeometry<dim>::no_cell)
             return true;
@@ -141,13 +142,13 @@ namespace isochor
                             const LocateResult<dim>  &place,
                             const Tensor<1, dim>     &way)
     {
-      constexpr double            on_face = 1e-9, along_normal = 0.5;
-      const SimplexGeometry<dim> &geometry = occupancy.grid.geometry();
+      constexpr double            along_normal = 0.5;
+      const SimplexGeometry<dim> &geometry     = occupancy.grid.geometry();
       const auto &vertices  = geometry.vertex_indices(place.cell);
       const auto &gradients = geometry.gradients(place.cell);
       bool        is_beyond = false;
       for (unsigned int v = 0; v <= dim; ++v)
-        if (place.barycentric[v] < on_face &&
+        if (place.barycentric[v] < rounding::accumulated &&
             geometry.neighbours(place.cell)[v] == no_cell &&
             -(gradients[v] * way) >
               along_normal * gradients[v].norm() * way.norm())
@@ -267,7 +268,6 @@ namespace isochor
     points.clear_stencils();
     DomainStencil<dim>                    stencil;
     std::array<CornerNodes<dim>, dim + 1> at;
-    constexpr double                      rounding   = 1e-9;
     const bool                            in_statics = points.velocity.empty();
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
@@ -282,7 +282,7 @@ namespace isochor
               whole[c] = r       = points.F[q] * points.domain[q][c];
               const auto   place = locator.locate_nearest(x, points.cell[k], r);
               unsigned int continued = no_cell;
-              if ((r - whole[c]).norm() > rounding * r.norm())
+              if ((r - whole[c]).norm() > rounding::accumulated * r.norm())
                 {
                   if (is_beyond_held_boundary(occupancy, place, whole[c] - r))
                     is_cut = in_statics;

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/rounding.h>
 #include <isochor/body_quadrature/domain_stencil.h>
 
 #include <algorithm>
@@ -11,9 +12,6 @@ namespace isochor
 {
   namespace
   {
-    /** Shape functions below this are zero: a corner on a face. */
-    constexpr double no_support = 1e-9;
-
     /** From the first corner of a simplex to the others. */
     template <int dim>
     Tensor<2, dim>
@@ -32,7 +30,7 @@ namespace isochor
     {
       const Tensor<2, dim> edges = edges_of<dim>(corners);
       const double         J     = determinant(edges);
-      AssertThrow(std::abs(J) > 1e-14 * std::pow(edges.norm(), dim),
+      AssertThrow(std::abs(J) > rounding::numbers * std::pow(edges.norm(), dim),
                   ExcMessage("The domain of a material point is flat: the "
                              "deformation is too large for <Quadrature/Type = "
                              "CPDI>."));
@@ -64,8 +62,9 @@ namespace isochor
       functions.evaluate(other, geometry.barycentric(other, x), at);
     nodes.clear();
     double sum = 0;
+    // of a corner on a face the others are zero
     for (unsigned int I = 0; I < at.n_nodes; ++I)
-      if (std::abs(at.shape[I]) >= no_support)
+      if (std::abs(at.shape[I]) >= rounding::accumulated)
         {
           nodes.emplace_back(at.vertex[I], at.shape[I]);
           sum += at.shape[I];
@@ -167,10 +166,9 @@ namespace isochor
   part_of_domain(const CornerVectors<dim> &inside,
                  const CornerVectors<dim> &whole)
   {
-    constexpr double rounding = 1e-9;
-    const double     part =
+    const double part =
       determinant(edges_of<dim>(inside)) / determinant(edges_of<dim>(whole));
-    return std::abs(part - 1) < rounding ? 1. : part;
+    return std::abs(part - 1) < rounding::accumulated ? 1. : part;
   }
 
 

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/body_quadrature/cell_filling.h>
 
 #include <algorithm>
@@ -15,11 +16,6 @@ namespace isochor
 {
   namespace
   {
-    /** What N_v counts at least in the mean of the points around the vertex v:
-     * all of them may lie on the faces opposite to it, where N_v is zero or by
-     * rounding a little less. */
-    constexpr double smallest_weight = 1e-10;
-
     /** Sums over the points around one vertex, weighted by N_v(x_p) J_p V0_p:
      * what a state is made of, in quantities that may be averaged. For laws
      * that don't know directions F matters as det F and F F^T only; the mean of
@@ -167,9 +163,11 @@ namespace isochor
                           points.n_history,
                           mean_values.begin());
               kernel.materials[material]->to_mean_values(mean_values.data());
+              // all points may lie on the faces opposite to the vertex, where
+              // N_v is zero or by rounding a little less
               states.emplace(material, MeanState<dim>(points.n_history))
                 .first->second.add(
-                  std::max(points.shape[q][v], smallest_weight) *
+                  std::max(points.shape[q][v], rounding::accumulated) *
                     points.volume[q] * determinant(points.F[q]),
                   points.F[q],
                   kernel.has_pressures ? points.volume_offset[q] : 0.,

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/rounding.h>
 #include <isochor/body_quadrature/walls_at_place.h>
 #include <isochor/grid/nearest_cells.h>
 
@@ -11,9 +12,6 @@ namespace isochor
 {
   namespace
   {
-    /** Below this, a barycentric coordinate is one of a point on a face. */
-    constexpr double near_face = 1e-6;
-
     /** The part of a cell by which a place may have left the grid's boundary
      * inwards, with a wall that moves, and still is at it. */
     constexpr double near_wall = 0.3;
@@ -45,7 +43,7 @@ namespace isochor
                 geometry.barycentric(other,
                                      x - lambda[f] / g.norm_square() * g);
               if (*std::min_element(on_face.begin(), on_face.end()) <
-                  -near_face)
+                  -rounding::places)
                 continue;
               normals.push_back(g / g.norm());
               on_walls -=
@@ -64,11 +62,11 @@ namespace isochor
     const auto   lambda = geometry.barycentric(cell, on_walls);
     const double size   = cell_size(geometry, cell);
     for (unsigned int v = 0; v <= dim; ++v)
-      if (std::abs(lambda[v]) > near_face)
+      if (std::abs(lambda[v]) > rounding::places)
         for (const Tensor<1, dim> &n : normals)
           if (std::abs(n *
                        (geometry.vertices()[geometry.vertex_indices(cell)[v]] -
-                        on_walls)) > near_face * size)
+                        on_walls)) > rounding::places * size)
             return false;
     return true;
   }

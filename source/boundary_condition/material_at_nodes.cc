@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/plain_message.h>
+#include <isochor/base/rounding.h>
 #include <isochor/boundary_condition/material_at_nodes.h>
 
 #include <algorithm>
@@ -54,12 +55,12 @@ namespace isochor
                               const std::vector<Point<dim>> &reference,
                               const StepContext<dim>        &step) const
   {
+    AssertIndexRange(vertex, reference.size());
     // Newton's method with difference quotients
     constexpr unsigned int most_iterations = 50;
-    constexpr double       rounding = 1e-11, difference = 1e-6,
-                     rounding_of_numbers = 1e-15;
-    const auto   found                   = formulas.find(vertex);
-    const double t = (step.grid_is_kept ? reset_time : step.old_time);
+    constexpr double       difference      = 1e-6;
+    const auto             found           = formulas.find(vertex);
+    const double           t = (step.grid_is_kept ? reset_time : step.old_time);
     if (t == 0 || found == formulas.end())
       return reference[vertex];
     const Formulas   &u = found->second;
@@ -70,7 +71,8 @@ namespace isochor
         for (unsigned int k = 0; k < most_iterations; ++k)
           {
             const Tensor<1, dim> r = residual(u, X, x, t);
-            if (r.norm() <= rounding * extent + rounding_of_numbers * x.norm())
+            if (r.norm() <=
+                rounding::arithmetic * extent + rounding::numbers * x.norm())
               return X;
             Tensor<2, dim> J = unit_symmetric_tensor<dim>();
             for (unsigned int a = 0; a < dim; ++a)

@@ -3,8 +3,10 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/rounding.h>
 #include <isochor/base/thickness.h>
 #include <isochor/boundary_condition/surface_forces.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/equations/nodal_unknowns.h>
 
 #include <algorithm>
@@ -56,6 +58,10 @@ namespace isochor
                                const bool              with_matrix,
                                MixedSystem<dim>       &system) const
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(invariants::fits(pending, step.nodes, step.n_components),
+           ExcOtherNodes());
     Element      element;
     unsigned int e = first_element;
     for (unsigned int b = 0; b < n_places(); ++b)
@@ -84,6 +90,8 @@ namespace isochor
                                         const bool              with_matrix,
                                         Element                &element) const
   {
+    AssertIndexRange(b, n_places());
+    Assert(at.n_nodes > 0, ExcInternalError());
     const unsigned int nc = step.n_components, n_dofs = at.n_nodes * nc;
     element.residual.assign(n_dofs, 0.);
     if (with_matrix)
@@ -135,6 +143,7 @@ namespace isochor
                                 const unsigned int      b,
                                 const Place            &at) const
   {
+    AssertIndexRange(b, n_places());
     const auto    &traction = load_at(b).traction;
     Tensor<1, dim> force;
     if (traction.empty())
@@ -173,6 +182,8 @@ namespace isochor
   SurfaceForces<dim>::add_dead_loads(const StepContext<dim> &step,
                                      NodalField             &force) const
   {
+    Assert(invariants::fits(force, step.nodes, step.n_components),
+           ExcOtherNodes());
     for (unsigned int b = 0; b < n_places(); ++b)
       if (!load_at(b).traction.empty())
         {
@@ -193,6 +204,10 @@ namespace isochor
                                     const NodalField       &unknowns,
                                     NodalField             &force) const
   {
+    Assert(invariants::fits(force, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
     Element element;
     for (unsigned int b = 0; b < n_places(); ++b)
       if (!load_at(b).pressure.empty())
@@ -263,8 +278,10 @@ namespace isochor
     const NodalField       &unknowns,
     const NodalConstraints &constraints) const
   {
+    AssertDimension(constraints.constrained.size(),
+                    step.nodes.n_local() * step.n_components);
     // normals of faces along an axis have some
-    constexpr double nearly_all = 0.99, rounding = 1e-9;
+    constexpr double nearly_all = 0.99;
     // by surface and component: what is on supports, and all of it
     std::vector<std::array<double, 2 * dim>> sums(surfaces.size());
     for (unsigned int b = 0; b < n_places(); ++b)
@@ -289,7 +306,7 @@ namespace isochor
         const double load =
           std::accumulate(sums[s].begin() + dim, sums[s].end(), 0.);
         for (unsigned int a = 0; a < dim; ++a)
-          if (sums[s][dim + a] > rounding * load &&
+          if (sums[s][dim + a] > rounding::accumulated * load &&
               sums[s][a] > nearly_all * sums[s][dim + a])
             found.push_back({surfaces[s]->surface, surfaces[s]->parameter, a});
       }

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/plain_message.h>
+#include <isochor/base/rounding.h>
 #include <isochor/boundary_condition/wall_joints.h>
 
 #include <algorithm>
@@ -21,13 +22,12 @@ namespace isochor
           const Point<dim>      &x,
           const double           t)
     {
-      constexpr double rounding = 1e-10, rounding_of_places = 1e-13;
       try
         {
           const double a = first(x, t), b = second(x, t);
           return std::abs(a - b) <=
-                 rounding * std::max(std::abs(a), std::abs(b)) +
-                   rounding_of_places * x.norm();
+                 rounding::accumulated * std::max(std::abs(a), std::abs(b)) +
+                   rounding::arithmetic * x.norm();
         }
       catch (const ExceptionBase &)
         {
@@ -44,6 +44,8 @@ namespace isochor
                                const unsigned int second,
                                const unsigned int vertex) const
   {
+    AssertIndexRange(first, walls.size());
+    AssertIndexRange(second, walls.size());
     const SmoothWall<dim> &a = walls[first], &b = walls[second];
     if (a.formula == b.formula)
       return true;
@@ -64,6 +66,7 @@ namespace isochor
   WallJoints<dim>::surface(const BackgroundGrid<dim> &grid,
                            const unsigned int         w) const
   {
+    AssertIndexRange(w, walls.size());
     std::vector<types::boundary_id> ids;
     for (const SmoothWall<dim> &wall : walls)
       ids.push_back(grid.boundary_id(wall.boundary, parameter));

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/cut_cells/dependent_nodes.h>
 
 #include <algorithm>
@@ -16,23 +17,20 @@ namespace isochor
 {
   namespace
   {
-    /** Nodes of a flat surface along faces have a support of one half; those
-     * with more can't depend on others. */
-    constexpr double half = 0.5 * (1 - 1e-6);
-
     /** What is left of the last diagonal entry of the symmetric, positive
      * semidefinite @p matrix after the others have been eliminated, relative to
      * it. */
     double
     last_pivot(FullMatrix<double> &matrix)
     {
-      constexpr double    rounding = 1e-12;
-      const unsigned int  n        = matrix.m();
+      AssertDimension(matrix.m(), matrix.n());
+      Assert(matrix.m() > 0, ExcInternalError());
+      const unsigned int  n = matrix.m();
       std::vector<double> diagonal(n);
       for (unsigned int i = 0; i < n; ++i)
         diagonal[i] = matrix(i, i);
       for (unsigned int k = 0; k + 1 < n; ++k)
-        if (matrix(k, k) > rounding * diagonal[k])
+        if (matrix(k, k) > rounding::arithmetic * diagonal[k])
           for (unsigned int i = k + 1; i < n; ++i)
             for (unsigned int j = k + 1; j < n; ++j)
               matrix(i, j) -= matrix(i, k) * matrix(k, j) / matrix(k, k);
@@ -68,10 +66,9 @@ namespace isochor
         const auto [I, J] = entry.first;
         if (I == J)
           continue;
-        constexpr double equal = 1 + 1e-6;
-        if (support(J) <= equal * support(I))
+        if (support(J) <= (1 + rounding::places) * support(I))
           neighbours[I].push_back(J);
-        if (support(I) <= equal * support(J))
+        if (support(I) <= (1 + rounding::places) * support(J))
           neighbours[J].push_back(I);
       }
     for (auto &node : neighbours)
@@ -115,8 +112,13 @@ namespace isochor
               const unsigned int vertex = stencil.vertex[I];
               auto               place  = at_surface.find(vertex);
               if (place == at_surface.end())
+                // nodes of a flat surface along faces have a support of one
+                // half; those with more can't depend on others
                 place =
-                  at_surface.emplace(vertex, support(vertex) < half).first;
+                  at_surface
+                    .emplace(vertex,
+                             support(vertex) < 0.5 * (1 - rounding::places))
+                    .first;
               if (place->second)
                 members.push_back(I);
             }

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/rounding.h>
 #include <isochor/cut_cells/discrete_extension.h>
 #include <isochor/equations/nodal_unknowns.h>
 #include <isochor/grid/nearest_cells.h>
@@ -184,6 +185,7 @@ namespace isochor
   double
   DiscreteExtension<dim>::support(const unsigned int vertex) const
   {
+    AssertIndexRange(vertex, volume_at.size());
     double full = 0;
     for (const unsigned int cell : occupancy.cells_at(vertex))
       full += grid.geometry().measure(cell) / (dim + 1);
@@ -217,6 +219,7 @@ namespace isochor
   typename DiscreteExtension<dim>::Tie
   DiscreteExtension<dim>::find_tie(const unsigned int vertex) const
   {
+    AssertIndexRange(vertex, grid.triangulation().n_vertices());
     const SimplexGeometry<dim> &geometry = grid.geometry();
     std::set<unsigned int>      seen_cells, seen_vertices = {vertex};
     std::vector<unsigned int>   front = {vertex}, best;
@@ -245,13 +248,12 @@ namespace isochor
                 for (const double lambda :
                      geometry.barycentric(cell, geometry.vertices()[vertex]))
                   sum += lambda * lambda;
-                constexpr double equal = 1e-6;
-                if (sum < (1 - equal) * smallest)
+                if (sum < (1 - rounding::places) * smallest)
                   {
                     best.clear();
                     smallest = sum;
                   }
-                if (sum < (1 + equal) * smallest)
+                if (sum < (1 + rounding::places) * smallest)
                   best.push_back(cell);
               }
         front.swap(next);
@@ -266,6 +268,7 @@ namespace isochor
   DiscreteExtension<dim>::make_tie(const unsigned int               vertex,
                                    const std::vector<unsigned int> &cells) const
   {
+    Assert(!cells.empty(), ExcInternalError());
     const SimplexGeometry<dim>    &geometry = grid.geometry();
     std::map<unsigned int, double> weights;
     for (const unsigned int cell : cells)
@@ -339,6 +342,7 @@ namespace isochor
   DiscreteExtension<dim>::constrain(const StepContext<dim> &step,
                                     NodalConstraints       &constraints) const
   {
+    Assert(constraints.ties.size() == 0, ExcMessage("Others tie nodes, too."));
     for (const Tie &tie : found)
       {
         constraints.ties.node.push_back(step.nodes.node(tie.vertex));
@@ -389,8 +393,7 @@ namespace isochor
                                            const NodalField &unknowns) const
   {
     // stresses of a body that moves as if rigid are noise
-    constexpr double noise   = 1e-10; // of the shear modulus
-    double           largest = 0;
+    double largest = 0;
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       for (unsigned int a = 0; a < dim; ++a)
         largest = std::max(largest,
@@ -406,7 +409,7 @@ namespace isochor
              q < step.points.cell_start[k + 1];
              ++q)
           work +=
-            step.points.measure(q) * noise * gradient *
+            step.points.measure(q) * rounding::accumulated * gradient *
             step.kernel.materials[step.points.material[q]]->shear_modulus();
       }
     return work;
@@ -421,6 +424,7 @@ namespace isochor
                                const Tie              &tie,
                                const Tensor<1, dim>   &force) const
   {
+    Assert(!tie.cells.empty(), ExcInternalError());
     const SimplexGeometry<dim> &geometry = grid.geometry();
     const NodalUnknowns<dim>    nodal(step, unknowns);
     Tensor<2, dim>              gradient;

@@ -8,6 +8,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/rounding.h>
 #include <isochor/diagnosis/free_motions.h>
 
 #include <algorithm>
@@ -24,8 +25,6 @@ namespace isochor
   {
     using Label = types::global_dof_index;
     using Mode  = std::array<double, 6>;
-
-    constexpr double relative_zero = 1e-10;
 
     bool
     is_displacement(const SparseSystem &A, const unsigned int equation)
@@ -234,7 +233,7 @@ namespace isochor
       // modes that no equation feels aren't free, but held altogether
       std::vector<Mode> basis;
       for (unsigned int k = 0; k < values.size(); ++k)
-        if (values[k] > relative_zero * values.linfty_norm())
+        if (values[k] > rounding::accumulated * values.linfty_norm())
           {
             basis.emplace_back();
             basis.back().fill(0.);
@@ -253,7 +252,7 @@ namespace isochor
 
       std::vector<Mode> modes;
       for (unsigned int k = 0; k < values.size(); ++k)
-        if (std::abs(values[k]) < relative_zero)
+        if (std::abs(values[k]) < rounding::accumulated)
           {
             Mode mode{};
             for (unsigned int l = 0; l < basis.size(); ++l)
@@ -311,7 +310,8 @@ namespace isochor
           for (unsigned int l = 0; l < n; ++l)
             for (unsigned int m = 0; m < 6; ++m)
               mode[m] += vectors(l, k) * modes[l][m];
-          (values[k] < relative_zero * size ? without : with).push_back(mode);
+          (values[k] < rounding::accumulated * size ? without : with)
+            .push_back(mode);
         }
     }
 
@@ -458,7 +458,7 @@ namespace isochor
       return result;
     };
     return Utilities::MPI::max(any ? 1 : 0, A.comm) != 0 &&
-           largest(sum) <= relative_zero * largest(size) &&
-           std::abs(sum[n]) <= relative_zero * size[n];
+           largest(sum) <= rounding::accumulated * largest(size) &&
+           std::abs(sum[n]) <= rounding::accumulated * size[n];
   }
 } // namespace isochor

@@ -30,6 +30,111 @@ namespace isochor
         zones += to_zones;
       }
     };
+    /** The volumes of materials, by points and by zones. */
+    template <int dim>
+    class MaterialVolumes
+    {
+    public:
+      MaterialVolumes(const BodySeeding<dim> &seeding,
+                      const PointLayout      &layout)
+        : zones(seeding.create_material_zones())
+        , rules(seeding.create_zones(layout.with_domains))
+        , in_body(seeding.parameters_read().region, "Material points/Region")
+        , axisymmetric(layout.axisymmetric)
+      {
+        for (const auto &zone : zones)
+          n_materials = std::max(n_materials, zone.first);
+        clear();
+      }
+
+      void
+      clear()
+      {
+        volumes.assign(n_materials + 1, Volumes());
+      }
+
+      /** Add this rank's share of those cells of @p body that belong to the
+       * @p groups. */
+      void
+      add_cells(const SimplexGeometry<dim>                      &body,
+                const std::map<std::string, types::material_id> &ids,
+                const std::vector<std::string>                  &groups,
+                const MPI_Comm                                   comm)
+      {
+        std::vector<int>          at_vertex(body.vertices().size(), -1);
+        std::vector<unsigned int> mixed;
+        for (unsigned int cell = Utilities::MPI::this_mpi_process(comm);
+             cell < body.n_cells_of_first_layer();
+             cell += Utilities::MPI::n_mpi_processes(comm))
+          {
+            const Point<dim> centroid = cell_centroid(body, cell);
+            if (!in_groups(body.cell_iterator(cell)->material_id(),
+                           groups,
+                           ids))
+              continue;
+            const int own      = material(centroid);
+            bool      is_mixed = false;
+            for (const unsigned int v : body.vertex_indices(cell))
+              {
+                if (at_vertex[v] < 0)
+                  at_vertex[v] = material(body.vertices()[v]);
+                is_mixed = is_mixed || at_vertex[v] != own;
+              }
+            const double size = ring(centroid) * body.measure(cell);
+            if (is_mixed)
+              mixed.push_back(cell);
+            else
+              volumes[own].add(size, size);
+          }
+        // enough places for the sum, and for each cell
+        constexpr std::size_t in_all = 100000, least = 64, most = 256;
+        for (const unsigned int cell : mixed)
+          add_mixed(body, cell, std::clamp(in_all / mixed.size(), least, most));
+      }
+
+      /** By material; what is outside of the region is one, too, the last. */
+      std::vector<Volumes> volumes;
+
+    private:
+      const typename BodySeeding<dim>::MaterialZones     zones;
+      const std::vector<typename BodySeeding<dim>::Zone> rules;
+      const Expression<dim>                              in_body;
+      const bool                                         axisymmetric;
+      int                                                n_materials = 1;
+
+      int
+      material(const Point<dim> &x) const
+      {
+        return in_body(x, 0.) > 0 ?
+                 int(BodySeeding<dim>::material_at(zones, x)) :
+                 n_materials;
+      }
+
+      double
+      ring(const Point<dim> &x) const
+      {
+        return thickness(axisymmetric, x[0]);
+      }
+
+      /** Add a cell of several materials, looked at in @p n_places. */
+      void
+      add_mixed(const SimplexGeometry<dim> &geometry,
+                const unsigned int          cell,
+                const unsigned int          n_places)
+      {
+        const auto   places  = places_in_cell<dim>(geometry, cell, rules);
+        const double size    = geometry.measure(cell);
+        const auto   corners = corners_of(geometry, cell);
+        for (const Point<dim> &x : places)
+          volumes[material(x)].add(ring(x) * size / places.size(), 0.);
+        for (unsigned int i = 0; i < n_places; ++i)
+          {
+            const Point<dim> x =
+              spread_place<dim>(corners, std::size_t(cell) * n_places + i);
+            volumes[material(x)].add(0., ring(x) * size / n_places);
+          }
+      }
+    };
   } // namespace
 
 
@@ -44,92 +149,30 @@ namespace isochor
                 const StepContext<dim> & /*step*/,
                 const SparseSystem & /*matrix*/) override
     {
-      const BackgroundGrid<dim> &grid         = scene.grid;
-      const BodySeeding<dim>    &seeding      = scene.points.body_seeding();
-      const auto                &parameters   = seeding.parameters_read();
-      const PointLayout         &layout       = scene.points.layout();
-      const bool                 axisymmetric = layout.axisymmetric;
+      const BodySeeding<dim> &seeding    = scene.points.body_seeding();
+      const auto             &parameters = seeding.parameters_read();
+      const PointLayout      &layout     = scene.points.layout();
       if ((parameters.material_zones.empty() &&
            names_in_formula(parameters.region).empty()) ||
           parameters.lattice_spacing > 0)
         return;
-      const MPI_Comm        comm  = grid.communicator();
-      const auto            zones = seeding.create_material_zones();
-      const auto            rules = seeding.create_zones(layout.with_domains);
-      const Expression<dim> in_body(parameters.region,
-                                    "Material points/Region");
-      int                   n_materials = 1;
-      for (const auto &zone : zones)
-        n_materials = std::max(n_materials, zone.first);
-      // what is outside of the region is a material, too, the last one
-      const auto material = [&](const Point<dim> &x) {
-        return in_body(x, 0.) > 0 ? int(seeding.material_at(zones, x)) :
-                                    n_materials;
-      };
-      const auto ring = [axisymmetric](const Point<dim> &x) {
-        return thickness(axisymmetric, x[0]);
-      };
-      std::vector<Volumes> volumes(n_materials + 1);
-      const auto look_at_mixed = [&](const SimplexGeometry<dim> &geometry,
-                                     const unsigned int          cell,
-                                     const unsigned int          n_places) {
-        const auto   places  = places_in_cell<dim>(geometry, cell, rules);
-        const double size    = geometry.measure(cell);
-        const auto   corners = corners_of(geometry, cell);
-        for (const Point<dim> &x : places)
-          volumes[material(x)].add(ring(x) * size / places.size(), 0.);
-        for (unsigned int i = 0; i < n_places; ++i)
-          {
-            const Point<dim> x =
-              spread_place<dim>(corners, std::size_t(cell) * n_places + i);
-            volumes[material(x)].add(0., ring(x) * size / n_places);
-          }
-      };
-      const auto look =
-        [&](const SimplexGeometry<dim>                      &body,
-            const std::map<std::string, types::material_id> &ids) {
-          std::vector<int>          at_vertex(body.vertices().size(), -1);
-          std::vector<unsigned int> mixed;
-          for (unsigned int cell = Utilities::MPI::this_mpi_process(comm);
-               cell < body.n_cells_of_first_layer();
-               cell += Utilities::MPI::n_mpi_processes(comm))
-            {
-              const Point<dim> centroid = cell_centroid(body, cell);
-              if (!in_groups(body.cell_iterator(cell)->material_id(),
-                             parameters.groups,
-                             ids))
-                continue;
-              const int own      = material(centroid);
-              bool      is_mixed = false;
-              for (const unsigned int v : body.vertex_indices(cell))
-                {
-                  if (at_vertex[v] < 0)
-                    at_vertex[v] = material(body.vertices()[v]);
-                  is_mixed = is_mixed || at_vertex[v] != own;
-                }
-              const double size = ring(centroid) * body.measure(cell);
-              if (is_mixed)
-                mixed.push_back(cell);
-              else
-                volumes[own].add(size, size);
-            }
-          // enough places for the sum, and for each cell
-          constexpr std::size_t in_all = 100000, least = 64, most = 256;
-          for (const unsigned int cell : mixed)
-            look_at_mixed(body,
-                          cell,
-                          std::clamp(in_all / mixed.size(), least, most));
-        };
+      const MPI_Comm       comm = scene.grid.communicator();
+      MaterialVolumes<dim> found(seeding, layout);
       try
         {
-          look_at_cells_of_body(seeding, grid, look);
+          look_at_cells_of_body(
+            seeding,
+            scene.grid,
+            [&](const SimplexGeometry<dim>                      &body,
+                const std::map<std::string, types::material_id> &ids) {
+              found.add_cells(body, ids, parameters.groups, comm);
+            });
         }
       catch (const StandardExceptions::ExcMessage &)
         {
-          // a formula need have values at the points only
-          volumes.assign(n_materials + 1, Volumes());
+          found.clear(); // a formula need have values at the points only
         }
-      warn_of_rounding(volumes, axisymmetric ? 3 : dim, comm);
+      warn_of_rounding(found.volumes, layout.axisymmetric ? 3 : dim, comm);
     }
 
   private:

@@ -80,6 +80,50 @@ namespace isochor
         }
       return result;
     }
+
+    /** What the points in the cells say of the surroundings of all vertices.
+     * Collective. */
+    template <int dim>
+    std::vector<unsigned int>
+    surroundings_of_vertices(
+      const BackgroundGrid<dim>                          &grid,
+      const std::vector<unsigned int>                    &own_cells,
+      const std::vector<std::string>                     &groups,
+      const std::vector<typename BodySeeding<dim>::Zone> &zones,
+      const Expression<dim>                              &in_body)
+    {
+      const SimplexGeometry<dim> &geometry = grid.geometry();
+      std::vector<unsigned int>   result(geometry.vertices().size(), 0);
+      for (const unsigned int cell : own_cells)
+        {
+          unsigned int here = 0;
+          if (!in_groups(geometry.cell_iterator(cell)->material_id(),
+                         groups,
+                         grid.group_ids()))
+            here = no_body;
+          else
+            for (const Point<dim> &x :
+                 places_in_cell<dim>(geometry, cell, zones))
+              here |= in_body(x, 0.) > 0 ? body : no_body;
+          for (unsigned int v = 0; v <= dim; ++v)
+            if (geometry.neighbours(cell)[v] == SimplexGeometry<dim>::no_cell)
+              for (unsigned int w = 0; w <= dim; ++w)
+                if (w != v)
+                  result[geometry.vertex_indices(cell)[w]] |= boundary;
+          for (const unsigned int vertex : geometry.vertex_indices(cell))
+            result[vertex] |= here;
+        }
+      for (const unsigned int bit : {body, no_body, boundary})
+        {
+          std::vector<unsigned int> has_bit;
+          for (const unsigned int of_vertex : result)
+            has_bit.push_back(of_vertex & bit);
+          Utilities::MPI::max(has_bit, grid.communicator(), has_bit);
+          for (unsigned int v = 0; v < has_bit.size(); ++v)
+            result[v] |= has_bit[v];
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -108,39 +152,13 @@ namespace isochor
         seeding.create_zones(scene.points.layout().with_domains);
       const Expression<dim>     in_body(parameters.region,
                                     "Material points/Region");
-      std::vector<unsigned int> own,
-        surroundings(geometry.vertices().size(), 0);
+      std::vector<unsigned int> own;
       for (unsigned int cell = 0; cell < geometry.n_cells_of_first_layer();
            ++cell)
         if (geometry.owner(cell) == rank)
-          {
-            own.push_back(cell);
-            unsigned int here = 0;
-            if (!in_groups(geometry.cell_iterator(cell)->material_id(),
-                           parameters.groups,
-                           grid.group_ids()))
-              here = no_body;
-            else
-              for (const Point<dim> &x :
-                   places_in_cell<dim>(geometry, cell, zones))
-                here |= in_body(x, 0.) > 0 ? body : no_body;
-            for (unsigned int v = 0; v <= dim; ++v)
-              if (geometry.neighbours(cell)[v] == SimplexGeometry<dim>::no_cell)
-                for (unsigned int w = 0; w <= dim; ++w)
-                  if (w != v)
-                    surroundings[geometry.vertex_indices(cell)[w]] |= boundary;
-            for (const unsigned int vertex : geometry.vertex_indices(cell))
-              surroundings[vertex] |= here;
-          }
-      for (const unsigned int bit : {body, no_body, boundary})
-        {
-          std::vector<unsigned int> has_bit;
-          for (const unsigned int of_vertex : surroundings)
-            has_bit.push_back(of_vertex & bit);
-          Utilities::MPI::max(has_bit, comm, has_bit);
-          for (unsigned int v = 0; v < has_bit.size(); ++v)
-            surroundings[v] |= has_bit[v];
-        }
+          own.push_back(cell);
+      const auto surroundings =
+        surroundings_of_vertices(grid, own, parameters.groups, zones, in_body);
       LostParts<dim> found;
       try
         {
@@ -148,6 +166,14 @@ namespace isochor
         }
       catch (const StandardExceptions::ExcMessage &)
         {} // the formula need have values at the points only
+      warn_of_lost_parts(found, comm);
+    }
+
+  private:
+    /** Collective. */
+    void
+    warn_of_lost_parts(const LostParts<dim> &found, const MPI_Comm comm) const
+    {
       const auto all = Utilities::MPI::all_gather(comm, found.n_cells);
       for (const unsigned int what : {0, 1})
         {

@@ -7,6 +7,7 @@
 #include <isochor/adaptation/stress_recovery.h>
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
+#include <isochor/base/rounding.h>
 #include <isochor/diagnosis/diagnosis.h>
 
 #include <algorithm>
@@ -31,16 +32,15 @@ namespace isochor
     Squares
     squares_of(const StepContext<dim> &step, const NodalField &unknowns)
     {
-      // strains as small as rounding errors of a body that is carried along
-      constexpr double      no_strain = 1e-6;
-      const BodyState<dim>  state     = state_of_body(step, unknowns);
-      const StressError     error     = recovered_error(state);
+      const BodyState<dim>  state = state_of_body(step, unknowns);
+      const StressError     error = recovered_error(state);
       std::array<double, 4> sums{{0., error.norm_square, 0., 0.}};
       for (unsigned int q = 0; q < state.size(); ++q)
         {
           sums[0] += error.squares[q];
-          sums[2] +=
-            state.volume[q] * state.shear_modulus[q] * no_strain * no_strain;
+          // strains that a body has by rounding when it is carried along
+          sums[2] += state.volume[q] * state.shear_modulus[q] *
+                     rounding::places * rounding::places;
         }
       if (!step.points.velocity.empty())
         for (unsigned int q = 0; q < state.size(); ++q)

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/plain_message.h>
+#include <isochor/base/rounding.h>
 #include <isochor/equations/constraint_conflicts.h>
 
 #include <algorithm>
@@ -38,6 +39,7 @@ namespace isochor
     std::string
     place_of(const StepContext<dim> &step, const unsigned int entry)
     {
+      AssertIndexRange(entry, step.nodes.n_local() * step.n_components);
       const Point<dim> x    = step.nodes.position(entry / step.n_components);
       std::string      text = "(";
       for (unsigned int d = 0; d < dim; ++d)
@@ -85,10 +87,11 @@ namespace isochor
   find_conflicts(const StepContext<dim> &step,
                  const NodalConstraints &constraints)
   {
+    AssertDimension(constraints.constrained.size(),
+                    step.nodes.n_local() * step.n_components);
     // formulas that mean the same differ by rounding: of what they prescribe,
     // and of the places of nodes
-    constexpr double rounding = 1e-10, rounding_of_places = 1e-13;
-    const MPI_Comm   comm = step.grid.communicator();
+    const MPI_Comm comm = step.grid.communicator();
     if (Utilities::MPI::max(constraints.conflicts.size(), comm) == 0)
       return {};
     double largest = 0, farthest = 0;
@@ -99,9 +102,10 @@ namespace isochor
       largest = std::max(largest, std::abs(increment));
     for (const double value : constraints.followers.value)
       largest = std::max(largest, std::abs(value));
-    largest               = Utilities::MPI::max(largest, comm);
-    const double smallest = rounding * largest + rounding_of_places * farthest;
-    Conflicts    own, all;
+    largest = Utilities::MPI::max(largest, comm);
+    const double smallest =
+      rounding::accumulated * largest + rounding::arithmetic * farthest;
+    Conflicts own, all;
     for (const auto &conflict : constraints.conflicts)
       if (conflict.entry < step.nodes.n_owned() * step.n_components &&
           (conflict.difference == 0. || conflict.difference > smallest))

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/equations/mixed_system.h>
 
 #include <algorithm>
@@ -35,6 +36,18 @@ namespace isochor
                            const NodalConstraints &constraints,
                            const bool              symmetric)
   {
+    AssertDimension(constraints.constrained.size(),
+                    nodes.n_local() * n_components_);
+    Assert(invariants::is_compressed(elements_.start, elements_.node.size()),
+           ExcInternalError());
+    Assert(std::all_of(elements_.node.begin(),
+                       elements_.node.end(),
+                       [&](const unsigned int node) {
+                         return node < nodes.n_local();
+                       }),
+           ExcMessage("An element has a node that is not active."));
+    Assert(is_same_on_all_ranks(symmetric, nodes.grid.communicator()),
+           ExcInternalError());
     const MPI_Comm comm    = nodes.grid.communicator();
     const bool     changed = nodes_changed || n_components != n_components_ ||
                          system.symmetric != symmetric ||
@@ -65,7 +78,9 @@ namespace isochor
     constraint_forces.reinit(constraints, n_components, any_equations);
     if (any_equations)
       nodes.initialize(reactions, n_components);
-    number_equations();
+    const FreeEntries free_entries = number_free_entries();
+    describe_equations(free_entries);
+    order_nodes(free_entries);
     collect_neighbours();
     build_rows();
     find_blocks();
@@ -77,9 +92,10 @@ namespace isochor
 
 
   template <int dim>
-  void
-  MixedSystem<dim>::number_equations()
+  std::vector<std::pair<types::global_dof_index, unsigned int>>
+  MixedSystem<dim>::number_free_entries()
   {
+    AssertDimension(constrained.size(), nodes.n_local() * n_components);
     const unsigned int n_owned = nodes.n_owned() * n_components;
     const unsigned int n_local = nodes.n_local() * n_components;
 
@@ -105,13 +121,22 @@ namespace isochor
       global.local_element(i) = is_free(i) ? next++ : -1.;
     global.update_ghost_values();
 
-    std::vector<std::pair<types::global_dof_index, unsigned int>> sorted;
+    FreeEntries sorted;
     for (unsigned int i = 0; i < n_local; ++i)
       if (global.local_element(i) >= 0)
         sorted.emplace_back(global.local_element(i), i);
     std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
 
-    equations.assign(n_local, invalid);
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::describe_equations(const FreeEntries &sorted)
+  {
+    Assert(std::is_sorted(sorted.begin(), sorted.end()), ExcInternalError());
+    equations.assign(nodes.n_local() * n_components, invalid);
     const unsigned int n = sorted.size();
     system.global_equation.resize(n);
     system.field.resize(n);
@@ -138,11 +163,19 @@ namespace isochor
             system.rotation_arm[eq] = control->rotation_arm;
           }
       }
+  }
 
+
+
+  template <int dim>
+  void
+  MixedSystem<dim>::order_nodes(const FreeEntries &sorted)
+  {
+    AssertDimension(sorted.size(), system.global_equation.size());
     node_first_free.assign(nodes.n_local() + 1, 0);
     nodes_in_order.clear();
     node_order.assign(nodes.n_local(), invalid);
-    for (unsigned int eq = 0; eq < n; ++eq)
+    for (unsigned int eq = 0; eq < sorted.size(); ++eq)
       {
         const unsigned int node = sorted[eq].second / n_components;
         ++node_first_free[node + 1];
@@ -337,6 +370,8 @@ namespace isochor
   void
   MixedSystem<dim>::right_hand_side(TrilinosWrappers::MPI::Vector &rhs) const
   {
+    Assert(invariants::fits(residual, nodes, n_components), ExcOtherNodes());
+    AssertDimension(equations.size(), nodes.n_local() * n_components);
     shape(rhs);
     double *const values = rhs.begin();
     unsigned int  next   = 0;
@@ -352,6 +387,8 @@ namespace isochor
   MixedSystem<dim>::to_nodes(const TrilinosWrappers::MPI::Vector &solution,
                              NodalField                          &field) const
   {
+    Assert(invariants::fits(field, nodes, n_components), ExcOtherNodes());
+    AssertDimension(solution.size(), system.n_equations);
     field.zero_out_ghost_values();
     const double *const values = solution.begin();
     unsigned int        next   = 0;
@@ -373,6 +410,7 @@ namespace isochor
   void
   MixedSystem<dim>::interpolate_followers(NodalField &field) const
   {
+    Assert(invariants::fits(field, nodes, n_components), ExcOtherNodes());
     const Followers &followers = tied.followers();
     for (unsigned int k = 0; k < followers.size(); ++k)
       if (followers.value[k] == 0.)

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/exceptions.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/equations/constraint_conflicts.h>
 #include <isochor/equations/nodal_constraints.h>
 
@@ -30,6 +31,10 @@ namespace isochor
   NodalConstraints::reinit(const unsigned int               n_entries,
                            const std::vector<unsigned int> &control)
   {
+    Assert(std::all_of(control.begin(),
+                       control.end(),
+                       [&](const unsigned int i) { return i < n_entries; }),
+           ExcInternalError());
     is_control.clear();
     if (!control.empty())
       is_control.assign(n_entries, 0);
@@ -64,6 +69,8 @@ namespace isochor
   void
   NodalConstraints::constrain(const unsigned int i, const double value)
   {
+    AssertIndexRange(i, constrained.size());
+    AssertDimension(increment.size(), constrained.size());
     const unsigned int number = source_number();
     if (number > 0)
       {
@@ -88,6 +95,12 @@ namespace isochor
     const std::vector<std::pair<unsigned int, double>> &terms,
     const double                                        value)
   {
+    Assert(std::all_of(terms.begin(),
+                       terms.end(),
+                       [&](const auto &term) {
+                         return term.first < constrained.size();
+                       }),
+           ExcMessage("The equation has an unknown that is not active."));
     Equation equation;
     equation.precedence = precedence;
     equation.first      = entry.size();
@@ -108,6 +121,12 @@ namespace isochor
   void
   NodalConstraints::resolve(const unsigned int n_components)
   {
+    Assert(n_components > 0, ExcInternalError());
+    AssertDimension(constrained.size() % n_components, 0u);
+    AssertDimension(increment.size(), constrained.size());
+    AssertDimension(coefficient.size(), entry.size());
+    AssertDimension(ties.start.size(), ties.size() + 1);
+    AssertDimension(ties.weight.size(), ties.master.size());
     for (unsigned char &how : constrained)
       if (how == follows)
         how = is_free;
@@ -175,6 +194,8 @@ namespace isochor
   void
   NodalConstraints::set_row(const Equation &equation)
   {
+    Assert(equation.first <= equation.last, ExcInternalError());
+    AssertIndexRange(equation.last, entry.size() + 1);
     row.clear();
     row_value = equation.value;
     for (std::size_t i = equation.first; i < equation.last; ++i)
@@ -187,8 +208,10 @@ namespace isochor
   unsigned int
   NodalConstraints::find_pivot(const Equation &equation) const
   {
-    constexpr double rounding = 1e-8, small = 1e-3, equal = 1 - 1e-6;
-    double           size = 0;
+    Assert(equation.first + equation.n_pivots <= equation.last,
+           ExcInternalError());
+    constexpr double small = 1e-3;
+    double           size  = 0;
     for (std::size_t i = equation.first; i < equation.last; ++i)
       size = std::max(size, std::abs(coefficient[i]));
     const auto allowed = [&](const unsigned int e) {
@@ -207,14 +230,14 @@ namespace isochor
           largest = std::max(largest, std::abs(a));
       for (unsigned int i = 0; i < row.size() && largest > least * size; ++i)
         if (candidate(row[i].first) &&
-            std::abs(row[i].second) >= equal * largest)
+            std::abs(row[i].second) >= (1 - rounding::places) * largest)
           return i;
       return none;
     };
     unsigned int i = largest_of(false, small);
     if (i == none)
-      i = largest_of(true, rounding);
-    return i != none ? i : largest_of(false, rounding);
+      i = largest_of(true, rounding::accumulated);
+    return i != none ? i : largest_of(false, rounding::accumulated);
   }
 
 
@@ -223,6 +246,7 @@ namespace isochor
   NodalConstraints::check_pivot(const Equation    &equation,
                                 const unsigned int number) const
   {
+    AssertIndexRange(number, source_of_equation.size());
     using namespace dealii;
     const auto begin = entry.begin() + equation.first,
                end   = begin + equation.n_pivots;
@@ -266,6 +290,7 @@ namespace isochor
                                     const unsigned char flags,
                                     const double        value)
   {
+    AssertIndexRange(e, constrained.size());
     if (!equations.empty())
       place[e] = followers.size();
     constrained[e] = follows;
@@ -286,6 +311,7 @@ namespace isochor
   NodalConstraints::eliminate_tie(const unsigned int k,
                                   const unsigned int n_components)
   {
+    AssertIndexRange(k, ties.size());
     for (unsigned int a = 0; a < n_components; ++a)
       {
         const unsigned int e = ties.node[k] * n_components + a;
@@ -358,6 +384,7 @@ namespace isochor
   NodalConstraints::note_lost(const Equation    &equation,
                               const unsigned int number)
   {
+    AssertIndexRange(number, source_of_equation.size());
     // what is left of the equation, where all of its unknowns are given
     double size = 0, rest = row_value, scale = std::abs(equation.value);
     bool   known = true;

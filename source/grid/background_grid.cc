@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_simplex_p.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/grid/background_grid.h>
 #include <isochor/grid/coordinate_bisection.h>
 #include <isochor/grid/grid_layers.h>
@@ -121,6 +122,8 @@ namespace isochor
                                    const unsigned int               n_layers,
                                    const double                     time)
   {
+    AssertDimension(leaves.size(), owners.size());
+    Assert(n_layers > 0, ExcInternalError());
     const SimplexMesh<dim> mesh           = forest->set_leaves(leaves, owners);
     auto                   tria_with_mesh = new_triangulation();
     tria_with_mesh->signals.create.connect([this, &tria_with_mesh]() {
@@ -201,6 +204,7 @@ namespace isochor
   std::vector<unsigned int>
   BackgroundGrid<dim>::first_cells_of_layers(const unsigned int n_layers) const
   {
+    AssertDimension(cached_geometry->n_cells() % n_layers, 0u);
     const unsigned int        n_cells = cached_geometry->n_cells();
     std::vector<unsigned int> first_cells;
     for (unsigned int layer = 0; layer <= n_layers; ++layer)
@@ -223,6 +227,7 @@ namespace isochor
   BackgroundGrid<dim>::SharedTriangulation::set_owners(
     const std::vector<unsigned int> &owners)
   {
+    AssertDimension(owners.size(), this->n_active_cells());
     for (const auto &cell : this->active_cell_iterators())
       cell->set_subdomain_id(owners[cell->active_cell_index()]);
     this->update_number_cache();
@@ -335,6 +340,7 @@ namespace isochor
   void
   BackgroundGrid<dim>::set_vertices(const std::vector<Point<dim>> &positions)
   {
+    AssertDimension(positions.size(), tria->n_vertices());
     // deal.II offers write access to vertices only through cells
     for (const auto &cell : tria->active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
@@ -383,14 +389,14 @@ namespace isochor
   BackgroundGrid<dim>::boundary_crossed(const unsigned int cell,
                                         const Point<dim>  &x) const
   {
+    AssertIndexRange(cell, cached_geometry->n_cells());
     const SimplexGeometry<dim> &geometry = *cached_geometry;
     const Point<dim>            start    = cell_centroid(geometry, cell);
 
     // the first face that the line from there meets: where the barycentric
     // coordinate of the opposite vertex vanishes and the others don't exceed 1
-    constexpr double   tolerance = 1e-6;
-    double             first     = 1 + tolerance;
-    types::boundary_id id        = numbers::invalid_boundary_id;
+    double             first = 1 + rounding::places;
+    types::boundary_id id    = numbers::invalid_boundary_id;
     for (const BoundaryFace &face : faces)
       {
         const double a =
@@ -403,7 +409,7 @@ namespace isochor
         const auto   lambda =
           geometry.barycentric(face.cell, Point<dim>(start + s * (x - start)));
         if (s<first && * std::min_element(lambda.begin(), lambda.end())> -
-            tolerance)
+            rounding::places)
           {
             first = s;
             id    = face.id;

@@ -29,6 +29,8 @@ namespace isochor
   ConformingClosure<dim>::view_of(const unsigned int tree,
                                   const unsigned int node) const
   {
+    AssertIndexRange(tree, coarse.cells.size());
+    AssertIndexRange(node, n_nodes);
     // the corner of the entity that is the lowest of the tree, and its axes
     unsigned int              lowest = 0;
     std::vector<unsigned int> axes;
@@ -117,6 +119,13 @@ namespace isochor
   ConformingClosure<dim>::key(const unsigned int                    tree,
                               const std::array<std::uint32_t, dim> &place) const
   {
+    AssertIndexRange(tree, views.size());
+    Assert(std::all_of(place.begin(),
+                       place.end(),
+                       [](const std::uint32_t x) {
+                         return x <= Leaf<dim>::resolution;
+                       }),
+           ExcInternalError());
     constexpr std::uint32_t end  = Leaf<dim>::resolution;
     unsigned int            node = 0;
     for (unsigned int d = 0; d < dim; ++d)
@@ -140,6 +149,7 @@ namespace isochor
   Point<dim>
   ConformingClosure<dim>::position(const Key &key) const
   {
+    AssertIndexRange(key.entity, entities.size());
     // a + t (b - a), axis by axis: what is equal at all corners stays so
     const Entity                       &entity = entities[key.entity];
     std::array<Point<dim>, (1u << dim)> x;
@@ -213,95 +223,147 @@ namespace isochor
 
 
   template <int dim>
+  std::array<std::uint32_t, dim>
+  ConformingClosure<dim>::place(const Leaf<dim> &leaf, const unsigned int node)
+  {
+    AssertIndexRange(node, n_nodes);
+    std::array<std::uint32_t, dim> x = leaf.corner;
+    for (unsigned int d = 0; d < dim; ++d)
+      x[d] += coordinate(node, d) * (leaf.size() / 2);
+    return x;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::array<unsigned int, (1u << dim)>>
+  ConformingClosure<dim>::number_corners(const std::vector<Leaf<dim>> &leaves,
+                                         VertexNumbers                &known,
+                                         SimplexMesh<dim> &mesh) const
+  {
+    std::vector<std::array<unsigned int, (1u << dim)>> corners(leaves.size());
+    known.reserve(leaves.size() * 5 / 4 + 16);
+    for (unsigned int i = 0; i < leaves.size(); ++i)
+      for (unsigned int c = 0; c < (1u << dim); ++c)
+        {
+          const Key k =
+            key(leaves[i].tree, place(leaves[i], corner_node<dim>(c)));
+          const auto found = known.emplace(k, mesh.vertices.size());
+          corners[i][c]    = found.first->second;
+          if (found.second)
+            mesh.vertices.push_back(position(k));
+        }
+    return corners;
+  }
+
+
+
+  template <int dim>
+  std::uint32_t
+  ConformingClosure<dim>::find_middles(const Leaf<dim>     &leaf,
+                                       const VertexNumbers &known,
+                                       NodeVertices        &vertex) const
+  {
+    std::uint32_t present = corner_bits<dim>();
+    // middles of edges first: of a face there is none without those
+    for (unsigned int n_axes = 1; n_axes < dim; ++n_axes)
+      for (unsigned int node = 0; node < n_nodes; ++node)
+        if (n_middle_axes<dim>(node) == n_axes &&
+            (n_axes == 1 || present != corner_bits<dim>()))
+          {
+            const auto found = known.find(key(leaf.tree, place(leaf, node)));
+            if (found == known.end())
+              continue;
+            vertex[node] = found->second;
+            present |= 1u << node;
+          }
+    return present;
+  }
+
+
+
+  template <int dim>
+  void
+  ConformingClosure<dim>::add_simplices(const Leaf<dim>         &leaf,
+                                        const LeafTemplate<dim> &split,
+                                        NodeVertices            &vertex,
+                                        SimplexMesh<dim>        &mesh) const
+  {
+    bool has_centre = false;
+    for (const auto &simplex : split.simplices)
+      has_centre =
+        has_centre ||
+        std::find(simplex.begin(), simplex.end(), centre) != simplex.end();
+    if (has_centre)
+      {
+        vertex[centre] = mesh.vertices.size();
+        mesh.vertices.push_back(position(leaf.tree, place(leaf, centre)));
+      }
+    for (const auto &simplex : split.simplices)
+      {
+        mesh.cells.emplace_back();
+        for (unsigned int v = 0; v <= dim; ++v)
+          mesh.cells.back()[v] = vertex[simplex[v]];
+      }
+    mesh.first_cell.push_back(mesh.cells.size());
+  }
+
+
+
+  template <int dim>
+  void
+  ConformingClosure<dim>::add_boundary(const Leaf<dim>         &leaf,
+                                       const LeafTemplate<dim> &split,
+                                       const NodeVertices      &vertex,
+                                       SimplexMesh<dim>        &mesh) const
+  {
+    AssertIndexRange(leaf.tree, coarse.boundary_ids.size());
+    for (unsigned int f = 0; f < 2 * dim; ++f)
+      {
+        const types::boundary_id id = coarse.boundary_ids[leaf.tree][f];
+        const std::uint32_t      x  = leaf.corner[f / 2];
+        if (id == numbers::internal_face_boundary_id ||
+            (f % 2 == 0 ? x != 0 : x + leaf.size() != leaf.resolution))
+          continue;
+        for (const auto &side : split.sides[f])
+          {
+            mesh.boundary.push_back({{}, id});
+            for (unsigned int v = 0; v < dim; ++v)
+              mesh.boundary.back().vertices[v] = vertex[side[v]];
+          }
+      }
+  }
+
+
+
+  template <int dim>
   SimplexMesh<dim>
   ConformingClosure<dim>::close(const std::vector<Leaf<dim>> &leaves)
   {
-    SimplexMesh<dim>                               mesh;
-    std::unordered_map<Key, unsigned int, KeyHash> numbers;
-    numbers.reserve(leaves.size() * 5 / 4 + 16);
-    constexpr unsigned int                           n_corners = 1u << dim;
-    std::vector<std::array<unsigned int, n_corners>> corners(leaves.size());
-    const auto place = [](const Leaf<dim> &leaf, const unsigned int node) {
-      std::array<std::uint32_t, dim> x = leaf.corner;
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] += coordinate(node, d) * (leaf.size() / 2);
-      return x;
-    };
-
-    unsigned int finest = 0;
-    for (unsigned int i = 0; i < leaves.size(); ++i)
-      {
-        finest = std::max(finest, leaves[i].level);
-        for (unsigned int c = 0; c < n_corners; ++c)
-          {
-            const Key k =
-              key(leaves[i].tree, place(leaves[i], corner_node<dim>(c)));
-            const auto found = numbers.emplace(k, mesh.vertices.size());
-            corners[i][c]    = found.first->second;
-            if (found.second)
-              mesh.vertices.push_back(position(k));
-          }
-      }
+    Assert(!leaves.empty(), ExcMessage("There is no grid."));
+    SimplexMesh<dim> mesh;
+    VertexNumbers    known;
+    const auto       corners = number_corners(leaves, known, mesh);
+    unsigned int     finest  = 0;
+    for (const Leaf<dim> &leaf : leaves)
+      finest = std::max(finest, leaf.level);
 
     mesh.first_cell.push_back(0);
     mesh.cells.reserve(leaves.size() * (dim == 2 ? 2 : 6));
     for (unsigned int i = 0; i < leaves.size(); ++i)
       {
-        const Leaf<dim>                  &leaf    = leaves[i];
-        std::uint32_t                     present = corner_bits<dim>();
-        std::array<unsigned int, n_nodes> vertex{};
-        for (unsigned int c = 0; c < n_corners; ++c)
+        NodeVertices vertex{};
+        for (unsigned int c = 0; c < (1u << dim); ++c)
           vertex[corner_node<dim>(c)] = corners[i][c];
-        // middles of edges first: of a face there is none without those
-        for (unsigned int n_axes = 1; n_axes < dim && leaf.level < finest;
-             ++n_axes)
-          for (unsigned int node = 0; node < n_nodes; ++node)
-            if (n_middle_axes<dim>(node) == n_axes &&
-                (n_axes == 1 || present != corner_bits<dim>()))
-              {
-                const auto found =
-                  numbers.find(key(leaf.tree, place(leaf, node)));
-                if (found == numbers.end())
-                  continue;
-                vertex[node] = found->second;
-                present |= 1u << node;
-              }
-        const LeafTemplate<dim> &split = leaf_template(leaf, present);
+        const std::uint32_t      present = leaves[i].level < finest ?
+                                             find_middles(leaves[i], known, vertex) :
+                                             corner_bits<dim>();
+        const LeafTemplate<dim> &split   = leaf_template(leaves[i], present);
         mesh.n_hanging_leaves += (present != corner_bits<dim>());
-
-        bool has_centre = false;
-        for (const auto &simplex : split.simplices)
-          has_centre =
-            has_centre ||
-            std::find(simplex.begin(), simplex.end(), centre) != simplex.end();
-        if (has_centre)
-          {
-            vertex[centre] = mesh.vertices.size();
-            mesh.vertices.push_back(position(leaf.tree, place(leaf, centre)));
-          }
-        for (const auto &simplex : split.simplices)
-          {
-            mesh.cells.emplace_back();
-            for (unsigned int v = 0; v <= dim; ++v)
-              mesh.cells.back()[v] = vertex[simplex[v]];
-          }
-        mesh.first_cell.push_back(mesh.cells.size());
-
-        for (unsigned int f = 0; f < 2 * dim; ++f)
-          {
-            const types::boundary_id id = coarse.boundary_ids[leaf.tree][f];
-            const std::uint32_t      x  = leaf.corner[f / 2];
-            if (id == numbers::internal_face_boundary_id ||
-                (f % 2 == 0 ? x != 0 : x + leaf.size() != leaf.resolution))
-              continue;
-            for (const auto &side : split.sides[f])
-              {
-                mesh.boundary.push_back({{}, id});
-                for (unsigned int v = 0; v < dim; ++v)
-                  mesh.boundary.back().vertices[v] = vertex[side[v]];
-              }
-          }
+        add_simplices(leaves[i], split, vertex, mesh);
+        add_boundary(leaves[i], split, vertex, mesh);
       }
+    AssertDimension(mesh.first_cell.size(), leaves.size() + 1);
     return mesh;
   }
 

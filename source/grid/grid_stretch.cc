@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/plain_message.h>
+#include <isochor/base/rounding.h>
 #include <isochor/grid/extent.h>
 #include <isochor/grid/grid_stretch.h>
 
@@ -18,14 +19,15 @@ namespace isochor
     check_start(const std::vector<double>        &planes,
                 const std::vector<Expression<1>> &displacement)
     {
-      constexpr double rounding = 1e-6; // of the distances of planes
+      Assert(!planes.empty(), ExcInternalError());
+      AssertDimension(planes.size(), displacement.size());
       const double size = planes.size() > 1 ? planes.back() - planes.front() :
                                               std::abs(planes.front());
       for (unsigned int i = 0; i < planes.size(); ++i)
         {
           const double at_start = displacement[i](Point<1>(planes[i]), 0.);
           AssertThrow(
-            std::abs(at_start) <= rounding * size,
+            std::abs(at_start) <= rounding::places * size,
             ExcMessage(
               "The displacement at the coordinate " + rounded(planes[i]) +
               " of the parameter <Grid/Stretch> is " + rounded(at_start) +
@@ -131,6 +133,7 @@ namespace isochor
   Point<dim>
   GridStretch<dim>::place(const Point<dim> &reference, const double time) const
   {
+    AssertDimension(planes.size(), displacement.size());
     const double y     = reference[axis];
     const auto   moved = [&](const unsigned int plane) {
       return displacement[plane](Point<1>(planes[plane]), time);

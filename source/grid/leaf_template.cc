@@ -25,6 +25,8 @@ namespace isochor
     std::array<unsigned char, 9>
     face_nodes(const unsigned int f, const unsigned int frame)
     {
+      AssertIndexRange(f, 6);
+      AssertIndexRange(frame, 8);
       constexpr unsigned int u[9] = {0, 2, 2, 0, 1, 2, 1, 0, 1};
       constexpr unsigned int v[9] = {0, 0, 2, 2, 0, 1, 2, 1, 1};
       const unsigned int n = f / 2, a = (n == 0 ? 1 : 0), b = (n == 2 ? 1 : 2);
@@ -52,6 +54,9 @@ namespace isochor
     const Triangles &
     face_triangles(const unsigned int middles, const bool has_centre)
     {
+      AssertIndexRange(middles, 16);
+      Assert(!has_centre || middles == 15,
+             ExcMessage("A refined face has all middles."));
       const auto parse = [](const std::string &text) {
         // corners 0 to 3, then the middles of the four edges and the centre
         const std::string names = "0123brtlc";
@@ -89,6 +94,7 @@ namespace isochor
     Point<dim>
     lattice_point(const unsigned int node)
     {
+      AssertIndexRange(node, LeafTemplate<dim>::n_nodes);
       Point<dim> x;
       for (unsigned int d = 0; d < dim; ++d)
         x[d] = coordinate(node, d);
@@ -136,6 +142,91 @@ namespace isochor
                    .distance_square(lattice_point<3>(simplex[j]));
       return signed_volume<3>(simplex) / std::pow(sum, 1.5);
     }
+
+    LeafTemplate<2>
+    split_square(const std::uint32_t present, const unsigned int frame)
+    {
+      AssertIndexRange(frame, 2);
+      // the nodes of the sides, and for plain leaves the diagonal
+      constexpr unsigned char sides[4][3] = {{6, 3, 0},
+                                             {2, 5, 8},
+                                             {0, 1, 2},
+                                             {8, 7, 6}};
+      LeafTemplate<2>         result;
+      for (unsigned int f = 0; f < 4; ++f)
+        if ((present >> sides[f][1]) & 1u)
+          {
+            result.sides[f].push_back({{sides[f][0], sides[f][1]}});
+            result.sides[f].push_back({{sides[f][1], sides[f][2]}});
+          }
+        else
+          result.sides[f].push_back({{sides[f][0], sides[f][2]}});
+      if (present == corner_bits<2>())
+        {
+          const bool up = (frame == 0); // "/"
+          result.simplices.push_back(up ? simplex_2d(0, 2, 8) :
+                                          simplex_2d(0, 2, 6));
+          result.simplices.push_back(up ? simplex_2d(0, 8, 6) :
+                                          simplex_2d(2, 8, 6));
+        }
+      else
+        for (const auto &side : result.sides)
+          for (const auto &edge : side)
+            result.simplices.push_back(
+              oriented<2>({{LeafTemplate<2>::n_nodes / 2, edge[0], edge[1]}}));
+      return result;
+    }
+
+    /** The tetrahedra between a node and all triangles on the @p sides that
+     * don't contain it. */
+    template <typename Sides>
+    std::vector<std::array<unsigned char, 4>>
+    cone(const Sides &sides, const unsigned char apex)
+    {
+      std::vector<std::array<unsigned char, 4>> simplices;
+      for (const auto &side : sides)
+        for (const auto &t : side)
+          if (std::find(t.begin(), t.end(), apex) == t.end())
+            simplices.push_back(oriented<3>({{apex, t[0], t[1], t[2]}}));
+      return simplices;
+    }
+
+    LeafTemplate<3>
+    split_cube(const std::uint32_t                present,
+               const std::array<unsigned int, 6> &frames)
+    {
+      LeafTemplate<3> result;
+      for (unsigned int f = 0; f < 6; ++f)
+        {
+          const auto   nodes   = face_nodes(f, frames[f]);
+          unsigned int middles = 0;
+          for (unsigned int k = 0; k < 4; ++k)
+            middles |= ((present >> nodes[4 + k]) & 1u) << k;
+          for (const auto &triangle :
+               face_triangles(middles, ((present >> nodes[8]) & 1u) != 0))
+            result.sides[f].push_back(
+              {{nodes[triangle[0]], nodes[triangle[1]], nodes[triangle[2]]}});
+        }
+      double best = 0;
+      for (unsigned int i = 0; present == corner_bits<3>() && i < 8; ++i)
+        {
+          const auto simplices = cone(result.sides, corner_node<3>(i));
+          // with more, triangles of its own faces don't contain it
+          if (simplices.size() != 6)
+            continue;
+          double worst = std::numeric_limits<double>::max();
+          for (const auto &simplex : simplices)
+            worst = std::min(worst, quality(simplex));
+          if (worst > best * (1 + 1e-12))
+            {
+              best             = worst;
+              result.simplices = simplices;
+            }
+        }
+      if (result.simplices.empty())
+        result.simplices = cone(result.sides, LeafTemplate<3>::n_nodes / 2);
+      return result;
+    }
   } // namespace
 
 
@@ -145,82 +236,12 @@ namespace isochor
   split_leaf(const std::uint32_t                      present,
              const std::array<unsigned int, 2 * dim> &frames)
   {
-    const auto is_present = [present](const unsigned int node) {
-      return ((present >> node) & 1u) != 0;
-    };
-    constexpr unsigned int centre = LeafTemplate<dim>::n_nodes / 2;
-    LeafTemplate<dim>      result;
+    Assert((present & corner_bits<dim>()) == corner_bits<dim>(),
+           ExcMessage("The corners of a leaf are vertices."));
     if constexpr (dim == 2)
-      {
-        // the nodes of the sides, and for plain leaves the diagonal
-        constexpr unsigned char sides[4][3] = {{6, 3, 0},
-                                               {2, 5, 8},
-                                               {0, 1, 2},
-                                               {8, 7, 6}};
-        for (unsigned int f = 0; f < 4; ++f)
-          if (is_present(sides[f][1]))
-            {
-              result.sides[f].push_back({{sides[f][0], sides[f][1]}});
-              result.sides[f].push_back({{sides[f][1], sides[f][2]}});
-            }
-          else
-            result.sides[f].push_back({{sides[f][0], sides[f][2]}});
-        if (present == corner_bits<2>())
-          {
-            const bool up = (frames[0] == 0); // "/"
-            result.simplices.push_back(up ? simplex_2d(0, 2, 8) :
-                                            simplex_2d(0, 2, 6));
-            result.simplices.push_back(up ? simplex_2d(0, 8, 6) :
-                                            simplex_2d(2, 8, 6));
-          }
-        else
-          for (const auto &side : result.sides)
-            for (const auto &edge : side)
-              result.simplices.push_back(
-                oriented<2>({{centre, edge[0], edge[1]}}));
-      }
+      return split_square(present, frames[0]);
     else
-      {
-        for (unsigned int f = 0; f < 6; ++f)
-          {
-            const auto   nodes   = face_nodes(f, frames[f]);
-            unsigned int middles = 0;
-            for (unsigned int k = 0; k < 4; ++k)
-              middles |= static_cast<unsigned int>(is_present(nodes[4 + k]))
-                         << k;
-            for (const auto &triangle :
-                 face_triangles(middles, is_present(nodes[8])))
-              result.sides[f].push_back(
-                {{nodes[triangle[0]], nodes[triangle[1]], nodes[triangle[2]]}});
-          }
-        const auto cone = [&result](const unsigned char apex) {
-          std::vector<std::array<unsigned char, 4>> simplices;
-          for (const auto &side : result.sides)
-            for (const auto &t : side)
-              if (std::find(t.begin(), t.end(), apex) == t.end())
-                simplices.push_back(oriented<3>({{apex, t[0], t[1], t[2]}}));
-          return simplices;
-        };
-        double best = 0;
-        for (unsigned int i = 0; present == corner_bits<3>() && i < 8; ++i)
-          {
-            const auto simplices = cone(corner_node<3>(i));
-            // with more, triangles of its own faces don't contain it
-            if (simplices.size() != 6)
-              continue;
-            double worst = std::numeric_limits<double>::max();
-            for (const auto &simplex : simplices)
-              worst = std::min(worst, quality(simplex));
-            if (worst > best * (1 + 1e-12))
-              {
-                best             = worst;
-                result.simplices = simplices;
-              }
-          }
-        if (result.simplices.empty())
-          result.simplices = cone(centre);
-      }
-    return result;
+      return split_cube(present, frames);
   }
 
 

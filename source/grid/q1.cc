@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/plugin_registry.h>
+#include <isochor/base/rounding.h>
 #include <isochor/grid/shape_functions.h>
 
 #include <algorithm>
@@ -206,12 +207,11 @@ namespace isochor
                     const Barycentric &lambda,
                     Values            &values) const
   {
-    constexpr double       outside         = -1e-8;
-    constexpr double       accuracy        = 1e-12; // of ξ
     constexpr unsigned int most_iterations = 30;
     // beyond the element the inverse of x(ξ) need not exist. On its sides both
     // are the same
-    if (*std::min_element(lambda.begin(), lambda.end()) < outside)
+    if (*std::min_element(lambda.begin(), lambda.end()) <
+        -rounding::accumulated)
       {
         evaluate_linearly(cell, lambda, values);
         return;
@@ -241,7 +241,8 @@ namespace isochor
         const Tensor<2, dim> inverse = invert(at.J);
         const Tensor<1, dim> change  = inverse * (x - at.x);
         // far from the origin coordinates are rounded
-        if (change.norm() < accuracy + 1e-15 * inverse.norm() * size)
+        if (change.norm() <
+            rounding::arithmetic + 1e-15 * inverse.norm() * size)
           {
             values.n_nodes = n_corners;
             for (unsigned int i = 0; i < n_corners; ++i)

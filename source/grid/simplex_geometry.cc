@@ -8,6 +8,7 @@
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/grid/simplex_geometry.h>
 
 #include <algorithm>
@@ -18,12 +19,6 @@ namespace isochor
 {
   namespace
   {
-    /** A cell is degenerate if |det J| / (longest edge)^dim is below this:
-     * rounding then leaves about four correct digits in the gradients. */
-    constexpr double degenerate_tolerance = 1e-12;
-
-
-
     /** Calls @p function(vertex, face) for each vertex of a cell and the face
      * opposite to it. deal.II numbers the faces of a simplex otherwise. */
     template <typename CellIterator, typename Function>
@@ -216,9 +211,10 @@ namespace isochor
             }
 
         const double det = determinant(jacobian);
-        // False too if a coordinate is not a number.
+        // Below this rounding leaves about four correct digits in the
+        // gradients. False too if a coordinate is not a number.
         AssertThrow(std::abs(det) >
-                      degenerate_tolerance * std::pow(longest_edge, dim),
+                      rounding::arithmetic * std::pow(longest_edge, dim),
                     ExcMessage("Degenerate grid: " +
                                describe_cell<dim>(c, indices, vertices) +
                                " has no (or no finite) measure."));

@@ -54,6 +54,35 @@ namespace isochor
       int n, begin;
     };
 
+    /** The columns of a sum of matrices: those that this rank owns, then those
+     * of others, ascending. */
+    struct SumColumns
+    {
+      OwnedRange       owned;
+      std::vector<int> foreign;
+
+      /** The local number of the column with a global one. */
+      int
+      number(const int name) const
+      {
+        return owned.contains(name) ?
+                 name - owned.begin :
+                 owned.n +
+                   (std::lower_bound(foreign.begin(), foreign.end(), name) -
+                    foreign.begin());
+      }
+
+      /** The global numbers. */
+      std::vector<int>
+      names() const
+      {
+        std::vector<int> all(owned.n + foreign.size());
+        std::iota(all.begin(), all.begin() + owned.n, owned.begin);
+        std::copy(foreign.begin(), foreign.end(), all.begin() + owned.n);
+        return all;
+      }
+    };
+
     void
     check(const int error, const char *call)
     {
@@ -79,6 +108,11 @@ namespace isochor
               const Epetra_Map   &domain,
               const Epetra_Map   &range)
   {
+    Assert(!pattern.start.empty(), ExcInternalError());
+    AssertDimension(pattern.start.size(),
+                    static_cast<std::size_t>(rows.NumMyElements()) + 1);
+    AssertDimension(static_cast<std::size_t>(pattern.start.back()),
+                    pattern.column.size());
     const std::vector<int> &start = pattern.start;
     std::vector<int>        length(start.size() - 1);
     std::transform(start.begin() + 1,
@@ -170,42 +204,30 @@ namespace isochor
                          std::unique_ptr<Epetra_CrsMatrix> &sum,
                          std::vector<bool>                 &as_it_is)
   {
-    const OwnedRange owned_rows(rows.owned), owned_columns(columns.owned);
+    AssertDimension(local.start.size(),
+                    static_cast<std::size_t>(rows.local.NumMyElements()) + 1);
+    const OwnedRange owned_rows(rows.owned);
+    SumColumns       in_sum{OwnedRange(columns.owned), {}};
     const int *const row_name    = rows.local.MyGlobalElements();
     const int *const column_name = columns.local.MyGlobalElements();
 
     // columns of others, and what the owned rows get from others
-    std::vector<int>              foreign;
     std::vector<std::vector<int>> added(owned_rows.n);
     for (const auto &of_rank : received)
       for (const auto &[row, column] : of_rank.second)
         {
           added[row - owned_rows.begin].push_back(column);
-          if (!owned_columns.contains(column))
-            foreign.push_back(column);
+          if (!in_sum.owned.contains(column))
+            in_sum.foreign.push_back(column);
         }
     for (int c = 0; c < columns.local.NumMyElements(); ++c)
-      if (!owned_columns.contains(column_name[c]))
-        foreign.push_back(column_name[c]);
-    sort_and_remove_copies(foreign);
-    std::vector<int> all_columns(owned_columns.n + foreign.size());
-    std::iota(all_columns.begin(),
-              all_columns.begin() + owned_columns.n,
-              owned_columns.begin);
-    std::copy(foreign.begin(),
-              foreign.end(),
-              all_columns.begin() + owned_columns.n);
-    const auto number = [&](const int name) -> int {
-      return owned_columns.contains(name) ?
-               name - owned_columns.begin :
-               owned_columns.n +
-                 (std::lower_bound(foreign.begin(), foreign.end(), name) -
-                  foreign.begin());
-    };
+      if (!in_sum.owned.contains(column_name[c]))
+        in_sum.foreign.push_back(column_name[c]);
+    sort_and_remove_copies(in_sum.foreign);
 
     std::vector<int> column_in_sum(columns.local.NumMyElements());
     for (unsigned int c = 0; c < column_in_sum.size(); ++c)
-      column_in_sum[c] = number(column_name[c]);
+      column_in_sum[c] = in_sum.number(column_name[c]);
     as_it_is.assign(rows.local.NumMyElements(), false);
 
     LocalPattern pattern;
@@ -222,7 +244,7 @@ namespace isochor
           of_row.push_back(column_in_sum[local.column[k]]);
         as_it_is[r] = std::is_sorted(of_row.begin(), of_row.end());
         for (const int name : added[row])
-          of_row.push_back(number(name));
+          of_row.push_back(in_sum.number(name));
         if (!as_it_is[r] || !added[row].empty())
           sort_and_remove_copies(of_row);
         if (static_cast<int>(of_row.size()) >
@@ -234,8 +256,9 @@ namespace isochor
         pattern.start[row + 1] = pattern.column.size();
       }
 
-    const Epetra_Map column_map(
-      -1, all_columns.size(), all_columns.data(), 0, rows.owned.Comm());
+    const std::vector<int> names = in_sum.names();
+    const Epetra_Map       column_map(
+      -1, names.size(), names.data(), 0, rows.owned.Comm());
     sum =
       zero_matrix(pattern, rows.owned, column_map, columns.owned, rows.owned);
     return column_in_sum;
@@ -250,6 +273,9 @@ namespace isochor
                              const Epetra_CrsMatrix  &sum,
                              const std::vector<bool> &as_it_is)
   {
+    AssertDimension(as_it_is.size(),
+                    static_cast<std::size_t>(rows.local.NumMyElements()));
+    Assert(!local.start.empty(), ExcInternalError());
     const Rows       to(sum);
     const OwnedRange owned(rows.owned);
     const int *const row_name = rows.local.MyGlobalElements();

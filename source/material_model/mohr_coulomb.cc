@@ -180,6 +180,15 @@ namespace isochor
                       const bool                         with_tangent,
                       StressResponse<dim>               &response) const;
 
+    /** The Lie derivative of dev τ: see there. */
+    void
+    assemble_tangent(const SpectralDecomposition<dim>  &spectrum,
+                     const MohrCoulombReturn::Vector   &strain,
+                     const std::array<unsigned int, 3> &rank,
+                     const MohrCoulombReturn::Trial    &trial,
+                     const MohrCoulombReturn::Response &principal,
+                     StressResponse<dim>               &response) const;
+
     /** b^e after plastic flow, and what is added to its measure. */
     void
     update_history(const SpectralDecomposition<dim>  &spectrum,
@@ -338,10 +347,26 @@ namespace isochor
         response.volumetric_tangent.access_raw_entry(i) = volumetric[i];
         response.deviatoric_pressure_tangent.access_raw_entry(i) = pressure[i];
       }
-    if (!with_tangent)
-      return;
+    if (with_tangent)
+      assemble_tangent(spectrum, strain, rank, trial, principal, response);
+  }
 
-    std::array<double, n * n> tangent{};
+
+
+  template <int dim>
+  inline void
+  MohrCoulomb<dim>::assemble_tangent(
+    const SpectralDecomposition<dim>  &spectrum,
+    const MohrCoulombReturn::Vector   &strain,
+    const std::array<unsigned int, 3> &rank,
+    const MohrCoulombReturn::Trial    &trial,
+    const MohrCoulombReturn::Response &principal,
+    StressResponse<dim>               &response) const
+  {
+    using Components = typename SpectralDecomposition<dim>::Components;
+    constexpr unsigned int             n = std::tuple_size<Components>::value;
+    const std::array<Components, dim> &m = spectrum.dyads;
+    std::array<double, n * n>          tangent{};
     for (unsigned int A = 0; A < dim; ++A)
       {
         const unsigned int a = rank[A];
@@ -436,15 +461,8 @@ namespace isochor
     trial.mean          = surface.bulk_modulus * trial.theta;
     trial.mean_is_given = false;
 
-    std::array<unsigned int, 3> order = {{0, 1, 2}};
-    const auto sort_pair = [&](const unsigned int i, const unsigned int j) {
-      if (strain[order[i]] < strain[order[j]])
-        std::swap(order[i], order[j]);
-    };
-    sort_pair(0, 1);
-    sort_pair(1, 2);
-    sort_pair(0, 1);
-
+    const std::array<unsigned int, 3> order =
+      MohrCoulombReturn::descending(strain);
     for (unsigned int a = 0; a < 3; ++a)
       trial.s[a] = two_G * (strain[order[a]] - mean_strain);
 

@@ -3,13 +3,16 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/expression.h>
+#include <isochor/grid/extent.h>
 #include <isochor/grid/mesh_reader.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/body_seeding.h>
 #include <isochor/material_points/point_locator.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 namespace isochor
@@ -233,6 +236,7 @@ namespace isochor
   BodySeeding<dim>::find_zone(const std::vector<Zone> &zones,
                               const Point<dim>        &centroid)
   {
+    Assert(!zones.empty(), ExcInternalError());
     unsigned int zone = zones.size() - 1;
     while (zone > 0 && !(zones[zone].condition(centroid, 0.) > 0))
       --zone;
@@ -310,70 +314,100 @@ namespace isochor
 
 
 
+  namespace
+  {
+    /** How many boxes of the size @p h there are along each axis. */
+    template <int dim>
+    std::array<unsigned int, dim>
+    count_boxes(const Extent<dim> &extent, const double h)
+    {
+      Assert(h > 0, ExcMessage("There is no lattice."));
+      std::array<double, dim> length;
+      double                  n_boxes = 1;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          length[d] =
+            std::ceil((extent.upper[d] - extent.lower[d]) / h - 1e-10);
+          n_boxes *= length[d];
+        }
+      std::ostringstream number;
+      number << n_boxes;
+      AssertThrow(n_boxes < std::numeric_limits<int>::max(),
+                  ExcMessage("The lattice of the parameter <Material "
+                             "points/Lattice spacing> has " +
+                             number.str() +
+                             " boxes in the extent of the grid: are <Grid> and "
+                             "the spacing in the same unit?"));
+      std::array<unsigned int, dim> n;
+      std::copy(length.begin(), length.end(), n.begin());
+      return n;
+    }
+
+    /** The points in a box of a lattice: where they are, in units of the box,
+     * and their domains (m). */
+    template <int dim>
+    struct BoxParts
+    {
+      std::vector<Point<dim>>         places;
+      std::vector<CornerVectors<dim>> domains;
+    };
+
+    /** One point in the middle; where points carry simplex domains, one in each
+     * simplex of the box, so that the domains tile the body. */
+    template <int dim>
+    BoxParts<dim>
+    divide_box(const double h, const bool with_domains)
+    {
+      BoxParts<dim> parts;
+      if (!with_domains)
+        {
+          parts.domains.resize(1);
+          parts.places.resize(1);
+          for (unsigned int d = 0; d < dim; ++d)
+            parts.places[0][d] = 0.5;
+          return parts;
+        }
+      for (const auto &corners : box_simplices<dim>())
+        {
+          Point<dim> centroid;
+          for (const Point<dim> &corner : corners)
+            centroid += corner / (dim + 1.);
+          parts.places.push_back(centroid);
+          parts.domains.emplace_back();
+          for (unsigned int c = 0; c <= dim; ++c)
+            parts.domains.back()[c] = h * (corners[c] - centroid);
+        }
+      return parts;
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::vector<Seed<dim>>
   BodySeeding<dim>::seeds_on_lattice(const BackgroundGrid<dim> &grid,
                                      const bool with_domains) const
   {
+    Assert(parameters.lattice_spacing > 0, ExcMessage("There is no lattice."));
     const double h = parameters.lattice_spacing;
-    Point<dim>   lower, upper;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        lower[d] = std::numeric_limits<double>::max();
-        upper[d] = std::numeric_limits<double>::lowest();
-      }
+    Extent<dim>  extent;
     for (const Point<dim> &vertex : grid.geometry().vertices())
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          lower[d] = std::min(lower[d], vertex[d]);
-          upper[d] = std::max(upper[d], vertex[d]);
-        }
-    std::array<unsigned int, dim> n;
-    double                        n_boxes = 1;
-    for (unsigned int d = 0; d < dim; ++d)
-      n_boxes *= std::ceil((upper[d] - lower[d]) / h - 1e-10);
-    std::ostringstream number;
-    number << n_boxes;
-    AssertThrow(n_boxes < std::numeric_limits<int>::max(),
-                ExcMessage("The lattice of the parameter <Material "
-                           "points/Lattice spacing> has " +
-                           number.str() +
-                           " boxes in the extent of the grid: are <Grid> and "
-                           "the spacing in the same unit?"));
-    for (unsigned int d = 0; d < dim; ++d)
-      n[d] = std::ceil((upper[d] - lower[d]) / h - 1e-10);
-    const unsigned int n_points = n_boxes;
-    // one point in the middle of each box; where points carry simplex domains,
-    // one in each simplex of the box, so that the domains tile the body
-    std::vector<CornerVectors<dim>> domains(1);
-    std::vector<Point<dim>>         places(1);
-    for (unsigned int d = 0; d < dim; ++d)
-      places[0][d] = 0.5;
-    if (with_domains)
-      {
-        domains.clear();
-        places.clear();
-        for (const auto &corners : box_simplices<dim>())
-          {
-            Point<dim> centroid;
-            for (const Point<dim> &corner : corners)
-              centroid += corner / (dim + 1.);
-            places.push_back(centroid);
-            domains.emplace_back();
-            for (unsigned int c = 0; c <= dim; ++c)
-              domains.back()[c] = h * (corners[c] - centroid);
-          }
-      }
+      extent.include(vertex);
+    const auto         n = count_boxes(extent, h);
+    const unsigned int n_points =
+      std::accumulate(n.begin(), n.end(), 1u, std::multiplies<unsigned int>());
+    const BoxParts<dim>    parts = divide_box<dim>(h, with_domains);
     const Expression<dim>  in_body(parameters.region, "Material points/Region");
     std::vector<Seed<dim>> seeds;
     for (unsigned int i = 0; i < n_points; ++i)
-      for (unsigned int s = 0; s < places.size(); ++s)
+      for (unsigned int s = 0; s < parts.places.size(); ++s)
         {
           Seed<dim> seed{
-            lower, 0, std::pow(h, dim) / places.size(), domains[s], 0};
+            {}, 0, std::pow(h, dim) / parts.places.size(), parts.domains[s], 0};
           unsigned int rest = i;
           for (unsigned int d = 0; d < dim; ++d, rest /= n[d - 1])
-            seed.location[d] += (rest % n[d] + places[s][d]) * h;
+            seed.location[d] =
+              extent.lower[d] + (rest % n[d] + parts.places[s][d]) * h;
           if (in_body(seed.location, 0.) > 0)
             seeds.push_back(seed);
         }

@@ -7,6 +7,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/point_locator.h>
 
@@ -22,11 +23,7 @@ namespace isochor
   {
     /** Bounding boxes are enlarged by this part of their extent (to contain
      * the points that are clamped) and of the coordinates (rounding). */
-    constexpr double box_margin      = 1e-8;
-    constexpr double rounding_margin = 1e-14;
-    /** Coordinates so far from the origin that rounding() is more than this are
-     * not served. */
-    constexpr double largest_rounding = 1e-6;
+    constexpr double box_margin = 1e-8;
 
 
 
@@ -61,9 +58,9 @@ namespace isochor
      * and ∇λ enlarges it. */
     template <int dim>
     double
-    rounding(const SimplexGeometry<dim> &geometry,
-             const unsigned int          cell,
-             const Point<dim>           &x)
+    rounding_at(const SimplexGeometry<dim> &geometry,
+                const unsigned int          cell,
+                const Point<dim>           &x)
     {
       double steepest = 0;
       for (const auto &gradient : geometry.gradients(cell))
@@ -90,6 +87,7 @@ namespace isochor
     BoundingBox<dim>
     bounding_box(const SimplexGeometry<dim> &geometry, const unsigned int cell)
     {
+      AssertIndexRange(cell, geometry.n_cells());
       const auto &indices = geometry.vertex_indices(cell);
       Point<dim>  lower   = geometry.vertices()[indices[0]];
       Point<dim>  upper   = lower;
@@ -101,7 +99,7 @@ namespace isochor
           }
       const double margin =
         box_margin * lower.distance(upper) +
-        rounding_margin * std::max(lower.norm(), upper.norm());
+        rounding::numbers * std::max(lower.norm(), upper.norm());
       for (unsigned int d = 0; d < dim; ++d)
         {
           lower[d] -= margin;
@@ -171,8 +169,8 @@ namespace isochor
         const auto lambda = simplices.barycentric(cell, x);
         const auto lowest = minimum(lambda);
         if (lowest >= -inside_tolerance ||
-            (lowest > -largest_rounding &&
-             lowest >= -rounding(simplices, cell, x)))
+            (lowest > -rounding::places &&
+             lowest >= -rounding_at(simplices, cell, x)))
           return accept<dim>(cell, lambda);
 
         unsigned int next   = no_cell;
@@ -189,7 +187,7 @@ namespace isochor
         if (next == no_cell || next == previous)
           {
             if (lowest >=
-                -std::max(clamp_tolerance, rounding(simplices, cell, x)))
+                -std::max(clamp_tolerance, rounding_at(simplices, cell, x)))
               return accept<dim>(cell, lambda);
             break;
           }
@@ -208,6 +206,7 @@ namespace isochor
   PointLocator<dim>::locate_in(const Point<dim>  &x,
                                const unsigned int cell) const
   {
+    AssertIndexRange(cell, simplices.n_cells());
     const auto lambda = simplices.barycentric(cell, x);
     return minimum(lambda) >= -clamp_tolerance ? accept<dim>(cell, lambda) :
                                                  LocateResult<dim>();
@@ -233,7 +232,7 @@ namespace isochor
         if (simplices.layer_of_cell(cell) != layer)
           continue;
         const auto   lambda = simplices.barycentric(cell, x);
-        const double error  = rounding(simplices, cell, x);
+        const double error  = rounding_at(simplices, cell, x);
         double       lowest = minimum(lambda);
         if (lowest < -std::max(clamp_tolerance, error))
           continue;
@@ -261,6 +260,7 @@ namespace isochor
                                     const unsigned int cell,
                                     Tensor<1, dim>    &r) const
   {
+    AssertIndexRange(cell, simplices.n_cells());
     auto place = locate(x + r, cell);
     if (place.found)
       return place;

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/material_points/point_merging.h>
 
 #include <algorithm>
@@ -65,13 +66,12 @@ namespace isochor
   bool
   PointMerging<dim>::are_alike(const double *first, const double *second) const
   {
-    constexpr double rounding = 1e-6;
-    const auto       F    = deformation_gradient<dim>(first, points.layout()),
+    const auto F          = deformation_gradient<dim>(first, points.layout()),
                G          = deformation_gradient<dim>(second, points.layout());
     Tensor<2, dim> strain = transpose(F) * F;
     for (unsigned int d = 0; d < dim; ++d)
       strain[d][d] -= 1;
-    return (F - G).norm() <= tolerance * strain.norm() / 2 + rounding;
+    return (F - G).norm() <= tolerance * strain.norm() / 2 + rounding::places;
   }
 
 

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/rounding.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/sparse_cells.h>
 
@@ -24,7 +25,6 @@ namespace isochor
     covers(const PointDomain<dim> &domain, const Point<dim> &x)
     {
       // most are far from it
-      constexpr double margin = 1e-6;
       for (unsigned int d = 0; d < dim; ++d)
         {
           double lower = domain.current[0][d], upper = lower;
@@ -33,7 +33,7 @@ namespace isochor
               lower = std::min(lower, domain.current[c][d]);
               upper = std::max(upper, domain.current[c][d]);
             }
-          const double slack = margin * (upper - lower);
+          const double slack = rounding::places * (upper - lower);
           if (x[d] < lower - slack || x[d] > upper + slack)
             return false;
         }
@@ -46,15 +46,14 @@ namespace isochor
         return false;
       const Tensor<1, dim> lambda = invert(edges) * (x - domain.current[0]);
       // a place on the face between two domains is covered
-      constexpr double tolerance = 1e-10;
-      double           sum       = 0;
+      double sum = 0;
       for (unsigned int d = 0; d < dim; ++d)
         {
-          if (!(lambda[d] >= -tolerance))
+          if (!(lambda[d] >= -rounding::accumulated))
             return false;
           sum += lambda[d];
         }
-      return sum <= 1 + tolerance;
+      return sum <= 1 + rounding::accumulated;
     }
   } // namespace
 
@@ -222,7 +221,6 @@ namespace isochor
         Utilities::MPI::max(is_covered, comm, is_covered);
         Utilities::MPI::max(largest, comm, largest);
       }
-    constexpr double equal = 1 - 1e-6; // but for rounding
     for (unsigned int i = 0; i < domains.size(); ++i)
       {
         const unsigned int cell   = domains[i]->cell;
@@ -232,7 +230,7 @@ namespace isochor
                         [](const unsigned int covered) {
                           return covered == 1;
                         }) &&
-            domains[i]->volume > equal * largest[cell] &&
+            domains[i]->volume > (1 - rounding::places) * largest[cell] &&
             is_worth_it(*domains[i], cell))
           flags[i] = 1;
       }

@@ -35,7 +35,7 @@ namespace isochor
      * their files. */
     template <int dim>
     double
-    rounding(const FaceCorners<dim> &face)
+    rounding_of(const FaceCorners<dim> &face)
     {
       return 1e-4 * face[0].distance(face[1]);
     }
@@ -69,7 +69,7 @@ namespace isochor
         }
       for (unsigned int i = 0; i + 1 < dim; ++i)
         least = std::min(least, lambda[i]);
-      const double small = rounding<dim>(face);
+      const double small = rounding_of<dim>(face);
       return r.norm() <= small && least * edges[0].norm() >= -small;
     }
   } // namespace
@@ -124,7 +124,7 @@ namespace isochor
               corners[i++] = vertices[geometry.vertex_indices(face.cell)[v]];
           BoundingBox<dim> box(
             std::vector<Point<dim>>(corners.begin(), corners.end()));
-          box.extend(rounding<dim>(corners));
+          box.extend(rounding_of<dim>(corners));
           entries.emplace_back(box, corners);
         }
     faces = pack_rtree(entries);

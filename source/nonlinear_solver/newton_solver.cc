@@ -192,6 +192,22 @@ namespace isochor
 
 
 
+  /** Where the iteration is. */
+  struct NewtonSolver::Iterate
+  {
+    Gauge         gauge;
+    ResidualNorms norms;
+    bool          matrix_is_current = false; ///< it is of this iterate
+    bool          expect_need       = true;  ///< of a matrix, in the next one
+    /** Merit to the one before, 0 before there is one: then the factorisation
+     * of the last step is tried; 1 where an old matrix led astray. */
+    double last_ratio = 0.;
+    double reduction  = 0.; ///< merit to the one before, 0 if there is none
+    unsigned int n_shortened = 0; ///< corrections in a row
+  };
+
+
+
   namespace
   {
     std::string
@@ -317,117 +333,160 @@ namespace isochor
 
 
 
+  bool
+  NewtonSolver::expects_need(const Problem     &problem,
+                             const unsigned int iteration,
+                             const bool         otherwise) const
+  {
+    return reuse_ratio > 0 && !problem.is_iterative() &&
+               iteration < needed_before.size() ?
+             needed_before[iteration] :
+             otherwise;
+  }
+
+
+
   NewtonReport
   NewtonSolver::solve(const Problem &problem, std::ostream *log)
   {
+    Assert(problem.assemble && problem.solve && problem.advance,
+           ExcInternalError());
     if (log != nullptr)
       *log << "     it     forces       volume     length\n";
-
-    const std::vector<bool> needed_before = std::exchange(needed_matrix, {});
-    const auto expects_need = [&](const unsigned int k, const bool otherwise) {
-      return reuse_ratio > 0 && !problem.is_iterative() &&
-                 k < needed_before.size() ?
-               needed_before[k] :
-               otherwise;
-    };
+    needed_before = std::exchange(needed_matrix, {});
     NewtonReport report;
-    Gauge        gauge;
+    Iterate      now;
     // Assembling the matrix costs as much again as the residual: it is left
     // away where the next iterate will need none.
-    bool          matrix_is_current = expects_need(0, true), expect_need = true;
-    ResidualNorms norms = problem.assemble(matrix_is_current);
-    gauge.take(norms);
-    const auto add_row = [&](const double length, const unsigned int n_linear) {
-      report.iterations.push_back({gauge.displacement_ratio(norms),
-                                   gauge.pressure_ratio(norms),
-                                   length,
-                                   n_linear});
-      print_row(log, report.iterations.size() - 1, report.iterations.back());
-    };
-    add_row(0, 0);
+    now.matrix_is_current = expects_need(problem, 0, true);
+    now.norms             = problem.assemble(now.matrix_is_current);
+    now.gauge.take(now.norms);
+    add_row(now, 0, 0, report, log);
+    while (report.failure.empty() && !finished(now.gauge, now.norms, report))
+      correct(problem, now, report, log);
+    return report;
+  }
 
+
+
+  void
+  NewtonSolver::correct(const Problem &problem,
+                        Iterate       &now,
+                        NewtonReport  &report,
+                        std::ostream  *log)
+  {
+    Assert(report.failure.empty() && !report.converged,
+           ExcMessage("There is nothing to correct."));
+    // an old matrix is worth a try if the last iteration converged so fast
+    // that it, or quadratic convergence, can be expected to be enough
+    const bool reuse =
+      reuse_ratio > 0 && now.last_ratio <= reuse_ratio &&
+      !problem.is_iterative() && problem.has_factorisation() &&
+      report.n_iterations() < report.n_factorisations + max_iterations;
+    const bool need = !reuse || now.norms.pending;
+    if (!now.matrix_is_current && need)
+      now.norms = problem.assemble(true);
+    needed_matrix.resize(report.n_iterations() + 1);
+    needed_matrix.back()  = need;
+    unsigned int n_linear = 0;
+    try
+      {
+        n_linear =
+          problem.solve(!reuse, accuracy(now.gauge, now.norms, now.reduction));
+        report.n_factorisations += reuse ? 0 : 1;
+      }
+    catch (const ExcLinearSolverFailed &exc)
+      {
+        report.failure = plain_message(exc);
+        return;
+      }
+
+    // While prescribed increments come in, the residual has to grow; only
+    // points that turn over shorten such a correction.
+    const bool may_grow = now.norms.pending || report.n_iterations() == 0;
+    now.expect_need =
+      expects_need(problem, report.n_iterations() + 1, now.expect_need);
+    const LineSearch search = backtrack(problem,
+                                        now.gauge,
+                                        may_grow,
+                                        reuse ? 0 : max_backtracks,
+                                        now.expect_need,
+                                        now.norms);
+    now.matrix_is_current   = now.expect_need && search.last == 1.;
+    if (reuse && search.failed)
+      {
+        // the old matrix led astray: back, and take the right one
+        problem.advance(0.);
+        now.norms             = problem.assemble(true);
+        now.matrix_is_current = now.expect_need = true;
+        now.last_ratio                          = 1.;
+        return;
+      }
+    accept(problem, search, may_grow, now);
+    add_row(now, search.best, n_linear, report, log);
+    if (problem.has_other_start && leads_nowhere(search, now))
+      report.failure =
+        "three corrections in a row had to be shortened and changed little";
+  }
+
+
+
+  void
+  NewtonSolver::accept(const Problem    &problem,
+                       const LineSearch &search,
+                       const bool        may_grow,
+                       Iterate          &now) const
+  {
+    Assert(search.best >= 0 && search.best <= 1, ExcInternalError());
+    if (search.best != search.last)
+      problem.advance(search.best);
+    if (search.last != 1.) // the last trial was without a matrix
+      {
+        now.norms             = problem.assemble(true);
+        now.matrix_is_current = true;
+      }
+    now.last_ratio = may_grow ? 0. : search.reduction;
+    now.reduction  = now.last_ratio;
+    // none is needed for a correction by an old matrix, nor at the end, which
+    // quadratic convergence lets foresee
+    const bool   iterative = problem.is_iterative();
+    const double foreseen =
+      search.merit * (iterative ?
+                        accuracy(now.gauge, now.norms, now.reduction).relative :
+                        now.last_ratio * now.last_ratio);
+    now.expect_need =
+      may_grow ||
+      (!(reuse_ratio > 0 && now.last_ratio <= reuse_ratio && !iterative) &&
+       foreseen > tolerance);
+    now.gauge.take(now.norms);
+  }
+
+
+
+  bool
+  NewtonSolver::leads_nowhere(const LineSearch &search, Iterate &now) const
+  {
     constexpr unsigned int most_shortened = 3;
     constexpr double       little         = 0.75; // left of the residual
-    unsigned int           n_shortened    = 0;    // corrections in a row
-    double last_ratio = 0.; // try the factorisation of the last step
-    double reduction  = 0.; // none yet
-    while (!finished(gauge, norms, report))
-      {
-        // an old matrix is worth a try if the last iteration converged so fast
-        // that it, or quadratic convergence, can be expected to be enough
-        const bool reuse =
-          reuse_ratio > 0 && last_ratio <= reuse_ratio &&
-          !problem.is_iterative() && problem.has_factorisation() &&
-          report.n_iterations() < report.n_factorisations + max_iterations;
-        const bool need = !reuse || norms.pending;
-        if (!matrix_is_current && need)
-          norms = problem.assemble(true);
-        needed_matrix.resize(report.n_iterations() + 1);
-        needed_matrix.back()  = need;
-        unsigned int n_linear = 0;
-        try
-          {
-            n_linear = problem.solve(!reuse, accuracy(gauge, norms, reduction));
-            report.n_factorisations += reuse ? 0 : 1;
-          }
-        catch (const ExcLinearSolverFailed &exc)
-          {
-            report.failure = plain_message(exc);
-            return report;
-          }
+    now.n_shortened =
+      search.best < 1. && search.reduction > little ? now.n_shortened + 1 : 0;
+    return now.n_shortened == most_shortened &&
+           now.gauge.is_far(now.norms, tolerance);
+  }
 
-        // While prescribed increments come in, the residual has to grow; only
-        // points that turn over shorten such a correction.
-        const bool may_grow = norms.pending || report.n_iterations() == 0;
-        expect_need = expects_need(report.n_iterations() + 1, expect_need);
-        const LineSearch search = backtrack(problem,
-                                            gauge,
-                                            may_grow,
-                                            reuse ? 0 : max_backtracks,
-                                            expect_need,
-                                            norms);
-        matrix_is_current       = expect_need && search.last == 1.;
-        if (reuse && search.failed)
-          {
-            // the old matrix led astray: back, and take the right one
-            problem.advance(0.);
-            norms             = problem.assemble(true);
-            matrix_is_current = expect_need = true;
-            last_ratio                      = 1.;
-            continue;
-          }
-        if (search.best != search.last)
-          problem.advance(search.best);
-        if (search.last != 1.) // the last trial was without a matrix
-          {
-            norms             = problem.assemble(true);
-            matrix_is_current = true;
-          }
-        last_ratio = may_grow ? 0. : search.reduction;
-        reduction  = last_ratio;
-        // none is needed for a correction by an old matrix, nor at the end,
-        // which quadratic convergence lets foresee
-        const bool   iterative = problem.is_iterative();
-        const double foreseen =
-          search.merit * (iterative ?
-                            accuracy(gauge, norms, reduction).relative :
-                            last_ratio * last_ratio);
-        expect_need =
-          may_grow ||
-          (!(reuse_ratio > 0 && last_ratio <= reuse_ratio && !iterative) &&
-           foreseen > tolerance);
-        gauge.take(norms);
-        add_row(search.best, n_linear);
-        n_shortened =
-          search.best < 1. && search.reduction > little ? n_shortened + 1 : 0;
-        if (problem.has_other_start && n_shortened == most_shortened &&
-            gauge.is_far(norms, tolerance))
-          {
-            report.failure =
-              "three corrections in a row had to be shortened and changed little";
-            return report;
-          }
-      }
-    return report;
+
+
+  void
+  NewtonSolver::add_row(const Iterate     &now,
+                        const double       length,
+                        const unsigned int n_linear,
+                        NewtonReport      &report,
+                        std::ostream      *log)
+  {
+    report.iterations.push_back({now.gauge.displacement_ratio(now.norms),
+                                 now.gauge.pressure_ratio(now.norms),
+                                 length,
+                                 n_linear});
+    print_row(log, report.iterations.size() - 1, report.iterations.back());
   }
 } // namespace isochor

@@ -77,13 +77,12 @@ namespace isochor
   static std::string
   describe_law(const MaterialModel<dim> &material, const std::string &law)
   {
-    const double G              = material.shear_modulus(),
-                 per_K          = material.inverse_bulk_modulus();
-    constexpr double   rounding = 1e-14;
-    const double       nu       = (3 - 2 * G * per_K) / (6 + 2 * G * per_K);
+    const double G        = material.shear_modulus(),
+                 per_K    = material.inverse_bulk_modulus();
+    const double       nu = (3 - 2 * G * per_K) / (6 + 2 * G * per_K);
     std::ostringstream text;
     text << law << ", E = " << 9 * G / (3 + G * per_K)
-         << " Pa, nu = " << (std::abs(nu) < rounding ? 0. : nu);
+         << " Pa, nu = " << (std::abs(nu) < rounding::numbers ? 0. : nu);
     if (const std::string strength = material.describe_strength();
         !strength.empty())
       text << ", " << strength;

@@ -336,9 +336,9 @@ namespace isochor
       return sum * state.J;
     }
 
-    /** Of the step, this rank's part. */
-    double
-    external_work(const StepResult<dim> &result)
+    /** Those at the start of the step and at its end, added. Collective. */
+    static NodalField
+    external_forces(const StepResult<dim> &result)
     {
       const StepContext<dim> &step  = result.step;
       StepContext<dim>        start = step;
@@ -362,8 +362,16 @@ namespace isochor
           condition->add_boundary_force(step, result.unknowns, force);
         }
       force.compress(VectorOperation::add);
+      return force;
+    }
 
-      double work = 0;
+    /** Of the step, this rank's part. */
+    double
+    external_work(const StepResult<dim> &result)
+    {
+      const StepContext<dim> &step  = result.step;
+      const NodalField        force = external_forces(result);
+      double                  work  = 0;
       for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
         for (unsigned int a = 0; a < dim; ++a)
           {
@@ -429,6 +437,9 @@ namespace isochor
              const double            reaction,
              const double            moved)
     {
+      AssertIndexRange(entry, step.nodes.n_owned() * step.n_components);
+      Assert(entry % step.n_components < dim,
+             ExcMessage("Pressures do no work."));
       const unsigned int nc = step.n_components;
       held.push_back(
         {step.nodes.vertex(entry / nc) * dim + entry % nc, reaction, moved});

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/equations/invariants.h>
 #include <isochor/postprocess/grid_fields.h>
 
 #include <algorithm>
@@ -9,20 +10,46 @@
 
 namespace isochor
 {
+  namespace
+  {
+    /** A nodal field and the rows of its components. */
+    struct NodalRows
+    {
+      const NodalField *field;
+      unsigned int      vector, scalar;
+
+      /** Copy the values at a @p node to the vertex @p v of a patch. */
+      template <int dim, typename Patch>
+      void
+      copy(const StepContext<dim> &step,
+           const unsigned int      node,
+           const unsigned int      v,
+           Patch                  &patch) const
+      {
+        const unsigned int first = node * step.n_components;
+        for (unsigned int a = 0; a < dim; ++a)
+          patch.data(vector + a, v) = field->local_element(first + a);
+        if (step.mixed())
+          patch.data(scalar, v) = field->local_element(first + dim);
+      }
+    };
+  } // namespace
+
+
+
   template <int dim>
   FieldPatches<dim, dim>
   grid_fields(const StepContext<dim> &step,
               const NodalField       &unknowns,
               const NodalField       *residual)
   {
-    /** A nodal field and the rows of its components. */
-    struct Rows
-    {
-      const NodalField *field;
-      unsigned int      vector, scalar;
-    };
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(residual == nullptr ||
+             invariants::fits(*residual, step.nodes, step.n_components),
+           ExcInternalError());
     FieldPatches<dim, dim> patches;
-    std::vector<Rows>      all_rows;
+    std::vector<NodalRows> all_rows;
     all_rows.push_back({&unknowns,
                         patches.add_vector("displacement_increment"),
                         step.mixed() ? patches.add_scalar("pressure") : 0});
@@ -65,19 +92,8 @@ namespace isochor
               patch.data(level_row, v) = leaf.level;
           }
         for (unsigned int v = 0; v <= dim; ++v)
-          {
-            const unsigned int first =
-              step.nodes.node(vertices[v]) * step.n_components;
-            for (const Rows &rows : all_rows)
-              {
-                for (unsigned int a = 0; a < dim; ++a)
-                  patch.data(rows.vector + a, v) =
-                    rows.field->local_element(first + a);
-                if (step.mixed())
-                  patch.data(rows.scalar, v) =
-                    rows.field->local_element(first + dim);
-              }
-          }
+          for (const NodalRows &rows : all_rows)
+            rows.copy(step, step.nodes.node(vertices[v]), v, patch);
       }
     return patches;
   }

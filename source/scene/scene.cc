@@ -7,8 +7,8 @@
 #include <isochor/base/plugin_registry.h>
 #include <isochor/interaction/body_pair_term.h>
 #include <isochor/interaction/interaction_term.h>
-#include <isochor/interaction/rigid_partner.h>
 #include <isochor/material_model/axisymmetric_material.h>
+#include <isochor/rigid_body/rigid_body.h>
 #include <isochor/scene/scene.h>
 
 #include <algorithm>
@@ -23,6 +23,78 @@ namespace isochor
     {
       return material == 0 ? "Material" :
                              "Material " + std::to_string(material + 1);
+    }
+
+
+
+    void
+    declare_formulation(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Formulation");
+      prm.declare_entry(
+        "Type",
+        "u-p",
+        Patterns::Selection("u|u-p"),
+        "u: displacements are the only unknowns; nearly incompressible bodies "
+        "and those that flow plastically are then much too stiff. u-p: "
+        "displacements and pressure.");
+      prm.declare_entry("Geometry",
+                        "plane strain",
+                        Patterns::Selection("plane strain|axisymmetric"),
+                        "In 2D: a slice of a body that is long in z, or a "
+                        "section of an axisymmetric body, x being the distance "
+                        "from the axis (r) and y the place along it (z). "
+                        "Volumes, forces and energies are then those of the "
+                        "whole circle.");
+      prm.declare_entry(
+        "Stabilisation",
+        "PPP",
+        Patterns::Selection("none|PPP"),
+        "Of u-p: none, or Polynomial Pressure Projection. Without it the "
+        "pressure oscillates from node to node, and bodies that yield and are "
+        "unloaded may end in wrong states.");
+      prm.declare_entry(
+        "PPP coefficient",
+        "1",
+        Patterns::Double(0),
+        "The factor alpha of alpha/G in the stabilisation. Useful is 1, and "
+        "less where pressures are far above the shear modulus G. A larger one "
+        "makes the pressure smoother, and the body softer where the pressure "
+        "varies much within a cell: a beam with 4 cells over its height bends "
+        "20 % too much with 8 (8 cells: 6 %). 8 is for grids that resolve the "
+        "pressure with many cells.");
+      prm.declare_entry(
+        "PPP leaves out weight",
+        "true",
+        Patterns::Bool(),
+        "Whether the stabilisation acts on what is left of the "
+        "pressure without the part that is in equilibrium with "
+        "the body's weight under <Boundary conditions/Gravity> "
+        "(in dynamics: if something holds it up). It changes "
+        "with the depth, which is no oscillation. false: on all "
+        "of the pressure, as in the paper.");
+      prm.leave_subsection();
+    }
+
+
+
+    template <int dim>
+    void
+    declare_materials(const unsigned int n_materials, ParameterHandler &prm)
+    {
+      for (unsigned int m = 0; m < n_materials; ++m)
+        {
+          prm.enter_subsection(material_section(m));
+          prm.declare_entry(
+            "Model",
+            "Neo-Hookean",
+            Patterns::Selection(PluginRegistry<MaterialModel<dim>>::names()),
+            "The constitutive law. What it needs besides elasticity is in the "
+            "subsection of its name; see doc/materials.md.");
+          IsotropicElasticity::declare_parameters(prm);
+          PluginRegistry<MaterialModel<dim>>::declare_parameters(prm);
+          prm.leave_subsection();
+        }
     }
 
 
@@ -127,64 +199,8 @@ namespace isochor
     BodyQuadrature<dim>::declare_quadratures(prm);
     InertiaTerm<dim>::declare_parameters(prm);
 
-    prm.enter_subsection("Formulation");
-    prm.declare_entry(
-      "Type",
-      "u-p",
-      Patterns::Selection("u|u-p"),
-      "u: displacements are the only unknowns; nearly incompressible bodies "
-      "and those that flow plastically are then much too stiff. u-p: "
-      "displacements and pressure.");
-    prm.declare_entry("Geometry",
-                      "plane strain",
-                      Patterns::Selection("plane strain|axisymmetric"),
-                      "In 2D: a slice of a body that is long in z, or a "
-                      "section of an axisymmetric body, x being the distance "
-                      "from the axis (r) and y the place along it (z). "
-                      "Volumes, forces and energies are then those of the "
-                      "whole circle.");
-    prm.declare_entry(
-      "Stabilisation",
-      "PPP",
-      Patterns::Selection("none|PPP"),
-      "Of u-p: none, or Polynomial Pressure Projection. Without it the "
-      "pressure oscillates from node to node, and bodies that yield and are "
-      "unloaded may end in wrong states.");
-    prm.declare_entry(
-      "PPP coefficient",
-      "1",
-      Patterns::Double(0),
-      "The factor alpha of alpha/G in the stabilisation. Useful is 1, and "
-      "less where pressures are far above the shear modulus G. A larger one "
-      "makes the pressure smoother, and the body softer where the pressure "
-      "varies much within a cell: a beam with 4 cells over its height bends "
-      "20 % too much with 8 (8 cells: 6 %). 8 is for grids that resolve the "
-      "pressure with many cells.");
-    prm.declare_entry("PPP leaves out weight",
-                      "true",
-                      Patterns::Bool(),
-                      "Whether the stabilisation acts on what is left of the "
-                      "pressure without the part that is in equilibrium with "
-                      "the body's weight under <Boundary conditions/Gravity> "
-                      "(in dynamics: if something holds it up). It changes "
-                      "with the depth, which is no oscillation. false: on all "
-                      "of the pressure, as in the paper.");
-    prm.leave_subsection();
-
-    for (unsigned int m = 0; m < sections.n_materials; ++m)
-      {
-        prm.enter_subsection(material_section(m));
-        prm.declare_entry(
-          "Model",
-          "Neo-Hookean",
-          Patterns::Selection(PluginRegistry<MaterialModel<dim>>::names()),
-          "The constitutive law. What it needs besides elasticity is in the "
-          "subsection of its name; see doc/materials.md.");
-        IsotropicElasticity::declare_parameters(prm);
-        PluginRegistry<MaterialModel<dim>>::declare_parameters(prm);
-        prm.leave_subsection();
-      }
-
+    declare_formulation(prm);
+    declare_materials<dim>(sections.n_materials, prm);
     declare_plugins<BoundaryCondition<dim>>("Boundary conditions",
                                             sections.boundary_conditions,
                                             prm);
@@ -325,88 +341,8 @@ namespace isochor
   {
     create_plugins(prm, boundary_conditions);
     create_plugins(prm, postprocessors);
+    parse_rigid_bodies(prm);
     parse_interactions(prm);
-  }
-
-
-
-  template <int dim>
-  void
-  Scene<dim>::parse_interactions(ParameterHandler &prm)
-  {
-    for (const auto &path : ParameterList(prm).subsections)
-      if (path.size() == 1 && path.front().rfind("Rigid body: ", 0) == 0)
-        {
-          rigid_bodies.push_back(
-            std::make_shared<RigidBodyInScene<dim>>(path.front()));
-          prm.enter_subsection(path.front());
-          rigid_bodies.back()->body.parse_parameters(prm);
-          prm.leave_subsection();
-          if (has_inertia())
-            rigid_bodies.back()->body.check_inertia();
-        }
-    prm.enter_subsection("Boundary conditions");
-    const auto surfaces =
-      SurfaceRegion<dim>::parse(prm.get("Surfaces of body"),
-                                "Boundary conditions/Surfaces of body");
-    prm.leave_subsection();
-    std::vector<std::unique_ptr<Interaction<dim>>> of_bodies, of_others, loads;
-    const auto  walls = find_one_sided_walls(boundary_conditions);
-    std::string asked_by;
-    if (points.bodies().are_named())
-      asked_by = "parameter <Material points/Bodies>";
-    for (const auto &path : ParameterList(prm).subsections)
-      if (path.size() == 1 && path.front().rfind("Interaction: ", 0) == 0)
-        {
-          prm.enter_subsection(path.front());
-          auto interaction =
-            std::make_unique<Interaction<dim>>(prm, path.front(), surfaces);
-          prm.leave_subsection();
-          const auto rigid =
-            std::find_if(rigid_bodies.begin(),
-                         rigid_bodies.end(),
-                         [&](const auto &one) {
-                           return one->body.name() == interaction->partner_name;
-                         });
-          if (rigid != rigid_bodies.end())
-            interaction->partner = std::make_unique<RigidPartner<dim>>(*rigid);
-          interaction->find_wall(walls);
-          (interaction->partner     ? of_others :
-           interaction->law->load() ? loads :
-                                      of_bodies)
-            .push_back(std::move(interaction));
-          asked_by = "section <" + path.front() + ">";
-        }
-    if (!walls.empty())
-      asked_by = "wall with unilateral contact <" + walls[0].boundary +
-                 ": n >= ...> of <" + walls[0].parameter + '>';
-    const bool can_interact = quadrature->is_linear_on_domains();
-    if (asked_by.empty() && !can_interact)
-      {
-        points.share_fields();
-        return;
-      }
-    AssertThrow(can_interact,
-                ExcMessage(
-                  "The " + asked_by +
-                  " needs <Quadrature/Type = CPDI>: only its "
-                  "subdomains have the surface of the body as faces."));
-    points.keep_surface();
-    take_loads(boundary_conditions, loads);
-    if (!rigid_bodies.empty())
-      boundary_conditions.push_back(
-        std::make_unique<RigidBodyTerm<dim>>(rigid_bodies));
-    if (!of_others.empty() || !walls.empty() || !loads.empty())
-      {
-        auto term = std::make_unique<InteractionTerm<dim>>(std::move(of_others),
-                                                           std::move(loads),
-                                                           walls);
-        surface_interactions = term.get();
-        boundary_conditions.push_back(std::move(term));
-      }
-    auto pairs = std::make_unique<BodyPairTerm<dim>>(std::move(of_bodies));
-    body_pairs = pairs.get();
-    boundary_conditions.push_back(std::move(pairs));
   }
 
 

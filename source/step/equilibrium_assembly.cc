@@ -6,6 +6,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/rounding.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/step/equilibrium.h>
 
 #include <algorithm>
@@ -18,6 +20,10 @@ namespace isochor
   ResidualNorms
   Equilibrium<dim>::assemble(const bool with_matrix)
   {
+    Assert(is_same_on_all_ranks(with_matrix, scene.grid.communicator()),
+           ExcMessage("Ranks assemble different things."));
+    Assert(invariants::fits(unknowns, setup.active_nodes(), scene.n_components),
+           ExcOtherNodes());
     TimerOutput::Scope     scope(terminal.timer(), "assembly");
     const StepContext<dim> step       = setup.context();
     scene.kernel.inertial_stiffness   = scene.inertia.stiffness(step);
@@ -42,17 +48,20 @@ namespace isochor
   bool
   Equilibrium<dim>::update_pending()
   {
-    constexpr double rounding = 1e-12;
-    bool             any      = false;
+    AssertDimension(constraints.increment.size(),
+                    constraints.constrained.size());
+    Assert(invariants::fits(pending, setup.active_nodes(), scene.n_components),
+           ExcOtherNodes());
+    bool any = false;
     for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
       if (constraints.constrained[i])
         {
           double &rest = pending.local_element(i);
           rest         = constraints.increment[i] - unknowns.local_element(i);
-          any =
-            any ||
-            (constraints.constrained[i] != NodalConstraints::follows &&
-             std::abs(rest) > rounding * std::abs(constraints.increment[i]));
+          any          = any ||
+                (constraints.constrained[i] != NodalConstraints::follows &&
+                 std::abs(rest) >
+                   rounding::arithmetic * std::abs(constraints.increment[i]));
         }
     // what follows comes where those that it follows will be
     const Followers &followers = constraints.followers;
@@ -70,7 +79,7 @@ namespace isochor
           });
         double &rest = pending.local_element(followers.entry[k]);
         rest         = place - unknowns.local_element(followers.entry[k]);
-        if (std::abs(rest) <= rounding * size)
+        if (std::abs(rest) <= rounding::arithmetic * size)
           rest = 0.;
         any = any || rest != 0.;
       }
@@ -103,8 +112,7 @@ namespace isochor
   LoadChange
   Equilibrium<dim>::change_of_loads(const TimeInterval &other) const
   {
-    constexpr double rounding = 1e-10;
-    const auto       loads_at = [&](const double time) {
+    const auto loads_at = [&](const double time) {
       StepContext<dim> step = setup.context();
       step.time             = time;
       NodalField loads, rest;
@@ -125,7 +133,7 @@ namespace isochor
       const double all    = change.l1_norm();
       if (interval.start > 0) // nothing has been applied at t = 0
         change -= loads_at(interval.start);
-      if (!(change.l1_norm() > rounding * all))
+      if (!(change.l1_norm() > rounding::accumulated * all))
         change = 0.;
       return change;
     };
@@ -171,6 +179,7 @@ namespace isochor
   Equilibrium<dim>::assemble_terms(const StepContext<dim> &step,
                                    const bool              with_matrix)
   {
+    Assert(!terms.empty(), ExcMessage("initialize() comes first."));
     system.start_assembly(with_matrix);
     EvaluationStatus status = EvaluationStatus::success;
     for (unsigned int t = 0; t < terms.size(); ++t)

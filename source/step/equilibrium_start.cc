@@ -6,6 +6,7 @@
 // the weight that the stabilisation leaves out.
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/equations/connected_parts.h>
 #include <isochor/step/equilibrium.h>
 
@@ -18,13 +19,14 @@ namespace isochor
   bool
   Equilibrium<dim>::is_supported(const Tensor<1, dim> &gravity) const
   {
+    AssertDimension(constraints.constrained.size(),
+                    setup.active_nodes().n_local() * scene.n_components);
     const unsigned int n_components = scene.n_components;
     const auto         along = [&](const unsigned int entry, const double x) {
       const unsigned int d = entry % n_components;
       return d < dim ? x * gravity[d] : 0.;
     };
-    constexpr double tolerance = 1e-10;
-    bool             supported = false;
+    bool supported = false;
     for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
       supported = supported ||
                   (constraints.constrained[i] == NodalConstraints::prescribed &&
@@ -37,7 +39,8 @@ namespace isochor
         double sum = 0;
         for (std::size_t j = equation.first; j < equation.last; ++j)
           sum += along(constraints.entry[j], constraints.coefficient[j]);
-        supported = supported || std::abs(sum) > tolerance * gravity.norm();
+        supported =
+          supported || std::abs(sum) > rounding::accumulated * gravity.norm();
       }
     for (const auto *const condition :
          with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))
@@ -98,6 +101,8 @@ namespace isochor
   NewtonReport
   Equilibrium<dim>::try_step(const typename InertiaTerm<dim>::TrialStep &trial)
   {
+    Assert(scene.has_inertia(),
+           ExcMessage("Only dynamics start with trial steps."));
     InertiaTerm<dim>      &inertia    = scene.inertia;
     const StepContext<dim> step       = setup.context();
     const auto            &conditions = scene.boundary_conditions;

@@ -7,6 +7,7 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/diagnosis/yielded_share.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/postprocess/grid_fields.h>
 #include <isochor/postprocess/point_fields.h>
 #include <isochor/step/failure_report.h>
@@ -67,6 +68,10 @@ namespace isochor
   typename FailureReport<dim>::Evidence
   FailureReport<dim>::collect(const Failure &failure) const
   {
+    Assert(invariants::fits(failure.unknowns,
+                            failure.step.nodes,
+                            failure.step.n_components),
+           ExcOtherNodes());
     const MPI_Comm comm = failure.step.grid.communicator();
     Evidence       evidence;
     // an iterate moves as far as it is told where displacements are prescribed
@@ -135,88 +140,114 @@ namespace isochor
   std::string
   FailureReport<dim>::explain(const Failure &failure) const
   {
-    const StepContext<dim> &step     = failure.step;
-    const LoadStepping     &time     = failure.time;
-    const Evidence          evidence = collect(failure);
+    Assert(!failure.newton.converged, ExcMessage("There is no failure."));
+    const LoadStepping &time = failure.time;
+    return "The step from t = " + rounded(time.time) + " of size " +
+           rounded(time.next_time() - time.time) +
+           " failed and can't be cut back further (<Time/Minimum step size>): " +
+           failure.newton.failure + ".\n" + failure.hints +
+           verdict(failure, collect(failure)) +
+           "\nThe largest residual force was " +
+           largest_residual(failure.step, failure.system) + ". " +
+           write_files(failure);
+  }
 
-    std::string text = "The step from t = " + rounded(time.time) + " of size " +
-                       rounded(time.next_time() - time.time) +
-                       " failed and can't be cut back further (<Time/Minimum "
-                       "step size>): " +
-                       failure.newton.failure + ".\n" + failure.hints;
+
+
+  template <int dim>
+  std::string
+  FailureReport<dim>::verdict(const Failure  &failure,
+                              const Evidence &evidence) const
+  {
+    const LoadStepping &time = failure.time;
     if (time.step == 0)
-      text += "It is the very first step, so that the scene is to be looked "
-              "at: are all bodies supported, the loads in the units of the "
-              "stiffness and the strength (<Material/Young modulus>, "
-              "<Material/Density>, yield stress or cohesion), and <Time/Step "
-              "size> small enough for what happens in it? A load or a "
-              "displacement that is prescribed by a constant acts in this step "
-              "as a whole, however small the step: let it grow with t.";
-    else if (failure.dynamic)
-      text += "In dynamics there is a solution if the step is small enough: "
-              "lower <Time/Minimum step size>, or look at the files for what "
-              "goes wrong.";
-    else if (!failure.loaded || only_prescribed_changes(failure))
-      text += std::string(failure.loaded ?
-                            "No load changes in this step, only displacements "
-                            "that are prescribed do" :
-                            "Only displacements are prescribed") +
-              ", so that this is no limit "
-              "load, which they could pass, but a step that is too large for "
-              "what happens in it, or a grid that is too coarse (" +
-              evidence.text() +
-              "). Lower <Time/Minimum step size>, look for what happens at "
-              "the place of the residual, or use <Dynamics/Inertia = true> "
-              "where the body snaps." +
-              (step.grid_is_kept ?
-                 "" :
-                 " If the body is stretched to twice its length or more, keep "
-                 "the grid (<Grid reset/Steps between resets = 0>), or let "
-                 "points be split (<Material points/Split at share of cell> = "
-                 "0.2).") +
-              evidence.advice_on_flow();
-    else if (evidence.has_lost_stiffness() && evidence.plastic_share <= 0)
-      text +=
-        "No equilibrium found near t = " + rounded(time.time) +
-        (evidence.plastic_share < 0 ?
-           ", and the material is elastic" :
-           ", where no material point has yielded yet") +
-        ". Evidence: " + evidence.text() + ". " +
-        (evidence.plastic_share < 0 ?
-           "An elastic body may buckle or snap: " :
-           "If the stresses are just below the strength, the body yields all "
-           "at once, and this is its limit load; if they are not, it buckles "
-           "or snaps as an elastic one: ") +
-        "to follow it, prescribe displacements instead of loads, or give it "
-        "inertia (<Dynamics/Inertia = true>). " +
-        (failure.forces_jump ?
-           "But with this quadrature forces jump where points change cells, "
-           "which alone can end a run: try <Quadrature/Type = CPDI> first." :
-           "It may also be a cell that has folded: try a finer grid, more "
-           "points or smaller steps.");
-    else if (evidence.has_lost_stiffness())
-      text += "No equilibrium found: limit load " +
-              evidence.limit(time.time, time.next_time()) +
-              ". Evidence: " + evidence.text() +
-              ". To follow the body beyond, prescribe displacements instead of "
-              "loads, or give it inertia (<Dynamics/Inertia = true>)." +
-              evidence.advice_on_flow();
-    else if (evidence.growth < 0 && evidence.plastic_share > 0)
-      text += "Whether this is the limit of what the body can carry, or a bad "
-              "step, is not known (" +
-              evidence.text() +
-              "). Look for what happens at the place of the residual, use a "
-              "finer grid or more points there, or lower <Time/Minimum step "
-              "size>." +
-              evidence.advice_on_flow();
-    else
-      text += "The body has not lost its stiffness (" + evidence.text() +
-              "), so that this is probably no limit load, but a bad step: look "
-              "for what happens at the place of the residual, use a finer grid "
-              "or more points there, or lower <Time/Minimum step size>.";
+      return "It is the very first step, so that the scene is to be looked "
+             "at: are all bodies supported, the loads in the units of the "
+             "stiffness and the strength (<Material/Young modulus>, "
+             "<Material/Density>, yield stress or cohesion), and <Time/Step "
+             "size> small enough for what happens in it? A load or a "
+             "displacement that is prescribed by a constant acts in this step "
+             "as a whole, however small the step: let it grow with t.";
+    if (failure.dynamic)
+      return "In dynamics there is a solution if the step is small enough: "
+             "lower <Time/Minimum step size>, or look at the files for what "
+             "goes wrong.";
+    if (!failure.loaded || only_prescribed_changes(failure))
+      return verdict_without_loads(failure, evidence);
+    if (evidence.has_lost_stiffness() && evidence.plastic_share <= 0)
+      return verdict_while_elastic(failure, evidence);
+    if (evidence.has_lost_stiffness())
+      return "No equilibrium found: limit load " +
+             evidence.limit(time.time, time.next_time()) +
+             ". Evidence: " + evidence.text() +
+             ". To follow the body beyond, prescribe displacements instead of "
+             "loads, or give it inertia (<Dynamics/Inertia = true>)." +
+             evidence.advice_on_flow();
+    if (evidence.growth < 0 && evidence.plastic_share > 0)
+      return "Whether this is the limit of what the body can carry, or a bad "
+             "step, is not known (" +
+             evidence.text() +
+             "). Look for what happens at the place of the residual, use a "
+             "finer grid or more points there, or lower <Time/Minimum step "
+             "size>." +
+             evidence.advice_on_flow();
+    return "The body has not lost its stiffness (" + evidence.text() +
+           "), so that this is probably no limit load, but a bad step: look "
+           "for what happens at the place of the residual, use a finer grid "
+           "or more points there, or lower <Time/Minimum step size>.";
+  }
 
-    return text + "\nThe largest residual force was " +
-           largest_residual(step, failure.system) + ". " + write_files(failure);
+
+
+  template <int dim>
+  std::string
+  FailureReport<dim>::verdict_without_loads(const Failure  &failure,
+                                            const Evidence &evidence)
+  {
+    return std::string(failure.loaded ?
+                         "No load changes in this step, only displacements "
+                         "that are prescribed do" :
+                         "Only displacements are prescribed") +
+           ", so that this is no limit "
+           "load, which they could pass, but a step that is too large for "
+           "what happens in it, or a grid that is too coarse (" +
+           evidence.text() +
+           "). Lower <Time/Minimum step size>, look for what happens at "
+           "the place of the residual, or use <Dynamics/Inertia = true> "
+           "where the body snaps." +
+           (failure.step.grid_is_kept ?
+              "" :
+              " If the body is stretched to twice its length or more, keep "
+              "the grid (<Grid reset/Steps between resets = 0>), or let "
+              "points be split (<Material points/Split at share of cell> = "
+              "0.2).") +
+           evidence.advice_on_flow();
+  }
+
+
+
+  template <int dim>
+  std::string
+  FailureReport<dim>::verdict_while_elastic(const Failure  &failure,
+                                            const Evidence &evidence)
+  {
+    return "No equilibrium found near t = " + rounded(failure.time.time) +
+           (evidence.plastic_share < 0 ?
+              ", and the material is elastic" :
+              ", where no material point has yielded yet") +
+           ". Evidence: " + evidence.text() + ". " +
+           (evidence.plastic_share < 0 ?
+              "An elastic body may buckle or snap: " :
+              "If the stresses are just below the strength, the body yields "
+              "all at once, and this is its limit load; if they are not, it "
+              "buckles or snaps as an elastic one: ") +
+           "to follow it, prescribe displacements instead of loads, or give it "
+           "inertia (<Dynamics/Inertia = true>). " +
+           (failure.forces_jump ?
+              "But with this quadrature forces jump where points change cells, "
+              "which alone can end a run: try <Quadrature/Type = CPDI> first." :
+              "It may also be a cell that has folded: try a finer grid, more "
+              "points or smaller steps.");
   }
 
 

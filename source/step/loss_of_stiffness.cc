@@ -6,6 +6,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/plain_message.h>
+#include <isochor/base/rounding.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/equations/smallest_cell.h>
 #include <isochor/step/failure_report.h>
 
@@ -27,6 +29,8 @@ namespace isochor
     largest_displacement(const StepContext<dim> &step,
                          const NodalField       &unknowns)
     {
+      Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+             ExcOtherNodes());
       double largest = 0;
       for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
         {
@@ -127,12 +131,12 @@ namespace isochor
     const double h = smallest_cell(step);
     // what holds a node in place may be rounding, and a body at rest moves by
     // what Newton's method leaves
-    constexpr double negligible = 0.01, rounding = 1e-9;
+    constexpr double negligible = 0.01;
     Softness         result;
     const double     told    = largest_prescribed(step, drive);
     const bool       dragged = is_dragged(step, drive);
-    if (!std::isfinite(u) || u < rounding * h || told > negligible * u ||
-        dragged)
+    if (!std::isfinite(u) || u < rounding::accumulated * h ||
+        told > negligible * u || dragged)
       return result;
     result.per_time = u / step.step_size();
     result.in_cells = u / h;
@@ -164,6 +168,8 @@ namespace isochor
                                const NodalField       &unknowns,
                                const Drive            &drive)
   {
+    Assert(!step.has_inertia, ExcMessage("Softness is of statics."));
+    Assert(step.step_size() > 0, ExcInternalError());
     last = softness(step, unknowns, drive);
     take_yardstick({step.old_time, step.time});
     const double growth = last.growth(stiffest);

@@ -124,6 +124,19 @@ namespace isochor
     NodalField lumped;
 
   private:
+    struct ScaledMatrix;
+
+    /** @p scale becomes what makes the diagonal 1, with what followers hand on;
+     * 0 where nodes are @p held or massless: the @p solution of those is 0.
+     * Collective. */
+    void
+    scale_diagonal(const StepContext<dim>           &step,
+                   const std::vector<unsigned char> &held,
+                   const Followers                  &followers,
+                   const bool                        with_domains,
+                   NodalField                       &scale,
+                   NodalField                       &solution) const;
+
     /** @p result += M @p field on this rank. */
     void
     add_product(const StepContext<dim> &step,

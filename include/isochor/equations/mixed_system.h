@@ -206,8 +206,18 @@ namespace isochor
     NodalField residual;
 
   private:
+    /** Global numbers of equations and local entries of fields, ascending. */
+    using FreeEntries =
+      std::vector<std::pair<types::global_dof_index, unsigned int>>;
+    /** Number what is free, one after the other over the ranks. Collective. */
+    FreeEntries
+    number_free_entries();
+    /** Tell the system what its local equations are. */
     void
-    number_equations();
+    describe_equations(const FreeEntries &sorted);
+    /** Nodes in the order of their first equations. */
+    void
+    order_nodes(const FreeEntries &sorted);
     void
     collect_neighbours();
     void

@@ -127,6 +127,38 @@ namespace isochor
     Point<dim>
     position(const Key &key) const;
 
+    using VertexNumbers = std::unordered_map<Key, unsigned int, KeyHash>;
+    /** The vertices at the nodes of a leaf, as far as there are any. */
+    using NodeVertices = std::array<unsigned int, n_nodes>;
+
+    /** Where a node of a leaf is, in units of Leaf::resolution. */
+    static std::array<std::uint32_t, dim>
+    place(const Leaf<dim> &leaf, const unsigned int node);
+    /** Add the corners of all leaves to the vertices. Returns their numbers by
+     * leaf, and by key as @p known. */
+    std::vector<std::array<unsigned int, (1u << dim)>>
+    number_corners(const std::vector<Leaf<dim>> &leaves,
+                   VertexNumbers                &known,
+                   SimplexMesh<dim>             &mesh) const;
+    /** The nodes of the leaf that are vertices, as a bit set; @p vertex gets
+     * those in the middles of edges and faces. */
+    std::uint32_t
+    find_middles(const Leaf<dim>     &leaf,
+                 const VertexNumbers &known,
+                 NodeVertices        &vertex) const;
+    /** Add the simplices of a leaf, and its centre if they need it. */
+    void
+    add_simplices(const Leaf<dim>         &leaf,
+                  const LeafTemplate<dim> &split,
+                  NodeVertices            &vertex,
+                  SimplexMesh<dim>        &mesh) const;
+    /** Add the sides of a leaf that are on the boundary of the grid. */
+    void
+    add_boundary(const Leaf<dim>         &leaf,
+                 const LeafTemplate<dim> &split,
+                 const NodeVertices      &vertex,
+                 SimplexMesh<dim>        &mesh) const;
+
     /** Of the leaf with vertices at the nodes in the bit set @p present. */
     const LeafTemplate<dim> &
     leaf_template(const Leaf<dim> &leaf, const std::uint32_t present);

@@ -6,6 +6,7 @@
 #define isochor_prescribed_motion_h
 
 #include <isochor/base/expression.h>
+#include <isochor/base/rounding.h>
 
 #include <algorithm>
 #include <array>
@@ -61,8 +62,7 @@ namespace isochor
   motion_of_step(const std::array<double, n_motion_places> &places,
                  const double                               dt)
   {
-    constexpr double      rounding = 1e-12;
-    const double          h        = dt / (n_motion_places - 1);
+    const double          h = dt / (n_motion_places - 1);
     std::array<double, 3> d; // increments
     double                size = 0;
     for (unsigned int k = 0; k < d.size(); ++k)
@@ -71,7 +71,7 @@ namespace isochor
         size = std::max(size, std::abs(d[k]));
       }
     const auto change = [&](const double from, const double to) {
-      return std::abs(to - from) > rounding * size ? to - from : 0.;
+      return std::abs(to - from) > rounding::arithmetic * size ? to - from : 0.;
     };
     const double bend = change(d[0], d[1]), next_bend = change(d[1], d[2]);
     const double mean_acceleration = (bend + next_bend) / (2 * h * h);

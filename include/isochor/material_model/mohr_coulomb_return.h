@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace isochor
 {
@@ -25,6 +26,21 @@ namespace isochor
   public:
     using Vector = std::array<double, 3>;
     using Matrix = std::array<Vector, 3>;
+
+    /** The numbers of three values, the largest first. */
+    static std::array<unsigned int, 3>
+    descending(const Vector &values)
+    {
+      std::array<unsigned int, 3> order = {{0, 1, 2}};
+      const auto sort_pair = [&](const unsigned int i, const unsigned int j) {
+        if (values[order[i]] < values[order[j]])
+          std::swap(order[i], order[j]);
+      };
+      sort_pair(0, 1);
+      sort_pair(1, 2);
+      sort_pair(0, 1);
+      return order;
+    }
 
     double shear_modulus = 0; ///< Pa
     double bulk_modulus  = 0; ///< of u with φ > 0, where K is finite (Pa)

@@ -8,6 +8,8 @@
 #include <deal.II/base/quadrature.h>
 #include <deal.II/base/tensor.h>
 
+#include <isochor/base/rounding.h>
+
 #include <array>
 #include <cmath>
 #include <vector>
@@ -58,7 +60,6 @@ namespace isochor
   {
     if constexpr (dim == 3)
       {
-        constexpr double       rounding          = 1e-8;
         constexpr unsigned int even_orders[3][4] = {{0, 1, 2, 3},
                                                     {0, 2, 3, 1},
                                                     {0, 3, 1, 2}};
@@ -69,13 +70,13 @@ namespace isochor
                              (given[order[2]] - given[order[3]]);
           const double size = d.norm();
           for (unsigned int a = 0; a < dim; ++a)
-            if (std::abs(d[a]) > rounding * size)
+            if (std::abs(d[a]) > rounding::accumulated * size)
               return d[a] > 0 ? d : -d;
           return d;
         };
         const auto comes_later = [](const Tensor<1, dim> &d,
                                     const Tensor<1, dim> &e) {
-          const double equal = rounding * (d.norm() + e.norm());
+          const double equal = rounding::accumulated * (d.norm() + e.norm());
           for (unsigned int a = 0; a < dim; ++a)
             if (std::abs(d[a] - e[a]) > equal)
               return d[a] > e[a];
@@ -89,8 +90,8 @@ namespace isochor
               (given[order[0]] - given[order[2]]).norm_square() *
               (given[order[1]] - given[order[3]]).norm_square();
             const Tensor<1, dim> diagonal = diagonal_of(order);
-            if (product < (1 - rounding) * largest ||
-                (product <= (1 + rounding) * largest &&
+            if (product < (1 - rounding::accumulated) * largest ||
+                (product <= (1 + rounding::accumulated) * largest &&
                  !comes_later(diagonal, best)))
               continue;
             largest = product;

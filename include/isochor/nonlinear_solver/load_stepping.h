@@ -36,6 +36,10 @@ namespace isochor
     double
     next_time() const;
 
+    /** Whether the step to next_time() ends the run. */
+    bool
+    is_last_step() const;
+
     /** A step has to end at @p target (s), this one or, so that none is short,
      * the next: something happens there. Until the step is accepted. */
     void

@@ -98,6 +98,7 @@ namespace isochor
 
   private:
     class Gauge;
+    struct Iterate;
 
     /** What a line search has found. */
     struct LineSearch
@@ -133,6 +134,39 @@ namespace isochor
               const bool         with_matrix,
               ResidualNorms     &norms) const;
 
+    /** Whether the matrix of the given iterate will be needed, as it was in
+     * the last solution, or @p otherwise if it had no such iterate. */
+    bool
+    expects_need(const Problem     &problem,
+                 const unsigned int iteration,
+                 const bool         otherwise) const;
+
+    /** From one iterate to the next. If there is none, @p report says why. */
+    void
+    correct(const Problem &problem,
+            Iterate       &now,
+            NewtonReport  &report,
+            std::ostream  *log);
+
+    /** The best iterate of the line search is the present one. */
+    void
+    accept(const Problem    &problem,
+           const LineSearch &search,
+           const bool        may_grow,
+           Iterate          &now) const;
+
+    /** Whether one correction after the other is shortened and changes
+     * little. */
+    bool
+    leads_nowhere(const LineSearch &search, Iterate &now) const;
+
+    static void
+    add_row(const Iterate     &now,
+            const double       length,
+            const unsigned int n_linear,
+            NewtonReport      &report,
+            std::ostream      *log);
+
     unsigned int max_iterations = 15;
     /** Keep a factorisation as long as it reduces the residual by this factor
      * per iteration; 0: always factorise. */
@@ -145,7 +179,7 @@ namespace isochor
     /** By the number of iterations done: whether the last solution went on with
      * the matrix there. Where factorisations are kept the next one mostly does
      * the same; it decides what is assembled, not what comes out. */
-    std::vector<bool> needed_matrix;
+    std::vector<bool> needed_matrix, needed_before;
   };
 } // namespace isochor
 

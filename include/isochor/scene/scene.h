@@ -24,9 +24,12 @@ namespace isochor
   template <int dim>
   class BodyPairTerm;
   template <int dim>
+  class Interaction;
+  template <int dim>
   class InteractionTerm;
   template <int dim>
   struct RigidBodyInScene;
+  struct OneSidedWall;
 
   /** What decides which parameters a scene has. */
   struct SceneSections
@@ -164,7 +167,19 @@ namespace isochor
     void
     parse_plugins(ParameterHandler &prm);
     void
+    parse_rigid_bodies(ParameterHandler &prm);
+    void
     parse_interactions(ParameterHandler &prm);
+    /** Let @p interaction have the rigid body of its partner's name. */
+    void
+    find_partner(Interaction<dim> &interaction) const;
+    using Interactions = std::vector<std::unique_ptr<Interaction<dim>>>;
+    /** Make the boundary conditions of what the sections ask for. */
+    void
+    add_interactions(Interactions                     of_bodies,
+                     Interactions                     of_others,
+                     Interactions                     loads,
+                     const std::vector<OneSidedWall> &walls);
 
     /** Two of the boundary conditions, if there are such. */
     BodyPairTerm<dim>    *body_pairs           = nullptr;

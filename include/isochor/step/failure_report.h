@@ -166,6 +166,16 @@ namespace isochor
     Evidence
     collect(const Failure &failure) const;
 
+    /** What it is: a limit load, a bad step, or a scene that is wrong.
+     * Collective. */
+    std::string
+    verdict(const Failure &failure, const Evidence &evidence) const;
+    static std::string
+    verdict_without_loads(const Failure &failure, const Evidence &evidence);
+    /** The stiffness is lost before anything yields. */
+    static std::string
+    verdict_while_elastic(const Failure &failure, const Evidence &evidence);
+
     /** Whether loads rest in the step that failed, but not all that is
      * prescribed. Collective. */
     bool

@@ -12,6 +12,7 @@
 #include <isochor/step/checkpoint.h>
 #include <isochor/step/equilibrium.h>
 #include <isochor/step/failure_report.h>
+#include <isochor/step/run_log.h>
 #include <isochor/step/step_setup.h>
 #include <isochor/transfer/grid_to_points.h>
 
@@ -113,24 +114,16 @@ namespace isochor
     check_stability(const NewtonReport &report);
     void
     convective_phase(const NewtonReport &newton);
+    void
+    evaluate_nodes(const StepResult<dim> &result);
+    void
+    move_points(const ConvergedStep<dim> &converged);
+    void
+    evaluate_points(const StepResult<dim> &result);
 
     /** What a checkpoint holds. */
     typename Checkpoint<dim>::State
     state();
-    void
-    set_statistics(const StepResult<dim> &result);
-    void
-    print_size();
-    /** What the boundary conditions act on, in the first step. */
-    void
-    print_conditions();
-    /** What was done and skipped, at the end. Collective. */
-    void
-    print_work();
-    /** Tell on the terminal that a step is done, and how long the rest takes.
-     */
-    void
-    print_progress(const NewtonReport &newton);
 
     const MPI_Comm comm;
     Terminal       terminal;
@@ -139,13 +132,13 @@ namespace isochor
     long               n_unstable_modes = -1;
     StepSetup<dim>     setup;
     Equilibrium<dim>   equilibrium;
+    RunLog<dim>        run_log;
     GridToPoints<dim>  grid_to_points;
     Checkpoint<dim>    checkpoint;
     Diagnoses<dim>     diagnoses;
     FailureReport<dim> failure_report;
     Statistics         statistics;
     std::string        output_directory;
-    std::string        said_of_conditions; ///< by print_conditions()
   };
 } // namespace isochor
 

@@ -2,16 +2,19 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-// The members of MaterialPointMethod around the algorithm: parameters, files
-// and what is written to the terminal.
+// What surrounds the algorithm: parameters, files, whether a step is accepted,
+// and what is evaluated in it.
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/earlier_output.h>
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/plain_message.h>
 #include <isochor/base/safe_file.h>
-#include <isochor/postprocess/body_summary.h>
+#include <isochor/equations/cells_crossed.h>
 #include <isochor/step/material_point_method.h>
 #include <isochor/step/scene_checks.h>
+
+#include <limits>
 
 namespace isochor
 {
@@ -22,6 +25,7 @@ namespace isochor
     , scene(comm)
     , setup(scene, terminal.timer())
     , equilibrium(scene, setup, terminal)
+    , run_log(terminal, scene, setup, equilibrium)
     , diagnoses(terminal.timer())
   {}
 
@@ -95,32 +99,28 @@ namespace isochor
 
   template <int dim>
   void
-  MaterialPointMethod<dim>::print_work()
-  {
-    const auto  active = setup.n_active_cells_and_nodes();
-    const auto &tria   = scene.grid.triangulation();
-    WorkTally  &work   = terminal.work();
-    work.count("cells of the grid, at last", true, active.first);
-    work.count("cells of the grid, at last",
-               false,
-               tria.n_active_cells() - active.first);
-    work.count("nodes of the grid, at last", true, active.second);
-    work.count("nodes of the grid, at last",
-               false,
-               tria.n_vertices() - active.second);
-    terminal.print_work(scene.not_needed());
-  }
-
-
-
-  template <int dim>
-  void
   MaterialPointMethod<dim>::set_up()
   {
     TimerOutput::Scope scope(terminal.timer(), "setup");
     scene.create(setup.point_arrays());
     setup.initialize();
     equilibrium.initialize();
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::validate()
+  {
+    set_up();
+    checkpoint.resume_if_asked(scene.grid, output_directory, state());
+    run_log.print_size();
+    setup.restore_moved_grid();
+    initialisation_phase();
+    run_log.print_conditions();
+    equilibrium.evaluate();
+    terminal.print_summary(diagnoses.warnings());
   }
 
 
@@ -138,11 +138,85 @@ namespace isochor
       if (Utilities::MPI::this_mpi_process(comm) == 0)
         statistics.open(output_directory + "/statistics.txt", scene.time.step);
     });
-    print_size();
+    run_log.print_size();
     for (const std::string &text : {earlier, notice})
       if (!text.empty())
         terminal.out() << text << std::endl;
+    if (scene.time.finished())
+      terminal.out() << "Nothing left to do: the checkpoint is of t = "
+                     << scene.time.time << ", <Time/End time> is "
+                     << scene.time.end_time() << '.' << std::endl;
     terminal.reached(scene.time.time);
+  }
+
+
+
+  template <int dim>
+  typename Checkpoint<dim>::State
+  MaterialPointMethod<dim>::state()
+  {
+    return {scene.points,
+            scene.time,
+            equilibrium.motion(),
+            setup,
+            scene.boundary_conditions,
+            scene.postprocessors,
+            diagnoses};
+  }
+
+
+
+  /** Where a prescribed motion starts or changes at once a step begins, and the
+   * body follows, as at t = 0. */
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::look_for_starts()
+  {
+    LoadStepping &time = scene.time;
+    time.aim_at(std::numeric_limits<double>::infinity());
+    // what is so near to where the last step has ended is there; see
+    // LoadStepping::next_time()
+    const double near = 1e-3 * time.last_size;
+    time.starts_anew =
+      time.step == 0 ||
+      scene.motion_starts.next(time.time - near, time.time + near) <
+        time.end_time();
+    // in this step or, so that none is short, the next
+    time.aim_at(scene.motion_starts.next(time.time + near,
+                                         2 * time.next_time() - time.time));
+  }
+
+
+
+  /** What is known isn't looked for again. The last step must not go by a
+   * factorisation of an earlier one. */
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::check_stability(const NewtonReport &report)
+  {
+    Assert(report.converged && !scene.has_inertia(), ExcInternalError());
+    n_unstable_modes = equilibrium.n_unstable_modes(
+      scene.time.is_last_step() && report.n_factorisations == 0);
+  }
+
+
+
+  /** A step that is too inaccurate is none, unless it is the smallest. */
+  template <int dim>
+  void
+  MaterialPointMethod<dim>::check_error(NewtonReport &report)
+  {
+    Assert(report.converged && scene.time.follows_error(), ExcInternalError());
+    const StepContext<dim> step = setup.context();
+    const double           error =
+      scene.inertia.error_of_step(step, equilibrium.nodal_unknowns());
+    const double crossed = cells_crossed(step, equilibrium.nodal_unknowns());
+    report.converged     = scene.time.tolerates(error, crossed);
+    if (!report.converged)
+      report.failure = scene.time.exceeds_error() ?
+                         "its displacements are wrong by " + rounded(error) +
+                           " m, more than <Time/Tolerated error>" :
+                         "the body moves by " + rounded(crossed) + " cells";
   }
 
 
@@ -192,100 +266,67 @@ namespace isochor
 
 
   template <int dim>
-  typename Checkpoint<dim>::State
-  MaterialPointMethod<dim>::state()
+  void
+  MaterialPointMethod<dim>::cut_step(const NewtonReport &newton)
   {
-    return {scene.points,
-            scene.time,
-            equilibrium.motion(),
-            setup,
-            scene.boundary_conditions,
-            scene.postprocessors,
-            diagnoses};
+    Assert(!newton.converged, ExcMessage("The step has a solution."));
+    LoadStepping &time = scene.time;
+    AssertThrow(time.can_be_cut(), ExcMessage(explain_failure(newton)));
+    terminal.out() << "Step " << time.step + 1 << " to t = " << time.next_time()
+                   << " is cut: " << newton.failure << std::endl;
+    time.reject(newton.failure);
+    equilibrium.discard_step();
   }
 
 
 
+  /** What the solution at the nodes tells, before the points move. */
   template <int dim>
   void
-  MaterialPointMethod<dim>::set_statistics(const StepResult<dim> &result)
+  MaterialPointMethod<dim>::evaluate_nodes(const StepResult<dim> &result)
   {
-    const NewtonReport &newton = result.newton;
-    statistics.set("Step", scene.time.step + 1);
-    statistics.set("Time (s)", result.step.time);
-    statistics.set("Step size (s)", result.step.step_size());
-    statistics.set("Newton iterations", newton.n_iterations());
-    statistics.set("Factorisations", newton.n_factorisations);
-    statistics.set("Step cuts", scene.time.n_cuts);
-    if (scene.time.follows_error())
-      statistics.set("Error of step (m)", scene.time.error);
-    statistics.set("Relative residual of forces",
-                   newton.iterations.back().displacement);
-    statistics.set("Equations", result.system.matrix().n_equations);
-    equilibrium.linear().set_statistics(newton.n_linear_iterations(),
-                                        statistics);
-    if (!setup.reset().always())
-      statistics.set("Step of grid", setup.reset().n_steps() + 1);
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPointMethod<dim>::print_size()
-  {
-    terminal.out() << "Isochor: " << scene.grid.triangulation().n_active_cells()
-                   << " cells, " << scene.points.handler().n_global_particles()
-                   << " material points, "
-                   << (!scene.mixed() ?
-                         "u" :
-                         (scene.kernel.ppp_coefficient > 0 ? "u-p + PPP" :
-                                                             "u-p"))
-                   << " form" << std::endl;
-    terminal.out() << body_summary(scene.points, comm) << std::endl;
-    terminal.out() << material_summary(scene.points,
-                                       scene.kernel.materials,
-                                       scene.laws,
-                                       comm)
-                   << std::endl;
-    if (scene.has_inertia() && scene.quadrature->forces_jump())
-      if (const std::string text = setup.reset().describe(); !text.empty())
-        terminal.out() << text << std::endl;
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPointMethod<dim>::print_conditions()
-  {
-    if (scene.time.step > 0)
-      return;
-    std::string text;
+    TimerOutput::Scope scope(terminal.timer(), "postprocessing");
+    run_log.set_statistics(result, statistics);
+    for (auto &postprocessor : scene.postprocessors)
+      {
+        statistics.set_owner(postprocessor->instance);
+        postprocessor->evaluate_nodes(result, statistics);
+      }
     for (const auto &condition : scene.boundary_conditions)
-      if (const std::string of_this = condition->describe(); !of_this.empty())
-        text += of_this + '\n';
-    // the first step may be repeated, on another grid
-    if (text != said_of_conditions)
-      terminal.out() << text << std::flush;
-    said_of_conditions = text;
+      {
+        statistics.set_owner(condition->instance);
+        condition->evaluate(result.step,
+                            result.unknowns,
+                            result.system,
+                            equilibrium.nodal_constraints(),
+                            statistics);
+      }
+    statistics.set_owner("");
+    if (scene.adaptation.needs_sizes())
+      scene.adaptation.set_sizes(result.step,
+                                 result.unknowns,
+                                 scene.points,
+                                 statistics);
+    setup.evaluate(statistics);
   }
 
 
 
+  /** What the points tell that have moved: the row of statistics is complete.
+   */
   template <int dim>
   void
-  MaterialPointMethod<dim>::print_progress(const NewtonReport &newton)
+  MaterialPointMethod<dim>::evaluate_points(const StepResult<dim> &result)
   {
-    const LoadStepping &time = scene.time;
-    terminal.reached(time.time);
-    terminal.out() << "Step " << time.step << ": t = " << time.time << ", "
-                   << equilibrium.mixed_system().matrix().n_equations
-                   << " equations, " << newton.n_iterations()
-                   << (newton.n_iterations() == 1 ? " iteration, " :
-                                                    " iterations, ")
-                   << terminal.time_left(time.end_time()) << " left"
-                   << std::endl;
+    TimerOutput::Scope scope(terminal.timer(), "postprocessing");
+    for (auto &postprocessor : scene.postprocessors)
+      {
+        statistics.set_owner(postprocessor->instance);
+        postprocessor->evaluate_points(result, statistics);
+      }
+    statistics.set_owner("");
+    statistics.end_row();
+    terminal.work().count("outputs of fields", scene.time.output_due());
   }
 
 
