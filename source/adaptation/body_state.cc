@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/adaptation/body_state.h>
 #include <isochor/equations/final_state.h>
+#include <isochor/equations/invariants.h>
 
 #include <algorithm>
 
@@ -37,6 +38,10 @@ namespace isochor
   BodyState<dim>
   state_of_body(const StepContext<dim> &step, const NodalField &unknowns)
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(invariants::is_consistent(step.points),
+           ExcMessage("The arrays are of different points."));
     const PointArrays<dim> &points = step.points;
     BodyState<dim>          state{step.grid,
                          static_cast<unsigned int>(

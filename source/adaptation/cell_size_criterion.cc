@@ -16,6 +16,7 @@ namespace isochor
                         const Leaf<dim>         &leaf,
                         const double             size) const
   {
+    Assert(size > 0, ExcInternalError());
     const double needed = std::log2(grid.size(leaf.tree) / size);
     const double finer  = std::ceil(needed - rounding::accumulated);
     const double coarser =

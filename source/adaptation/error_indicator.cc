@@ -112,6 +112,7 @@ namespace isochor
                             const double             squared_error,
                             const double             constant)
   {
+    Assert(squared_error >= 0, ExcInternalError());
     // at most two levels finer, one coarser than the leaf is
     const double ratio =
       squared_error > 0 ?
@@ -144,6 +145,7 @@ namespace isochor
     const LevelRule<dim>      &rule,
     const std::vector<double> &squares) const
   {
+    AssertDimension(squares.size(), state.grid.adaptive_grid().leaves().size());
     const AdaptiveGrid<dim>      &forest = state.grid.adaptive_grid();
     const std::vector<Leaf<dim>> &leaves = forest.leaves();
     // the number of leaves falls with the constant: between two that enclose it
@@ -178,6 +180,7 @@ namespace isochor
                                    std::vector<double>  &sizes,
                                    Statistics           &statistics) const
   {
+    AssertDimension(sizes.size(), state.size());
     const AdaptiveGrid<dim>      &forest = state.grid.adaptive_grid();
     const std::vector<Leaf<dim>> &leaves = forest.leaves();
     const StressError             error  = recovered_error(state);

@@ -6,6 +6,7 @@
 
 #include <isochor/adaptation/grid_adaptation.h>
 #include <isochor/adaptation/leaf_weights.h>
+#include <isochor/equations/invariants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -169,6 +170,8 @@ namespace isochor
                                  MaterialPoints<dim>    &points,
                                  Statistics             &statistics)
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
     if (!step.grid.is_adaptive() || !needs_state())
       return;
     const BodyState<dim> state = state_of_body(step, unknowns);
@@ -256,6 +259,8 @@ namespace isochor
     const double                  largest,
     std::vector<unsigned int>    &levels)
   {
+    AssertDimension(levels.size(), leaves.size());
+    AssertDimension(n_points.size(), leaves.size());
     // what a change of the grid may make too much, and the next one takes back
     constexpr double margin   = 2;
     const auto       wanted   = levels;
@@ -285,6 +290,7 @@ namespace isochor
                                   const std::vector<double> &n_points,
                                   std::vector<unsigned int> &levels) const
   {
+    AssertDimension(levels.size(), grid.adaptive_grid().leaves().size());
     const AdaptiveGrid<dim>    &forest   = grid.adaptive_grid();
     const SimplexGeometry<dim> &geometry = grid.geometry();
     std::vector<unsigned int>   around   = levels, at_vertex;

@@ -69,6 +69,7 @@ namespace isochor
   GridPartition<dim>::cell_weights(const std::vector<unsigned int> &occupied,
                                    const MPI_Comm                   comm)
   {
+    AssertDimension(occupied.size() % 2, 0u);
     std::vector<std::pair<unsigned int, double>> weights;
     for (const auto &of_rank : all_gather_arrays(comm, occupied))
       for (std::size_t i = 0; i < of_rank.size(); i += 2)

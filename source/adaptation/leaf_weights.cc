@@ -23,6 +23,7 @@ namespace isochor
               const std::vector<unsigned int> &owners,
               const unsigned int               n_ranks)
     {
+      AssertDimension(weights.size(), owners.size());
       std::vector<double> sums(n_ranks);
       for (unsigned int i = 0; i < weights.size(); ++i)
         sums[owners[i]] += weights[i];
@@ -52,6 +53,7 @@ namespace isochor
                const std::vector<double>    &n_points,
                const std::vector<Leaf<dim>> &leaves)
   {
+    AssertDimension(n_points.size(), old.size());
     std::vector<double> weights;
     for (const Leaf<dim> &leaf : leaves)
       {
@@ -78,6 +80,8 @@ namespace isochor
                     const unsigned int               n_ranks,
                     const LoadBalance               &balance)
   {
+    AssertDimension(weights.size(), forest.leaves().size());
+    Assert(n_ranks > 0, ExcInternalError());
     if (n_ranks == 1)
       return false;
     std::vector<unsigned int> old;

@@ -43,6 +43,7 @@ namespace isochor
   double
   LoadBalance::imbalance(const std::vector<double> &sums)
   {
+    Assert(!sums.empty(), ExcInternalError());
     const double total = std::accumulate(sums.begin(), sums.end(), 0.);
     return total > 0 ?
              *std::max_element(sums.begin(), sums.end()) * sums.size() / total -

@@ -49,6 +49,7 @@ namespace isochor
                 std::vector<double> &sizes,
                 Statistics & /*statistics*/) const override
     {
+      AssertDimension(sizes.size(), state.size());
       const SimplexGeometry<dim> &geometry = state.grid.geometry();
       std::vector<unsigned int>   occupied(geometry.n_cells(), 0);
       for (const unsigned int cell : state.cell)

@@ -54,6 +54,8 @@ namespace isochor
                 std::vector<double> &sizes,
                 Statistics & /*statistics*/) const override
     {
+      AssertDimension(sizes.size(), state.size());
+      AssertDimension(state.plastic_increment.size(), state.size());
       for (unsigned int q = 0; q < state.size(); ++q)
         if (state.plastic_increment[q] > 0)
           sizes[q] =

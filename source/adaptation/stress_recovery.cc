@@ -47,6 +47,7 @@ namespace isochor
            const unsigned int    q,
            const Entries<dim>   &s)
     {
+      AssertIndexRange(q, state.size());
       double square = 0;
       for (unsigned int i = 0; i + 1 < n_entries<dim>; ++i)
         square += (i < 3 ? 1 : 2) * s[i] * s[i];
@@ -108,6 +109,7 @@ namespace isochor
   double
   energy_norm_square(const BodyState<dim> &state)
   {
+    AssertDimension(state.stress.size(), state.size());
     double sum = 0;
     for (unsigned int q = 0; q < state.size(); ++q)
       sum += state.volume[q] * energy(state, q, entries<dim>(state.stress[q]));

@@ -7,6 +7,7 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/rounding.h>
 #include <isochor/boundary_condition/boundary_points.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/equations/nodal_unknowns.h>
 #include <isochor/grid/nearest_cells.h>
 
@@ -115,6 +116,9 @@ namespace isochor
     const unsigned int               b,
     const std::vector<unsigned int> &occupied) const
   {
+    AssertIndexRange(b, size());
+    Assert(std::is_sorted(occupied.begin(), occupied.end()),
+           ExcInternalError());
     const auto is_occupied = [&occupied](const unsigned int cell) {
       return std::binary_search(occupied.begin(), occupied.end(), cell);
     };
@@ -166,6 +170,8 @@ namespace isochor
   BoundaryPoints<dim>::add_stencil(const unsigned int               b,
                                    const std::vector<unsigned int> &cells)
   {
+    AssertDimension(stencil_start.size(), b + 1);
+    Assert(!cells.empty(), ExcMessage("The point is far from the body."));
     const SimplexGeometry<dim>          &geometry = grid.geometry();
     const std::size_t                    begin    = stencil_start.back();
     typename ShapeFunctions<dim>::Values at;
@@ -212,6 +218,9 @@ namespace isochor
   BoundaryPoints<dim>::advance(const StepContext<dim> &step,
                                const NodalField       &unknowns)
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
+    AssertDimension(stencil_start.size(), size() + 1);
     const NodalUnknowns<dim> nodal(step, unknowns);
     for (unsigned int b = 0; b < size(); ++b)
       {
@@ -244,6 +253,7 @@ namespace isochor
   Tensor<1, dim>
   BoundaryPoints<dim>::displacement(const unsigned int b) const
   {
+    AssertIndexRange(b, size());
     Tensor<1, dim> u;
     for (unsigned int d = 0; d < dim; ++d)
       u[d] = records.payload(b)[displacement_entry + d];
@@ -256,6 +266,7 @@ namespace isochor
   Tensor<2, dim>
   BoundaryPoints<dim>::F(const unsigned int b) const
   {
+    AssertIndexRange(b, size());
     Tensor<2, dim> F;
     for (unsigned int d = 0; d < dim; ++d)
       for (unsigned int e = 0; e < dim; ++e)
@@ -269,6 +280,7 @@ namespace isochor
   typename SurfaceForces<dim>::Place
   BoundaryPoints<dim>::place(const unsigned int b) const
   {
+    AssertIndexRange(b + 1, stencil_start.size());
     typename SurfaceForces<dim>::Place at;
     const std::size_t                  begin = stencil_start[b];
     at.displacement                          = displacement(b);

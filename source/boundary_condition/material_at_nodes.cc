@@ -55,6 +55,7 @@ namespace isochor
                               const std::vector<Point<dim>> &reference,
                               const StepContext<dim>        &step) const
   {
+    AssertIndexRange(vertex, reference.size());
     // Newton's method with difference quotients
     constexpr unsigned int most_iterations = 50;
     constexpr double       difference      = 1e-6;

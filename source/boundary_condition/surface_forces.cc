@@ -6,6 +6,7 @@
 #include <isochor/base/rounding.h>
 #include <isochor/base/thickness.h>
 #include <isochor/boundary_condition/surface_forces.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/equations/nodal_unknowns.h>
 
 #include <algorithm>
@@ -57,6 +58,10 @@ namespace isochor
                                const bool              with_matrix,
                                MixedSystem<dim>       &system) const
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(invariants::fits(pending, step.nodes, step.n_components),
+           ExcOtherNodes());
     Element      element;
     unsigned int e = first_element;
     for (unsigned int b = 0; b < n_places(); ++b)
@@ -85,6 +90,8 @@ namespace isochor
                                         const bool              with_matrix,
                                         Element                &element) const
   {
+    AssertIndexRange(b, n_places());
+    Assert(at.n_nodes > 0, ExcInternalError());
     const unsigned int nc = step.n_components, n_dofs = at.n_nodes * nc;
     element.residual.assign(n_dofs, 0.);
     if (with_matrix)
@@ -136,6 +143,7 @@ namespace isochor
                                 const unsigned int      b,
                                 const Place            &at) const
   {
+    AssertIndexRange(b, n_places());
     const auto    &traction = load_at(b).traction;
     Tensor<1, dim> force;
     if (traction.empty())
@@ -174,6 +182,8 @@ namespace isochor
   SurfaceForces<dim>::add_dead_loads(const StepContext<dim> &step,
                                      NodalField             &force) const
   {
+    Assert(invariants::fits(force, step.nodes, step.n_components),
+           ExcOtherNodes());
     for (unsigned int b = 0; b < n_places(); ++b)
       if (!load_at(b).traction.empty())
         {
@@ -194,6 +204,10 @@ namespace isochor
                                     const NodalField       &unknowns,
                                     NodalField             &force) const
   {
+    Assert(invariants::fits(force, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
     Element element;
     for (unsigned int b = 0; b < n_places(); ++b)
       if (!load_at(b).pressure.empty())
@@ -264,6 +278,8 @@ namespace isochor
     const NodalField       &unknowns,
     const NodalConstraints &constraints) const
   {
+    AssertDimension(constraints.constrained.size(),
+                    step.nodes.n_local() * step.n_components);
     // normals of faces along an axis have some
     constexpr double nearly_all = 0.99;
     // by surface and component: what is on supports, and all of it

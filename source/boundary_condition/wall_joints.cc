@@ -44,6 +44,8 @@ namespace isochor
                                const unsigned int second,
                                const unsigned int vertex) const
   {
+    AssertIndexRange(first, walls.size());
+    AssertIndexRange(second, walls.size());
     const SmoothWall<dim> &a = walls[first], &b = walls[second];
     if (a.formula == b.formula)
       return true;
@@ -64,6 +66,7 @@ namespace isochor
   WallJoints<dim>::surface(const BackgroundGrid<dim> &grid,
                            const unsigned int         w) const
   {
+    AssertIndexRange(w, walls.size());
     std::vector<types::boundary_id> ids;
     for (const SmoothWall<dim> &wall : walls)
       ids.push_back(grid.boundary_id(wall.boundary, parameter));

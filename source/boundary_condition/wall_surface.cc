@@ -86,6 +86,7 @@ namespace isochor
     Tensor<1, dim>
     unit(Tensor<1, dim> n)
     {
+      Assert(n.norm() > 0, ExcMessage("A normal has no direction."));
       n /= n.norm();
       for (unsigned int a = 0; a < dim; ++a)
         if (std::abs(n[a]) < 1e-12)
@@ -215,6 +216,7 @@ namespace isochor
                                      const unsigned int      own,
                                      const GoesOn           &goes_on)
   {
+    AssertIndexRange(own, n_boundaries);
     std::set<std::pair<unsigned int, unsigned int>> joined;
     for (const Piece &piece : find_pieces(named, goes_on))
       for (const unsigned int f : piece.faces)
@@ -240,6 +242,7 @@ namespace isochor
   WallSurface<dim>::set_normals(const std::vector<NamedFace> &named,
                                 std::vector<Piece>           &pieces)
   {
+    AssertDimension(named.size(), all_faces.size());
     for (unsigned int f = 0; f < all_faces.size(); ++f)
       all_faces[f].normal = unit(named[f].area);
     for (const Piece &piece : pieces)
@@ -259,6 +262,7 @@ namespace isochor
                                  std::vector<NamedFace> &named,
                                  std::vector<Piece>     &pieces)
   {
+    AssertDimension(named.size(), all_faces.size());
     for (unsigned int f = 0; f < all_faces.size(); ++f)
       {
         Face &face = all_faces[f];
@@ -359,6 +363,7 @@ namespace isochor
   WallSurface<dim>::locate(const Point<dim>     &x,
                            const Tensor<1, dim> &direction) const
   {
+    Assert(!all_faces.empty(), ExcMessage("The wall has no faces."));
     constexpr double near_direction = 0.7;
     const bool       has_direction  = direction.norm_square() > 0;
     Place            place{Tensor<1, dim>(), 0};

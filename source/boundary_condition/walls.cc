@@ -274,6 +274,7 @@ namespace isochor
         const unsigned int      i,
         const StepContext<dim> &step) const
     {
+      AssertIndexRange(i, wall.nodes.size());
       return follows_curve(wall, step) || wall.takes_back(step) ?
                wall.nodes[i].gap_now :
                0.;
@@ -284,6 +285,7 @@ namespace isochor
               const unsigned int      i,
               const StepContext<dim> &step) const
     {
+      AssertIndexRange(i, wall.nodes.size());
       return wall.motion(reference[wall.nodes[i].vertex], step) -
              gap(wall, i, step);
     }

@@ -181,6 +181,7 @@ namespace isochor
   void
   CellOccupancy<dim>::activate(const unsigned int vertex)
   {
+    AssertIndexRange(vertex, vertex_active.size());
     if (vertex_active[vertex])
       return;
     vertex_active[vertex] = 1;
@@ -193,6 +194,7 @@ namespace isochor
   typename CellOccupancy<dim>::Content &
   CellOccupancy<dim>::entry(const unsigned int cell)
   {
+    AssertIndexRange(cell, entry_of_cell.size());
     unsigned int &index = entry_of_cell[cell];
     if (index == numbers::invalid_unsigned_int)
       {
@@ -232,6 +234,7 @@ namespace isochor
   CellOccupancy<dim>::add_own(const PointArrays<dim> &points,
                               const MixedKernel<dim> &kernel)
   {
+    AssertIndexRange(points.n_occupied_cells, points.cell.size() + 1);
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       {
         Content &content = entry(points.cell[k]);
@@ -358,6 +361,9 @@ namespace isochor
   void
   CellOccupancy<dim>::add_received(const std::vector<double> &message)
   {
+    Assert(!message.empty(), ExcInternalError());
+    AssertDimension(
+      (message.size() - 1 - static_cast<std::size_t>(message[0])) % 6, 0u);
     const std::size_t n_vertices = message[0];
     for (std::size_t i = 1; i <= n_vertices; ++i)
       activate(static_cast<unsigned int>(message[i]));

@@ -23,6 +23,8 @@ namespace isochor
     double
     last_pivot(FullMatrix<double> &matrix)
     {
+      AssertDimension(matrix.m(), matrix.n());
+      Assert(matrix.m() > 0, ExcInternalError());
       const unsigned int  n = matrix.m();
       std::vector<double> diagonal(n);
       for (unsigned int i = 0; i < n; ++i)

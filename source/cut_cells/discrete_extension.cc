@@ -185,6 +185,7 @@ namespace isochor
   double
   DiscreteExtension<dim>::support(const unsigned int vertex) const
   {
+    AssertIndexRange(vertex, volume_at.size());
     double full = 0;
     for (const unsigned int cell : occupancy.cells_at(vertex))
       full += grid.geometry().measure(cell) / (dim + 1);
@@ -218,6 +219,7 @@ namespace isochor
   typename DiscreteExtension<dim>::Tie
   DiscreteExtension<dim>::find_tie(const unsigned int vertex) const
   {
+    AssertIndexRange(vertex, grid.triangulation().n_vertices());
     const SimplexGeometry<dim> &geometry = grid.geometry();
     std::set<unsigned int>      seen_cells, seen_vertices = {vertex};
     std::vector<unsigned int>   front = {vertex}, best;
@@ -266,6 +268,7 @@ namespace isochor
   DiscreteExtension<dim>::make_tie(const unsigned int               vertex,
                                    const std::vector<unsigned int> &cells) const
   {
+    Assert(!cells.empty(), ExcInternalError());
     const SimplexGeometry<dim>    &geometry = grid.geometry();
     std::map<unsigned int, double> weights;
     for (const unsigned int cell : cells)
@@ -339,6 +342,7 @@ namespace isochor
   DiscreteExtension<dim>::constrain(const StepContext<dim> &step,
                                     NodalConstraints       &constraints) const
   {
+    Assert(constraints.ties.size() == 0, ExcMessage("Others tie nodes, too."));
     for (const Tie &tie : found)
       {
         constraints.ties.node.push_back(step.nodes.node(tie.vertex));
@@ -420,6 +424,7 @@ namespace isochor
                                const Tie              &tie,
                                const Tensor<1, dim>   &force) const
   {
+    Assert(!tie.cells.empty(), ExcInternalError());
     const SimplexGeometry<dim> &geometry = grid.geometry();
     const NodalUnknowns<dim>    nodal(step, unknowns);
     Tensor<2, dim>              gradient;

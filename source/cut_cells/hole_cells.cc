@@ -58,6 +58,7 @@ namespace isochor
   std::set<unsigned int>
   CellOccupancy<dim>::empty_cells_around(const unsigned int cell) const
   {
+    Assert(content(cell) == nullptr, ExcMessage("The cell holds points."));
     const unsigned int most = compares_with_seeding ? most_cells : largest_hole;
     std::set<unsigned int>    gap       = {cell};
     std::vector<unsigned int> to_follow = {cell};
@@ -79,6 +80,7 @@ namespace isochor
   typename CellOccupancy<dim>::Content
   CellOccupancy<dim>::fill_of_gap(const std::set<unsigned int> &gap)
   {
+    Assert(!gap.empty(), ExcInternalError());
     const SimplexGeometry<dim> &geometry = grid.geometry();
     Content                     hole;
     if (gap.size() > (compares_with_seeding ? most_cells : largest_hole))
@@ -162,6 +164,7 @@ namespace isochor
   bool
   CellOccupancy<dim>::is_compact(const std::set<unsigned int> &gap) const
   {
+    Assert(!gap.empty(), ExcInternalError());
     for (const unsigned int start : gap)
       {
         std::set<unsigned int>    reached = {start};

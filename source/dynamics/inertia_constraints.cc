@@ -6,8 +6,10 @@
 // What the constraints of a step mean for velocities and accelerations.
 
 #include <isochor/dynamics/inertia_term.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/grid/prescribed_motion.h>
 
+#include <algorithm>
 #include <tuple>
 
 namespace isochor
@@ -143,6 +145,13 @@ namespace isochor
                                         const unsigned int n_components,
                                         const double       dt) const
   {
+    Assert(dt > 0, ExcInternalError());
+    Assert(std::all_of(at.begin(),
+                       at.end(),
+                       [&](const auto &c) {
+                         return c.followers.size() == at[0].followers.size();
+                       }),
+           ExcMessage("Followers change within a step."));
     std::array<Followers, n_motion_places> all;
     for (unsigned int k = 0; k < n_motion_places; ++k)
       all[k] = displacement_followers(at[k], n_components);
@@ -167,6 +176,7 @@ namespace isochor
     const NodalTies                                            &ties,
     const double                                                part) const
   {
+    Assert(part >= 0 && part <= 1, ExcInternalError());
     StepContext<dim> until = step;
     until.time             = step.old_time + part * step.step_size();
     NodalConstraints constraints;
@@ -187,6 +197,7 @@ namespace isochor
   InertiaTerm<dim>::displacement_followers(const NodalConstraints &constraints,
                                            const unsigned int      n_components)
   {
+    AssertDimension(constraints.constrained.size() % n_components, 0u);
     return select_followers(constraints.followers,
                             [n_components](const unsigned int entry) {
                               return entry % n_components == dim ?
@@ -202,6 +213,7 @@ namespace isochor
   Followers
   InertiaTerm<dim>::pressure_followers(const NodalConstraints &constraints)
   {
+    AssertDimension(constraints.constrained.size() % (dim + 1), 0u);
     return select_followers(constraints.followers,
                             [](const unsigned int entry) {
                               return entry % (dim + 1) == dim ?
@@ -217,6 +229,8 @@ namespace isochor
   InertiaTerm<dim>::set_trial_increments(const StepContext<dim> &step,
                                          NodalConstraints &constraints) const
   {
+    Assert(invariants::fits(velocity, step.nodes, dim), ExcOtherNodes());
+    Assert(invariants::fits(acceleration, step.nodes, dim), ExcOtherNodes());
     const unsigned int nc        = step.n_components;
     const auto         increment = [this](const unsigned int i) {
       return trial.size * (velocity.local_element(i) +

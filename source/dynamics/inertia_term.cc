@@ -5,6 +5,7 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/dynamics/inertia_term.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
@@ -73,6 +74,8 @@ namespace isochor
   InertiaTerm<dim>::take_pressures(const StepContext<dim> &step,
                                    const NodalField       &unknowns)
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
     if (!is_active())
       return;
     step.nodes.initialize(start_unknowns, step.n_components);
@@ -203,6 +206,7 @@ namespace isochor
                             NodalField                &solution,
                             const bool                 with_domains)
   {
+    Assert(held.size() >= solution.locally_owned_size(), ExcInternalError());
     const auto solve = [&](const bool by_domains) {
       solution.zero_out_ghost_values();
       mass.set_lumped_solution(load, held, solution);
@@ -230,6 +234,9 @@ namespace isochor
     const bool                                                  changed,
     NodalConstraints                                           &constraints)
   {
+    Assert(end > step.old_time, ExcInternalError());
+    AssertDimension(constraints.constrained.size(),
+                    step.nodes.n_local() * step.n_components);
     if (!is_active())
       return;
     StepContext<dim> whole_step = step;
@@ -268,6 +275,10 @@ namespace isochor
                              const bool              with_matrix,
                              MixedSystem<dim>       &system)
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(invariants::fits(pending, step.nodes, step.n_components),
+           ExcOtherNodes());
     if (!is_active())
       return EvaluationStatus::success;
     const unsigned int nc        = step.n_components;
@@ -322,6 +333,8 @@ namespace isochor
   InertiaTerm<dim>::finish_step(const StepContext<dim> &step,
                                 const NodalField       &unknowns)
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
     if (!is_active())
       return;
     const double dt = step_size(step);
@@ -356,6 +369,7 @@ namespace isochor
     const typename PointArrays<dim>::Stencil &stencil,
     const NodalField                         &field)
   {
+    Assert(invariants::fits(field, step.nodes, dim), ExcOtherNodes());
     Tensor<1, dim> value;
     for (unsigned int I = 0; I < stencil.n_nodes; ++I)
       {

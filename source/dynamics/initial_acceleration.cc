@@ -20,6 +20,7 @@ namespace isochor
     const TrialStep                                            &trial_step,
     const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
   {
+    Assert(is_active(), ExcMessage("There is no inertia."));
     if (trial_step.size > 0) // the first of two
       prescribed = false;
     trial                   = trial_step;
@@ -50,6 +51,7 @@ namespace isochor
                                  const NodalField       &unknowns,
                                  PointArrays<dim>       &points)
   {
+    Assert(is_active(), ExcMessage("There is no inertia."));
     starts_with_impulse = trial.with_velocity;
     const double sign   = trial.is_past ? -1 : 1;
     finish_step(step, unknowns);
@@ -74,6 +76,7 @@ namespace isochor
   bool
   InertiaTerm<dim>::steps_over_waves(const StepContext<dim> &step) const
   {
+    Assert(step.step_size() > 0, ExcInternalError());
     // of each body: the largest speed of shear waves and of x, -x
     constexpr unsigned int n_entries = 1 + 2 * dim;
     std::vector<double>    most(step.grid.n_layers() * n_entries,

@@ -7,6 +7,7 @@
 #include <deal.II/lac/solver_control.h>
 
 #include <isochor/dynamics/mass_matrix.h>
+#include <isochor/equations/invariants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,7 @@ namespace isochor
                           const std::vector<double> &weights,
                           const unsigned int         components)
   {
+    Assert(components == 1 || components == dim, ExcInternalError());
     const PointArrays<dim> &points = step.points;
     weight                         = weights;
     n_components                   = components;
@@ -90,6 +92,7 @@ namespace isochor
                                  const unsigned int         element,
                                  std::vector<unsigned int> &nodes) const
   {
+    AssertIndexRange(element, n_elements(step));
     const PointArrays<dim> &points = step.points;
     nodes.clear();
     if (points.has_stencils())
@@ -111,6 +114,7 @@ namespace isochor
                                   const unsigned int      element,
                                   std::vector<double>    &matrix) const
   {
+    AssertIndexRange(element, n_elements(step));
     const PointArrays<dim> &points = step.points;
     if (points.has_stencils())
       {
@@ -297,6 +301,7 @@ namespace isochor
                          const NodalField       &field,
                          NodalField             &result) const
   {
+    Assert(invariants::fits(field, step.nodes, n_components), ExcOtherNodes());
     step.nodes.initialize(result, n_components);
     add_product(step, field, result);
     result.compress(VectorOperation::add);
@@ -310,6 +315,8 @@ namespace isochor
                            const Followers        &followers,
                            NodalField             &load) const
   {
+    AssertDimension(followers.start.size(), followers.size() + 1);
+    Assert(invariants::fits(load, step.nodes, n_components), ExcOtherNodes());
     for (unsigned int k = 0; k < followers.size(); ++k)
       if (const unsigned int entry = followers.entry[k];
           entry < step.nodes.n_owned() * n_components)
@@ -332,6 +339,8 @@ namespace isochor
                                const std::vector<double> &given,
                                NodalField                &field) const
   {
+    Assert(given.empty() || given.size() == followers.size(),
+           ExcInternalError());
     field.update_ghost_values();
     for (unsigned int k = 0; k < followers.size(); ++k)
       field.local_element(followers.entry[k]) =
@@ -349,6 +358,8 @@ namespace isochor
                                        const std::vector<unsigned char> &held,
                                        NodalField &solution) const
   {
+    AssertDimension(load.size(), solution.size());
+    Assert(held.size() >= solution.locally_owned_size(), ExcInternalError());
     for (unsigned int i = 0; i < solution.locally_owned_size(); ++i)
       if (const double m = lumped.local_element(i / n_components);
           !held[i] && m > 0 && m >= diagonal.local_element(i / n_components))
@@ -437,6 +448,9 @@ namespace isochor
                          NodalField                       &solution,
                          const bool                        with_domains) const
   {
+    Assert(invariants::fits(load, step.nodes, n_components), ExcOtherNodes());
+    Assert(invariants::fits(solution, step.nodes, n_components),
+           ExcOtherNodes());
     NodalField scale, residual, correction;
     scale_diagonal(step, held, followers, with_domains, scale, solution);
     interpolate(followers, given, solution);

@@ -111,6 +111,7 @@ namespace isochor
   std::vector<unsigned int>
   ActiveNodes<dim>::control_entries(const unsigned int n_components) const
   {
+    Assert(n_components >= dim, ExcInternalError());
     std::vector<unsigned int> entries;
     for (unsigned int k = 0; k < control.size(); ++k)
       if (const unsigned int i = node(control_vertex(k));
@@ -127,6 +128,8 @@ namespace isochor
   ActiveNodes<dim>::initialize(NodalField        &field,
                                const unsigned int n_components) const
   {
+    Assert(n_components > 0, ExcInternalError());
+    Assert(n_owned_nodes <= n_global_nodes, ExcInternalError());
     auto &partitioner = partitioners[n_components];
     if (!partitioner)
       {

@@ -18,6 +18,7 @@ namespace isochor
     Tensor<1, dim>
     area_vector(const CornerVectors<dim> &corners, const unsigned int c)
     {
+      AssertIndexRange(c, dim + 1);
       std::array<Tensor<1, dim>, dim> face;
       for (unsigned int other = 0, i = 0; other <= dim; ++other)
         if (other != c)
@@ -111,6 +112,8 @@ namespace isochor
                           const Face                 &face,
                           const unsigned int          g)
   {
+    AssertIndexRange(face.k, points.cell.size());
+    AssertIndexRange(face.q, points.n_points());
     const auto     lambda = coordinates(g);
     Tensor<1, dim> R; // from the subdomain's point at t = 0
     for (unsigned int i = 0; i < dim; ++i)
@@ -148,6 +151,7 @@ namespace isochor
                     const MaterialModel<dim> &material,
                     const double              area_per_volume)
   {
+    Assert(area_per_volume > 0, ExcInternalError());
     double modulus = stress.normal_modulus;
     if (stress.mixed && step.has_inertia && step.step_size() > 0)
       {

@@ -3,8 +3,10 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/equations/body_term.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/equations/nodal_unknowns.h>
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -47,6 +49,8 @@ namespace isochor
   BodyTerm<dim>::collect_elements(const StepContext<dim> &step,
                                   ElementNodes           &elements)
   {
+    Assert(invariants::is_consistent(step.points),
+           ExcMessage("The arrays are of different points."));
     std::vector<unsigned int> nodes;
     const auto                add = [&](const unsigned int *const vertices,
                          const unsigned int        n_nodes) {
@@ -85,6 +89,18 @@ namespace isochor
                           const bool              with_matrix,
                           MixedSystem<dim>       &system)
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(invariants::fits(pending, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(invariants::is_consistent(step.points),
+           ExcMessage("The arrays are of different points."));
+    Assert(std::all_of(points.material.begin(),
+                       points.material.end(),
+                       [&](const unsigned int m) {
+                         return m < step.kernel.materials.size();
+                       }),
+           ExcMessage("A point has no material."));
     if (!points.has_stencils())
       return step.mixed() ?
                assemble_cells<dim + 1>(
@@ -132,12 +148,16 @@ namespace isochor
                                   const bool              with_matrix,
                                   MixedSystem<dim>       &system) const
   {
+    Assert(points.has_stencils(), ExcInternalError());
     const NodalUnknowns<dim>              nodal(step, unknowns);
     Element<dim, n_components, max_nodes> element;
     for (unsigned int q = 0; q < points.n_points(); ++q)
       {
         const auto stencil = points.stencil(grid.geometry(), 0, q);
-        element.n_nodes    = stencil.n_nodes;
+        Assert(invariants::is_partition_of_unity<dim>(stencil),
+               ExcMessage("The functions at a point don't add up to one."));
+        AssertIndexRange(stencil.n_nodes, max_nodes + 1);
+        element.n_nodes = stencil.n_nodes;
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
           element.gradient[I] = stencil.gradient[I];
         nodal.gather(stencil.n_nodes, stencil.vertex, element);
@@ -180,6 +200,7 @@ namespace isochor
                                            const bool         with_matrix,
                                            MixedSystem<dim>  &system) const
   {
+    Assert(step.mixed(), ExcMessage("Only pressures are stabilised."));
     const NodalUnknowns<dim>       nodal(step, unknowns);
     Element<dim, dim + 1, dim + 1> element;
     element.matrix.fill(0.);
@@ -214,6 +235,8 @@ namespace isochor
                                 const bool              with_matrix,
                                 MixedSystem<dim>       &system) const
   {
+    Assert(!points.has_stencils(), ExcInternalError());
+    AssertDimension(n_components, static_cast<int>(step.n_components));
     const MixedKernel<dim>     &kernel   = step.kernel;
     const SimplexGeometry<dim> &geometry = grid.geometry();
     const NodalUnknowns<dim>    nodal(step, unknowns);
@@ -265,6 +288,8 @@ namespace isochor
   BodyTerm<dim>::add_unit_residual(const StepContext<dim> &step,
                                    NodalField             &scale) const
   {
+    Assert(invariants::fits(scale, step.nodes, step.n_components),
+           ExcOtherNodes());
     // in the u form the rounding of J is multiplied by K
     std::vector<double> modulus;
     for (const auto &material : step.kernel.materials)

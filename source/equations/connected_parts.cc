@@ -6,6 +6,7 @@
 
 #include <isochor/base/disjoint_sets.h>
 #include <isochor/equations/connected_parts.h>
+#include <isochor/equations/invariants.h>
 
 #include <algorithm>
 #include <limits>
@@ -17,6 +18,14 @@ namespace isochor
   std::vector<unsigned int>
   part_names(const StepContext<dim> &step, const ElementNodes &elements)
   {
+    Assert(invariants::is_compressed(elements.start, elements.node.size()),
+           ExcInternalError());
+    Assert(std::all_of(elements.node.begin(),
+                       elements.node.end(),
+                       [&](const unsigned int node) {
+                         return node < step.nodes.n_local();
+                       }),
+           ExcMessage("An element has a node that is not active."));
     const unsigned int n_local = step.nodes.n_local();
     DisjointSets       sets(n_local);
     for (unsigned int e = 0; e < elements.size(); ++e)

@@ -39,6 +39,7 @@ namespace isochor
     std::string
     place_of(const StepContext<dim> &step, const unsigned int entry)
     {
+      AssertIndexRange(entry, step.nodes.n_local() * step.n_components);
       const Point<dim> x    = step.nodes.position(entry / step.n_components);
       std::string      text = "(";
       for (unsigned int d = 0; d < dim; ++d)
@@ -86,6 +87,8 @@ namespace isochor
   find_conflicts(const StepContext<dim> &step,
                  const NodalConstraints &constraints)
   {
+    AssertDimension(constraints.constrained.size(),
+                    step.nodes.n_local() * step.n_components);
     // formulas that mean the same differ by rounding: of what they prescribe,
     // and of the places of nodes
     const MPI_Comm comm = step.grid.communicator();

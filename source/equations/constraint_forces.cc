@@ -16,6 +16,8 @@ namespace isochor
                            const unsigned int      n_components_,
                            const bool              with_ties)
   {
+    AssertDimension(constraints.constrained.size() % n_components_, 0u);
+    AssertDimension(constraints.coefficient.size(), constraints.entry.size());
     nodes.clear();
     equations    = constraints.equations;
     n_components = n_components_;
@@ -77,6 +79,8 @@ namespace isochor
   double
   ConstraintForces::coefficient_at(const Row &row, const unsigned int e) const
   {
+    Assert(row.equation == none || row.equation < equations.size(),
+           ExcInternalError());
     if (row.equation == none)
       return e == row.pivot ? 1. : 0.;
     const NodalConstraints::Equation &equation = equations[row.equation];
@@ -92,6 +96,7 @@ namespace isochor
   void
   ConstraintForces::solve(const Node &node, const NodalField &force)
   {
+    Assert(!node.rows.empty(), ExcMessage("Nothing holds the node."));
     const unsigned int n = node.rows.size();
     solution.resize(n);
     if (n == 1)
@@ -120,6 +125,7 @@ namespace isochor
                               const double multiplier,
                               NodalField  &force) const
   {
+    AssertIndexRange(row.pivot, held.size());
     if (row.equation == none)
       {
         const unsigned int component = row.pivot % n_components;
@@ -141,6 +147,8 @@ namespace isochor
   void
   ConstraintForces::find(const unsigned int n_owned_nodes, NodalField &force)
   {
+    AssertDimension(multipliers.size(), equations.size());
+    AssertIndexRange(n_owned_nodes * n_components, held.size() + 1);
     std::fill(multipliers.begin(), multipliers.end(), 0.);
     // first what hands on to others, then who may have got something
     for (const Kind kind : {tie, relation, relation_of_control, none_of_them})

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/equations/mixed_system.h>
 
 #include <algorithm>
@@ -35,6 +36,18 @@ namespace isochor
                            const NodalConstraints &constraints,
                            const bool              symmetric)
   {
+    AssertDimension(constraints.constrained.size(),
+                    nodes.n_local() * n_components_);
+    Assert(invariants::is_compressed(elements_.start, elements_.node.size()),
+           ExcInternalError());
+    Assert(std::all_of(elements_.node.begin(),
+                       elements_.node.end(),
+                       [&](const unsigned int node) {
+                         return node < nodes.n_local();
+                       }),
+           ExcMessage("An element has a node that is not active."));
+    Assert(is_same_on_all_ranks(symmetric, nodes.grid.communicator()),
+           ExcInternalError());
     const MPI_Comm comm    = nodes.grid.communicator();
     const bool     changed = nodes_changed || n_components != n_components_ ||
                          system.symmetric != symmetric ||
@@ -82,6 +95,7 @@ namespace isochor
   std::vector<std::pair<types::global_dof_index, unsigned int>>
   MixedSystem<dim>::number_free_entries()
   {
+    AssertDimension(constrained.size(), nodes.n_local() * n_components);
     const unsigned int n_owned = nodes.n_owned() * n_components;
     const unsigned int n_local = nodes.n_local() * n_components;
 
@@ -121,6 +135,7 @@ namespace isochor
   void
   MixedSystem<dim>::describe_equations(const FreeEntries &sorted)
   {
+    Assert(std::is_sorted(sorted.begin(), sorted.end()), ExcInternalError());
     equations.assign(nodes.n_local() * n_components, invalid);
     const unsigned int n = sorted.size();
     system.global_equation.resize(n);
@@ -156,6 +171,7 @@ namespace isochor
   void
   MixedSystem<dim>::order_nodes(const FreeEntries &sorted)
   {
+    AssertDimension(sorted.size(), system.global_equation.size());
     node_first_free.assign(nodes.n_local() + 1, 0);
     nodes_in_order.clear();
     node_order.assign(nodes.n_local(), invalid);
@@ -354,6 +370,8 @@ namespace isochor
   void
   MixedSystem<dim>::right_hand_side(TrilinosWrappers::MPI::Vector &rhs) const
   {
+    Assert(invariants::fits(residual, nodes, n_components), ExcOtherNodes());
+    AssertDimension(equations.size(), nodes.n_local() * n_components);
     shape(rhs);
     double *const values = rhs.begin();
     unsigned int  next   = 0;
@@ -369,6 +387,8 @@ namespace isochor
   MixedSystem<dim>::to_nodes(const TrilinosWrappers::MPI::Vector &solution,
                              NodalField                          &field) const
   {
+    Assert(invariants::fits(field, nodes, n_components), ExcOtherNodes());
+    AssertDimension(solution.size(), system.n_equations);
     field.zero_out_ghost_values();
     const double *const values = solution.begin();
     unsigned int        next   = 0;
@@ -390,6 +410,7 @@ namespace isochor
   void
   MixedSystem<dim>::interpolate_followers(NodalField &field) const
   {
+    Assert(invariants::fits(field, nodes, n_components), ExcOtherNodes());
     const Followers &followers = tied.followers();
     for (unsigned int k = 0; k < followers.size(); ++k)
       if (followers.value[k] == 0.)

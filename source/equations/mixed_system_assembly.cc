@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 // The members of MixedSystem that add up matrix and residual.
+#include <isochor/equations/invariants.h>
 #include <isochor/equations/mixed_system.h>
 
 #include <algorithm>
@@ -13,6 +14,8 @@ namespace isochor
   void
   MixedSystem<dim>::start_assembly(const bool with_matrix)
   {
+    Assert(invariants::fits(residual, nodes, n_components), ExcOtherNodes());
+    AssertDimension(system.row_start.size(), system.global_equation.size() + 1);
     residual = 0.;
     residual.zero_out_ghost_values();
     lifting = 0.;
@@ -32,6 +35,8 @@ namespace isochor
                               const unsigned int row_stride,
                               const unsigned int column_stride)
   {
+    AssertIndexRange(row_node, nodes.n_local());
+    AssertIndexRange(column_node, nodes.n_local());
     const unsigned int *const row_of =
       equations.data() + row_node * n_components;
     const unsigned int *const column_of =
@@ -67,6 +72,8 @@ namespace isochor
                                      const unsigned int  n_nodes,
                                      const double       *matrix)
   {
+    AssertDimension(nc, n_components);
+    AssertIndexRange(e + 1, block_start.size());
     const unsigned int        n_dofs = n_nodes * nc;
     const unsigned int       *offset = block_offset.data() + block_start[e];
     const std::size_t *const  start  = system.row_start.data();
@@ -127,6 +134,8 @@ namespace isochor
                                 const double      *element_matrix,
                                 const NodalField  &pending)
   {
+    AssertIndexRange(e, elements.size());
+    Assert(element_residual != nullptr, ExcInternalError());
     const unsigned int *const node = elements.node.data() + elements.start[e];
     const unsigned int n_nodes     = elements.start[e + 1] - elements.start[e];
 
@@ -150,6 +159,9 @@ namespace isochor
   MixedSystem<dim>::add_matrix(const unsigned int e,
                                const double      *element_matrix)
   {
+    AssertIndexRange(e, elements.size());
+    Assert(element_matrix != nullptr, ExcInternalError());
+    AssertDimension(system.values.size(), system.column.size());
     const unsigned int *node    = elements.node.data() + elements.start[e];
     unsigned int        n_nodes = elements.start[e + 1] - elements.start[e];
     if (tied.touches(e))
@@ -192,6 +204,7 @@ namespace isochor
                                 const double *const       matrix,
                                 const NodalField         &pending)
   {
+    Assert(invariants::fits(pending, nodes, n_components), ExcOtherNodes());
     const unsigned int n_dofs = n_nodes * n_components;
     for (unsigned int s = 0; s < n_dofs; ++s)
       {
@@ -214,6 +227,8 @@ namespace isochor
   void
   MixedSystem<dim>::finish_assembly(const NodalField &external_force)
   {
+    Assert(invariants::fits(external_force, nodes, n_components),
+           ExcOtherNodes());
     residual.compress(VectorOperation::add);
     lifting.compress(VectorOperation::add);
     residual.add(-1., external_force);

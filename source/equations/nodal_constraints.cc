@@ -31,6 +31,10 @@ namespace isochor
   NodalConstraints::reinit(const unsigned int               n_entries,
                            const std::vector<unsigned int> &control)
   {
+    Assert(std::all_of(control.begin(),
+                       control.end(),
+                       [&](const unsigned int i) { return i < n_entries; }),
+           ExcInternalError());
     is_control.clear();
     if (!control.empty())
       is_control.assign(n_entries, 0);
@@ -65,6 +69,8 @@ namespace isochor
   void
   NodalConstraints::constrain(const unsigned int i, const double value)
   {
+    AssertIndexRange(i, constrained.size());
+    AssertDimension(increment.size(), constrained.size());
     const unsigned int number = source_number();
     if (number > 0)
       {
@@ -89,6 +95,12 @@ namespace isochor
     const std::vector<std::pair<unsigned int, double>> &terms,
     const double                                        value)
   {
+    Assert(std::all_of(terms.begin(),
+                       terms.end(),
+                       [&](const auto &term) {
+                         return term.first < constrained.size();
+                       }),
+           ExcMessage("The equation has an unknown that is not active."));
     Equation equation;
     equation.precedence = precedence;
     equation.first      = entry.size();
@@ -109,6 +121,12 @@ namespace isochor
   void
   NodalConstraints::resolve(const unsigned int n_components)
   {
+    Assert(n_components > 0, ExcInternalError());
+    AssertDimension(constrained.size() % n_components, 0u);
+    AssertDimension(increment.size(), constrained.size());
+    AssertDimension(coefficient.size(), entry.size());
+    AssertDimension(ties.start.size(), ties.size() + 1);
+    AssertDimension(ties.weight.size(), ties.master.size());
     for (unsigned char &how : constrained)
       if (how == follows)
         how = is_free;
@@ -176,6 +194,8 @@ namespace isochor
   void
   NodalConstraints::set_row(const Equation &equation)
   {
+    Assert(equation.first <= equation.last, ExcInternalError());
+    AssertIndexRange(equation.last, entry.size() + 1);
     row.clear();
     row_value = equation.value;
     for (std::size_t i = equation.first; i < equation.last; ++i)
@@ -188,6 +208,8 @@ namespace isochor
   unsigned int
   NodalConstraints::find_pivot(const Equation &equation) const
   {
+    Assert(equation.first + equation.n_pivots <= equation.last,
+           ExcInternalError());
     constexpr double small = 1e-3;
     double           size  = 0;
     for (std::size_t i = equation.first; i < equation.last; ++i)
@@ -224,6 +246,7 @@ namespace isochor
   NodalConstraints::check_pivot(const Equation    &equation,
                                 const unsigned int number) const
   {
+    AssertIndexRange(number, source_of_equation.size());
     using namespace dealii;
     const auto begin = entry.begin() + equation.first,
                end   = begin + equation.n_pivots;
@@ -267,6 +290,7 @@ namespace isochor
                                     const unsigned char flags,
                                     const double        value)
   {
+    AssertIndexRange(e, constrained.size());
     if (!equations.empty())
       place[e] = followers.size();
     constrained[e] = follows;
@@ -287,6 +311,7 @@ namespace isochor
   NodalConstraints::eliminate_tie(const unsigned int k,
                                   const unsigned int n_components)
   {
+    AssertIndexRange(k, ties.size());
     for (unsigned int a = 0; a < n_components; ++a)
       {
         const unsigned int e = ties.node[k] * n_components + a;
@@ -359,6 +384,7 @@ namespace isochor
   NodalConstraints::note_lost(const Equation    &equation,
                               const unsigned int number)
   {
+    AssertIndexRange(number, source_of_equation.size());
     // what is left of the equation, where all of its unknowns are given
     double size = 0, rest = row_value, scale = std::abs(equation.value);
     bool   known = true;

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/equations/invariants.h>
 #include <isochor/equations/pressure_mapping.h>
 
 #include <algorithm>
@@ -12,6 +13,11 @@ namespace isochor
   void
   map_pressure_to_nodes(const StepContext<dim> &step, NodalField &unknowns)
   {
+    Assert(step.mixed(), ExcMessage("There are no pressures."));
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(invariants::is_consistent(step.points),
+           ExcMessage("The arrays are of different points."));
     const PointArrays<dim> &points       = step.points;
     const unsigned int      n_components = step.n_components;
     NodalField              mass;

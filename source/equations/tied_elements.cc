@@ -14,6 +14,16 @@ namespace isochor
                        const unsigned int  n_components_,
                        const unsigned int  n_nodes)
   {
+    AssertDimension(followers.value.size(), followers.size());
+    AssertDimension(followers.flags.size(), followers.size());
+    AssertDimension(followers.start.size(), followers.size() + 1);
+    AssertDimension(followers.weight.size(), followers.master.size());
+    Assert(std::all_of(followers.entry.begin(),
+                       followers.entry.end(),
+                       [&](const unsigned int entry) {
+                         return entry < n_nodes * n_components_;
+                       }),
+           ExcInternalError());
     all          = followers;
     n_components = n_components_;
     forces.assign(all.size(), 0.);
@@ -67,6 +77,10 @@ namespace isochor
                           const double      *matrix,
                           const bool         symmetric)
   {
+    Assert(touches(element),
+           ExcMessage("Nothing of the element follows others."));
+    AssertIndexRange(element, extended_elements.size());
+    Assert(matrix != nullptr, ExcInternalError());
     const auto begin =
       extended_elements.node.begin() + extended_elements.start[element];
     const auto end =
@@ -120,6 +134,7 @@ namespace isochor
                         NodalField        &force,
                         const bool         remember)
   {
+    AssertDimension(forces.size(), all.size());
     for (unsigned int k = 0; k < all.size(); ++k)
       if (all.entry[k] < n_owned_nodes * n_components)
         {

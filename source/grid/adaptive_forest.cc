@@ -235,6 +235,8 @@ namespace isochor
             const unsigned int                    tree,
             const std::array<std::uint32_t, dim> &place)
   {
+    Assert(!leaves.empty(), ExcInternalError());
+    Assert(tree <= leaves.back().tree, ExcInternalError());
     const auto behind =
       std::upper_bound(leaves.begin(),
                        leaves.end(),

@@ -21,6 +21,7 @@ namespace isochor
   coarse_lattice(const std::vector<unsigned int>                     &n,
                  const std::function<Point<dim>(const Point<dim> &)> &place)
   {
+    AssertDimension(n.size(), dim);
     CoarseGrid<dim> coarse;
     unsigned int    n_vertices = 1, n_cells = 1;
     for (unsigned int d = 0; d < dim; ++d)
@@ -133,6 +134,7 @@ namespace isochor
   AdaptiveGrid<dim>::set_leaves(const std::vector<Leaf<dim>>    &new_leaves,
                                 const std::vector<unsigned int> &new_owners)
   {
+    AssertDimension(new_leaves.size(), new_owners.size());
     SimplexMesh<dim> mesh = closure.close(new_leaves);
     current               = new_leaves;
     owners                = new_owners;
@@ -186,6 +188,7 @@ namespace isochor
   partition_leaves(const std::vector<double> &weights,
                    const unsigned int         n_ranks)
   {
+    Assert(n_ranks > 0, ExcInternalError());
     double sum = 0;
     for (const double weight : weights)
       sum += weight;

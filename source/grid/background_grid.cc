@@ -122,6 +122,8 @@ namespace isochor
                                    const unsigned int               n_layers,
                                    const double                     time)
   {
+    AssertDimension(leaves.size(), owners.size());
+    Assert(n_layers > 0, ExcInternalError());
     const SimplexMesh<dim> mesh           = forest->set_leaves(leaves, owners);
     auto                   tria_with_mesh = new_triangulation();
     tria_with_mesh->signals.create.connect([this, &tria_with_mesh]() {
@@ -202,6 +204,7 @@ namespace isochor
   std::vector<unsigned int>
   BackgroundGrid<dim>::first_cells_of_layers(const unsigned int n_layers) const
   {
+    AssertDimension(cached_geometry->n_cells() % n_layers, 0u);
     const unsigned int        n_cells = cached_geometry->n_cells();
     std::vector<unsigned int> first_cells;
     for (unsigned int layer = 0; layer <= n_layers; ++layer)
@@ -224,6 +227,7 @@ namespace isochor
   BackgroundGrid<dim>::SharedTriangulation::set_owners(
     const std::vector<unsigned int> &owners)
   {
+    AssertDimension(owners.size(), this->n_active_cells());
     for (const auto &cell : this->active_cell_iterators())
       cell->set_subdomain_id(owners[cell->active_cell_index()]);
     this->update_number_cache();
@@ -336,6 +340,7 @@ namespace isochor
   void
   BackgroundGrid<dim>::set_vertices(const std::vector<Point<dim>> &positions)
   {
+    AssertDimension(positions.size(), tria->n_vertices());
     // deal.II offers write access to vertices only through cells
     for (const auto &cell : tria->active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
@@ -384,6 +389,7 @@ namespace isochor
   BackgroundGrid<dim>::boundary_crossed(const unsigned int cell,
                                         const Point<dim>  &x) const
   {
+    AssertIndexRange(cell, cached_geometry->n_cells());
     const SimplexGeometry<dim> &geometry = *cached_geometry;
     const Point<dim>            start    = cell_centroid(geometry, cell);
 

@@ -29,6 +29,8 @@ namespace isochor
   ConformingClosure<dim>::view_of(const unsigned int tree,
                                   const unsigned int node) const
   {
+    AssertIndexRange(tree, coarse.cells.size());
+    AssertIndexRange(node, n_nodes);
     // the corner of the entity that is the lowest of the tree, and its axes
     unsigned int              lowest = 0;
     std::vector<unsigned int> axes;
@@ -117,6 +119,13 @@ namespace isochor
   ConformingClosure<dim>::key(const unsigned int                    tree,
                               const std::array<std::uint32_t, dim> &place) const
   {
+    AssertIndexRange(tree, views.size());
+    Assert(std::all_of(place.begin(),
+                       place.end(),
+                       [](const std::uint32_t x) {
+                         return x <= Leaf<dim>::resolution;
+                       }),
+           ExcInternalError());
     constexpr std::uint32_t end  = Leaf<dim>::resolution;
     unsigned int            node = 0;
     for (unsigned int d = 0; d < dim; ++d)
@@ -140,6 +149,7 @@ namespace isochor
   Point<dim>
   ConformingClosure<dim>::position(const Key &key) const
   {
+    AssertIndexRange(key.entity, entities.size());
     // a + t (b - a), axis by axis: what is equal at all corners stays so
     const Entity                       &entity = entities[key.entity];
     std::array<Point<dim>, (1u << dim)> x;
@@ -307,6 +317,7 @@ namespace isochor
                                        const NodeVertices      &vertex,
                                        SimplexMesh<dim>        &mesh) const
   {
+    AssertIndexRange(leaf.tree, coarse.boundary_ids.size());
     for (unsigned int f = 0; f < 2 * dim; ++f)
       {
         const types::boundary_id id = coarse.boundary_ids[leaf.tree][f];
@@ -329,6 +340,7 @@ namespace isochor
   SimplexMesh<dim>
   ConformingClosure<dim>::close(const std::vector<Leaf<dim>> &leaves)
   {
+    Assert(!leaves.empty(), ExcMessage("There is no grid."));
     SimplexMesh<dim> mesh;
     VertexNumbers    known;
     const auto       corners = number_corners(leaves, known, mesh);

@@ -68,6 +68,7 @@ namespace isochor
                                    const unsigned int first,
                                    const unsigned int last)
   {
+    Assert(first < last, ExcInternalError());
     if (last - first < 2)
       return;
     Place  lower, upper;
@@ -130,6 +131,7 @@ namespace isochor
   places_of_cells(const std::vector<Point<dim>> &x,
                   const SimplexGeometry<dim>    &geometry)
   {
+    Assert(!x.empty(), ExcInternalError());
     // much less than a cell, much more than rounding
     constexpr double n_steps = 1u << 24;
     Point<dim>       lower   = x[0];
@@ -161,6 +163,7 @@ namespace isochor
   equal_parts(const std::vector<std::array<std::uint32_t, dim>> &places,
               const unsigned int                                 n_ranks)
   {
+    Assert(n_ranks > 0, ExcInternalError());
     std::vector<typename CoordinateBisection<dim>::Weight> weights;
     weights.reserve(places.size());
     for (const auto &place : places)

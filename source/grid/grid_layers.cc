@@ -49,6 +49,7 @@ namespace isochor
   layers_of_coarse_grid(const CoarseGrid<dim> &coarse,
                         const unsigned int     n_layers)
   {
+    Assert(n_layers > 0, ExcInternalError());
     CoarseGrid<dim> layers;
     for (unsigned int layer = 0; layer < n_layers; ++layer)
       {
@@ -81,6 +82,7 @@ namespace isochor
                        &material_of_cell,
     Triangulation<dim> &triangulation)
   {
+    Assert(!mesh.cells.empty(), ExcInternalError());
     std::vector<CellData<dim>> cells;
     cells.reserve(mesh.cells.size());
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)

@@ -19,6 +19,8 @@ namespace isochor
     check_start(const std::vector<double>        &planes,
                 const std::vector<Expression<1>> &displacement)
     {
+      Assert(!planes.empty(), ExcInternalError());
+      AssertDimension(planes.size(), displacement.size());
       const double size = planes.size() > 1 ? planes.back() - planes.front() :
                                               std::abs(planes.front());
       for (unsigned int i = 0; i < planes.size(); ++i)
@@ -131,6 +133,7 @@ namespace isochor
   Point<dim>
   GridStretch<dim>::place(const Point<dim> &reference, const double time) const
   {
+    AssertDimension(planes.size(), displacement.size());
     const double y     = reference[axis];
     const auto   moved = [&](const unsigned int plane) {
       return displacement[plane](Point<1>(planes[plane]), time);

@@ -25,6 +25,8 @@ namespace isochor
     std::array<unsigned char, 9>
     face_nodes(const unsigned int f, const unsigned int frame)
     {
+      AssertIndexRange(f, 6);
+      AssertIndexRange(frame, 8);
       constexpr unsigned int u[9] = {0, 2, 2, 0, 1, 2, 1, 0, 1};
       constexpr unsigned int v[9] = {0, 0, 2, 2, 0, 1, 2, 1, 1};
       const unsigned int n = f / 2, a = (n == 0 ? 1 : 0), b = (n == 2 ? 1 : 2);
@@ -52,6 +54,9 @@ namespace isochor
     const Triangles &
     face_triangles(const unsigned int middles, const bool has_centre)
     {
+      AssertIndexRange(middles, 16);
+      Assert(!has_centre || middles == 15,
+             ExcMessage("A refined face has all middles."));
       const auto parse = [](const std::string &text) {
         // corners 0 to 3, then the middles of the four edges and the centre
         const std::string names = "0123brtlc";
@@ -89,6 +94,7 @@ namespace isochor
     Point<dim>
     lattice_point(const unsigned int node)
     {
+      AssertIndexRange(node, LeafTemplate<dim>::n_nodes);
       Point<dim> x;
       for (unsigned int d = 0; d < dim; ++d)
         x[d] = coordinate(node, d);
@@ -140,6 +146,7 @@ namespace isochor
     LeafTemplate<2>
     split_square(const std::uint32_t present, const unsigned int frame)
     {
+      AssertIndexRange(frame, 2);
       // the nodes of the sides, and for plain leaves the diagonal
       constexpr unsigned char sides[4][3] = {{6, 3, 0},
                                              {2, 5, 8},

@@ -63,6 +63,7 @@ namespace isochor
   copy_with_near_numbers(const Triangulation<dim> &mesh,
                          Triangulation<dim>       &numbered)
   {
+    AssertDimension(mesh.n_levels(), 1u);
     using Face = std::conditional_t<dim == 2, CellData<1>, CellData<2>>;
     const auto              numbers = near_vertex_numbers(mesh);
     std::vector<Point<dim>> vertices(mesh.n_vertices());

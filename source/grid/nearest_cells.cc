@@ -32,6 +32,7 @@ namespace isochor
     std::array<double, dim + 1>
     project(const Corners<dim> &corners)
     {
+      Assert(corners.n > 1 && corners.n <= dim + 1, ExcInternalError());
       const unsigned int                           m = corners.n - 1;
       std::array<std::array<double, dim + 1>, dim> A{};
       for (unsigned int i = 0; i < m; ++i)
@@ -71,6 +72,7 @@ namespace isochor
     Tensor<1, dim>
     nearest_to_origin(const Corners<dim> &corners)
     {
+      Assert(corners.n > 0, ExcInternalError());
       if (corners.n == 1)
         return corners.r[0];
       const auto     lambda = project(corners);
@@ -107,6 +109,7 @@ namespace isochor
               const unsigned int          cell,
               const Point<dim>           &x)
   {
+    AssertIndexRange(cell, geometry.n_cells());
     Corners<dim> corners;
     for (const unsigned int vertex : geometry.vertex_indices(cell))
       corners.r[corners.n++] = geometry.vertices()[vertex] - x;
@@ -156,6 +159,8 @@ namespace isochor
                 const std::function<bool(const unsigned int)> &is_candidate,
                 const double                                   largest_distance)
   {
+    AssertIndexRange(start, geometry.n_cells());
+    Assert(largest_distance >= 0, ExcInternalError());
     using Entry = std::pair<double, unsigned int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     std::unordered_set<unsigned int>                                    seen;

@@ -108,6 +108,11 @@ namespace isochor
               const Epetra_Map   &domain,
               const Epetra_Map   &range)
   {
+    Assert(!pattern.start.empty(), ExcInternalError());
+    AssertDimension(pattern.start.size(),
+                    static_cast<std::size_t>(rows.NumMyElements()) + 1);
+    AssertDimension(static_cast<std::size_t>(pattern.start.back()),
+                    pattern.column.size());
     const std::vector<int> &start = pattern.start;
     std::vector<int>        length(start.size() - 1);
     std::transform(start.begin() + 1,
@@ -199,6 +204,8 @@ namespace isochor
                          std::unique_ptr<Epetra_CrsMatrix> &sum,
                          std::vector<bool>                 &as_it_is)
   {
+    AssertDimension(local.start.size(),
+                    static_cast<std::size_t>(rows.local.NumMyElements()) + 1);
     const OwnedRange owned_rows(rows.owned);
     SumColumns       in_sum{OwnedRange(columns.owned), {}};
     const int *const row_name    = rows.local.MyGlobalElements();
@@ -266,6 +273,9 @@ namespace isochor
                              const Epetra_CrsMatrix  &sum,
                              const std::vector<bool> &as_it_is)
   {
+    AssertDimension(as_it_is.size(),
+                    static_cast<std::size_t>(rows.local.NumMyElements()));
+    Assert(!local.start.empty(), ExcInternalError());
     const Rows       to(sum);
     const OwnedRange owned(rows.owned);
     const int *const row_name = rows.local.MyGlobalElements();

@@ -15,6 +15,8 @@ namespace isochor
   void
   assert_finite(const SparseSystem &A)
   {
+    Assert(A.values.size() == A.column.size() || A.values.empty(),
+           ExcInternalError());
     const bool is_finite =
       std::all_of(A.values.begin(), A.values.end(), [](const double a) {
         return std::isfinite(a);

@@ -96,6 +96,7 @@ namespace isochor
   LinearSolver &
   LinearSolverChoice::choose(const SparseSystem &A) const
   {
+    Assert(A.dim == 2 || A.dim == 3, ExcInternalError());
     const unsigned int largest =
       largest_direct_system > 0 ? largest_direct_system : crossover(A.dim);
     const bool directly = !iterative || failed_pattern == A.pattern_id ||
@@ -148,6 +149,7 @@ namespace isochor
   LinearSolverChoice::solve(const TrilinosWrappers::MPI::Vector &b,
                             TrilinosWrappers::MPI::Vector       &x)
   {
+    Assert(in_use != nullptr, ExcMessage("factorise() comes first."));
     try
       {
         return in_use->solve(b, x);
@@ -166,6 +168,7 @@ namespace isochor
   LinearSolverReport
   LinearSolverChoice::fall_back(const std::string &failure)
   {
+    Assert(matrix != nullptr || freed_matrix != nullptr, ExcInternalError());
     if (freed_matrix && freed_matrix->values.empty())
       iterative->restore_values(*freed_matrix);
     const SparseSystem &A = *matrix;

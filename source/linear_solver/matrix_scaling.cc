@@ -37,6 +37,9 @@ namespace isochor
   std::vector<double>
   matrix_scaling(const SparseSystem &A)
   {
+    Assert(!A.row_start.empty(), ExcInternalError());
+    AssertDimension(A.values.size(), A.column.size());
+    AssertDimension(A.field.size(), A.row_start.size() - 1);
     const unsigned int n = A.row_start.size() - 1;
     // a displacement that nothing resists, or that wants to run away, is
     // measured by what it is connected with, like a pressure

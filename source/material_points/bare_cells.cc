@@ -46,6 +46,8 @@ namespace isochor
                       const unsigned int          q,
                       std::set<unsigned int>     &covered)
     {
+      AssertIndexRange(k, points.cell.size());
+      AssertIndexRange(q, points.n_points());
       const Tensor<2, dim> inverse = invert(points.F[q]);
       const double         radius =
         std::pow(points.volume[q] * (dim == 2 ? 1. : 0.75) / numbers::PI,

@@ -209,6 +209,7 @@ namespace isochor
     colour_components(const std::vector<Seed<dim>> &seeds,
                       std::vector<Component<dim>>  &components)
     {
+      Assert(!components.empty(), ExcInternalError());
       double size = 0;
       for (const Seed<dim> &seed : seeds)
         for (unsigned int c = 0; c < dim; ++c)

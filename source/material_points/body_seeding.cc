@@ -236,6 +236,7 @@ namespace isochor
   BodySeeding<dim>::find_zone(const std::vector<Zone> &zones,
                               const Point<dim>        &centroid)
   {
+    Assert(!zones.empty(), ExcInternalError());
     unsigned int zone = zones.size() - 1;
     while (zone > 0 && !(zones[zone].condition(centroid, 0.) > 0))
       --zone;
@@ -320,6 +321,7 @@ namespace isochor
     std::array<unsigned int, dim>
     count_boxes(const Extent<dim> &extent, const double h)
     {
+      Assert(h > 0, ExcMessage("There is no lattice."));
       std::array<double, dim> length;
       double                  n_boxes = 1;
       for (unsigned int d = 0; d < dim; ++d)
@@ -386,6 +388,7 @@ namespace isochor
   BodySeeding<dim>::seeds_on_lattice(const BackgroundGrid<dim> &grid,
                                      const bool with_domains) const
   {
+    Assert(parameters.lattice_spacing > 0, ExcMessage("There is no lattice."));
     const double h = parameters.lattice_spacing;
     Extent<dim>  extent;
     for (const Point<dim> &vertex : grid.geometry().vertices())

@@ -68,6 +68,8 @@ namespace isochor
   bool
   BodyShape<dim>::contains(const Point<dim> &x, const unsigned int cell) const
   {
+    Assert(grid != nullptr && bodies != nullptr,
+           ExcMessage("initialize() comes first."));
     return any_contains(x, cell) &&
            (bodies->size() == 1 || bodies->at(x) == grid->layer_of_cell(cell));
   }
@@ -148,6 +150,7 @@ namespace isochor
     const unsigned int                               cell,
     const std::map<std::string, types::material_id> &group_ids) const
   {
+    AssertIndexRange(cell, geometry.n_cells());
     return in_groups(geometry.cell_iterator(cell)->material_id(),
                      groups,
                      group_ids);

@@ -112,6 +112,7 @@ namespace isochor
   void
   DomainBisection<dim>::close_marks(std::vector<unsigned int> &newly_marked)
   {
+    AssertDimension(edges_of.size(), domains.size());
     for (bool changed = true; changed;)
       {
         changed = false;
@@ -208,6 +209,12 @@ namespace isochor
   DomainBisection<dim>::bisect_longest_edges(
     const std::vector<unsigned int> &of_domains)
   {
+    Assert(std::all_of(of_domains.begin(),
+                       of_domains.end(),
+                       [&](const unsigned int i) {
+                         return i < domains.size();
+                       }),
+           ExcInternalError());
     std::vector<unsigned int> newly_marked;
     for (const unsigned int i : of_domains)
       {
@@ -256,6 +263,7 @@ namespace isochor
   DomainBisection<dim>::bisect(const std::vector<unsigned char> &asked,
                                const IsLarge                    &is_large)
   {
+    AssertDimension(asked.size(), domains.size());
     std::vector<unsigned int> numbers;
     for (unsigned int i = 0; i < domains.size(); ++i)
       if (asked[i])
@@ -272,6 +280,7 @@ namespace isochor
   void
   DomainBisection<dim>::bisect_marked()
   {
+    AssertDimension(edges_of.size(), domains.size());
     const auto all_domains = std::move(domains);
     const auto all_edges   = std::move(edges_of);
     domains.clear();

@@ -92,6 +92,7 @@ namespace isochor
   bool
   PointMerging<dim>::is_willing(const PointDomain<dim> &part) const
   {
+    AssertIndexRange(part.cell, n_points.size());
     // one merger takes at most half of the points of a cell
     return part.ancestry > 0 && fits(2 * part.volume, part.cell) &&
            n_points[part.cell] >= 2 * least_points;

@@ -29,6 +29,7 @@ namespace isochor
     count_faces(const SimplexGeometry<dim> &geometry,
                 std::vector<unsigned int>  &distances)
     {
+      AssertDimension(distances.size(), geometry.n_cells());
       std::vector<unsigned int> last;
       for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
         if (distances[cell] == 0)
@@ -138,6 +139,7 @@ namespace isochor
                 SparseCells<dim>                                     &sparse,
                 const MPI_Comm                                        comm)
     {
+      AssertDimension(is_near.size(), locator.geometry().n_cells());
       std::vector<PointDomain<dim>> taking_part;
       taking_part.reserve(
         std::count_if(domains.begin(), domains.end(), [&](const auto &domain) {
@@ -184,6 +186,7 @@ namespace isochor
     const PointLocator<dim>             &locator,
     const double                         share) const
   {
+    Assert(share > 0, ExcInternalError());
     const MPI_Comm comm     = grid.communicator();
     const auto     is_large = [&](const PointDomain<dim> &domain) {
       return domain.volume > share * locator.geometry().measure(domain.cell);

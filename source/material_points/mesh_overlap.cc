@@ -68,6 +68,7 @@ namespace isochor
   find_overlap(const SimplexGeometry<dim>       &geometry,
                const std::vector<unsigned char> &is_in)
   {
+    AssertDimension(is_in.size(), geometry.n_cells());
     namespace bgi = boost::geometry::index;
     MeshOverlap<dim>        result;
     std::vector<Place<dim>> places;

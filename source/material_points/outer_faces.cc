@@ -25,6 +25,7 @@ namespace isochor
     Point<dim>
     place_behind(const Seed<dim> &seed, const unsigned int c)
     {
+      AssertIndexRange(c, dim + 1);
       constexpr double by = 1e-3;
       // the centroid of the face is minus the corner's vector over dim
       return seed.location - (1. / dim + by) * seed.domain[c];
@@ -45,6 +46,7 @@ namespace isochor
     double
     smallest_edge(const std::vector<Seed<dim>> &seeds)
     {
+      Assert(!seeds.empty(), ExcInternalError());
       double smallest = std::numeric_limits<double>::max();
       for (const Seed<dim> &seed : seeds)
         for (unsigned int c = 0; c < dim; ++c)
@@ -99,6 +101,7 @@ namespace isochor
   find_outer_faces(std::vector<Seed<dim>>          &seeds,
                    const std::vector<unsigned int> &body)
   {
+    Assert(body.empty() || body.size() == seeds.size(), ExcInternalError());
     namespace bgi = boost::geometry::index;
     for (Seed<dim> &seed : seeds)
       seed.outer_faces = 0;

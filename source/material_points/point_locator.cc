@@ -87,6 +87,7 @@ namespace isochor
     BoundingBox<dim>
     bounding_box(const SimplexGeometry<dim> &geometry, const unsigned int cell)
     {
+      AssertIndexRange(cell, geometry.n_cells());
       const auto &indices = geometry.vertex_indices(cell);
       Point<dim>  lower   = geometry.vertices()[indices[0]];
       Point<dim>  upper   = lower;
@@ -205,6 +206,7 @@ namespace isochor
   PointLocator<dim>::locate_in(const Point<dim>  &x,
                                const unsigned int cell) const
   {
+    AssertIndexRange(cell, simplices.n_cells());
     const auto lambda = simplices.barycentric(cell, x);
     return minimum(lambda) >= -clamp_tolerance ? accept<dim>(cell, lambda) :
                                                  LocateResult<dim>();
@@ -258,6 +260,7 @@ namespace isochor
                                     const unsigned int cell,
                                     Tensor<1, dim>    &r) const
   {
+    AssertIndexRange(cell, simplices.n_cells());
     auto place = locate(x + r, cell);
     if (place.found)
       return place;

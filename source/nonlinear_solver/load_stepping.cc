@@ -144,6 +144,8 @@ namespace isochor
   void
   LoadStepping::accept(const unsigned int n_iterations)
   {
+    Assert(!finished(), ExcMessage("The end has been reached."));
+    Assert(next_time() > time, ExcMessage("The step has no size."));
     const double reached = next_time();
     if (output_interval > 0 && reached == next_target())
       reached_output = std::floor(reached / output_interval * (1 + 1e-12));
@@ -171,6 +173,7 @@ namespace isochor
   bool
   LoadStepping::tolerates(const double error, const double crossed)
   {
+    Assert(!(error < 0) && !(crossed < 0), ExcInternalError());
     this->error   = error;
     cells_crossed = crossed;
     return !follows_error() || !can_be_cut() ||
@@ -182,6 +185,7 @@ namespace isochor
   double
   LoadStepping::tolerated_size(const double size) const
   {
+    Assert(size > 0, ExcInternalError());
     // the error of a step is of third order in its size, its way of first
     constexpr double margin = 0.9, most = 1e3;
     return size * std::min({most,

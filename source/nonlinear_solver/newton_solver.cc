@@ -349,6 +349,8 @@ namespace isochor
   NewtonReport
   NewtonSolver::solve(const Problem &problem, std::ostream *log)
   {
+    Assert(problem.assemble && problem.solve && problem.advance,
+           ExcInternalError());
     if (log != nullptr)
       *log << "     it     forces       volume     length\n";
     needed_before = std::exchange(needed_matrix, {});
@@ -373,6 +375,8 @@ namespace isochor
                         NewtonReport  &report,
                         std::ostream  *log)
   {
+    Assert(report.failure.empty() && !report.converged,
+           ExcMessage("There is nothing to correct."));
     // an old matrix is worth a try if the last iteration converged so fast
     // that it, or quadratic convergence, can be expected to be enough
     const bool reuse =
@@ -433,6 +437,7 @@ namespace isochor
                        const bool        may_grow,
                        Iterate          &now) const
   {
+    Assert(search.best >= 0 && search.best <= 1, ExcInternalError());
     if (search.best != search.last)
       problem.advance(search.best);
     if (search.last != 1.) // the last trial was without a matrix

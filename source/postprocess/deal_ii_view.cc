@@ -7,6 +7,7 @@
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_system.h>
 
+#include <isochor/equations/invariants.h>
 #include <isochor/postprocess/deal_ii_view.h>
 
 #include <algorithm>
@@ -57,6 +58,8 @@ namespace isochor
   DealIIView<dim>::copy_values(const StepContext<dim> &step,
                                const NodalField       &unknowns)
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
     // all: tools may go over all cells that a rank knows
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(dofs, relevant);

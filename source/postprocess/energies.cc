@@ -437,6 +437,9 @@ namespace isochor
              const double            reaction,
              const double            moved)
     {
+      AssertIndexRange(entry, step.nodes.n_owned() * step.n_components);
+      Assert(entry % step.n_components < dim,
+             ExcMessage("Pressures do no work."));
       const unsigned int nc = step.n_components;
       held.push_back(
         {step.nodes.vertex(entry / nc) * dim + entry % nc, reaction, moved});

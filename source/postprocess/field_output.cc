@@ -167,6 +167,7 @@ namespace isochor
                       const std::string            &directory,
                       const MPI_Comm                comm)
   {
+    Assert(!name.empty(), ExcInternalError());
     times.push_back(time);
     const unsigned int rank    = Utilities::MPI::this_mpi_process(comm);
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(comm);

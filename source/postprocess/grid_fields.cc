@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/equations/invariants.h>
 #include <isochor/postprocess/grid_fields.h>
 
 #include <algorithm>
@@ -42,6 +43,11 @@ namespace isochor
               const NodalField       &unknowns,
               const NodalField       *residual)
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(residual == nullptr ||
+             invariants::fits(*residual, step.nodes, step.n_components),
+           ExcInternalError());
     FieldPatches<dim, dim> patches;
     std::vector<NodalRows> all_rows;
     all_rows.push_back({&unknowns,

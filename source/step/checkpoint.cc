@@ -187,6 +187,8 @@ namespace isochor
   std::string
   Checkpoint<dim>::file_name(const unsigned int slot) const
   {
+    Assert(grid != nullptr, ExcMessage("start() comes first."));
+    AssertIndexRange(slot, n_slots);
     const unsigned int rank =
       Utilities::MPI::this_mpi_process(grid->communicator());
     return directory + "/checkpoint-" + std::to_string(slot) + "." +
@@ -228,6 +230,7 @@ namespace isochor
   std::string
   Checkpoint<dim>::put_aside_old() const
   {
+    Assert(grid != nullptr, ExcMessage("start() comes first."));
     std::string notice;
     if (Utilities::MPI::this_mpi_process(grid->communicator()) != 0)
       return notice;
@@ -257,6 +260,8 @@ namespace isochor
   bool
   Checkpoint<dim>::write_if_due(const State &state)
   {
+    Assert(step_interval == 0 || grid != nullptr,
+           ExcMessage("start() comes first."));
     if (step_interval == 0 && wall_interval == 0)
       return false;
     const MPI_Comm      comm = grid->communicator();
@@ -294,6 +299,7 @@ namespace isochor
   typename Checkpoint<dim>::Contents
   Checkpoint<dim>::collect(const State &state) const
   {
+    Assert(grid != nullptr, ExcMessage("start() comes first."));
     Contents c;
     c.n_ranks          = Utilities::MPI::n_mpi_processes(grid->communicator());
     c.grid_fingerprint = grid_fingerprint;

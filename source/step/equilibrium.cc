@@ -7,6 +7,7 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/rounding.h>
 #include <isochor/equations/constraint_conflicts.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/equations/pressure_mapping.h>
 #include <isochor/step/equilibrium.h>
 
@@ -64,6 +65,9 @@ namespace isochor
   void
   Equilibrium<dim>::start_step()
   {
+    Assert(!terms.empty(), ExcMessage("initialize() comes first."));
+    Assert(is_same_on_all_ranks(scene.time.step, scene.grid.communicator()),
+           ExcMessage("Ranks are in different steps."));
     const ActiveNodes<dim> &nodes        = setup.active_nodes();
     const unsigned int      n_components = scene.n_components;
     for (NodalField *field :
@@ -127,6 +131,9 @@ namespace isochor
   void
   Equilibrium<dim>::remember_motion()
   {
+    Assert(invariants::fits(unknowns, setup.active_nodes(), scene.n_components),
+           ExcOtherNodes());
+    Assert(setup.context().step_size() > 0, ExcInternalError());
     last_motion.remember(setup.active_nodes(),
                          scene.n_components,
                          setup.context().step_size(),
@@ -139,6 +146,8 @@ namespace isochor
   void
   Equilibrium<dim>::start_from_rest()
   {
+    Assert(invariants::fits(unknowns, setup.active_nodes(), scene.n_components),
+           ExcOtherNodes());
     unknowns.zero_out_ghost_values();
     unknowns = 0.;
     set_initial_pressure();
@@ -166,6 +175,10 @@ namespace isochor
   void
   Equilibrium<dim>::set_external_force()
   {
+    Assert(invariants::fits(external_force,
+                            setup.active_nodes(),
+                            scene.n_components),
+           ExcOtherNodes());
     external_force = 0.;
     external_force.zero_out_ghost_values();
     for (const auto &condition : scene.boundary_conditions)
@@ -212,6 +225,8 @@ namespace isochor
   NewtonReport
   Equilibrium<dim>::solve()
   {
+    Assert(scene.time.next_time() > scene.time.time,
+           ExcMessage("The step has no size."));
     const bool   predicted = predict();
     NewtonReport report    = solve_from_start(predicted);
     if (!report.converged && predicted)
@@ -301,6 +316,8 @@ namespace isochor
   NewtonReport
   Equilibrium<dim>::find_root(const bool has_other_start)
   {
+    AssertDimension(constraints.constrained.size(),
+                    setup.active_nodes().n_local() * scene.n_components);
     NewtonSolver::Problem problem;
     problem.has_other_start = has_other_start;
     problem.assemble        = [this](const bool with_matrix) {

@@ -7,6 +7,7 @@
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/rounding.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/step/equilibrium.h>
 
 #include <algorithm>
@@ -19,6 +20,10 @@ namespace isochor
   ResidualNorms
   Equilibrium<dim>::assemble(const bool with_matrix)
   {
+    Assert(is_same_on_all_ranks(with_matrix, scene.grid.communicator()),
+           ExcMessage("Ranks assemble different things."));
+    Assert(invariants::fits(unknowns, setup.active_nodes(), scene.n_components),
+           ExcOtherNodes());
     TimerOutput::Scope     scope(terminal.timer(), "assembly");
     const StepContext<dim> step       = setup.context();
     const bool             is_pending = update_pending();
@@ -42,6 +47,10 @@ namespace isochor
   bool
   Equilibrium<dim>::update_pending()
   {
+    AssertDimension(constraints.increment.size(),
+                    constraints.constrained.size());
+    Assert(invariants::fits(pending, setup.active_nodes(), scene.n_components),
+           ExcOtherNodes());
     bool any = false;
     for (unsigned int i = 0; i < constraints.constrained.size(); ++i)
       if (constraints.constrained[i])
@@ -169,6 +178,7 @@ namespace isochor
   Equilibrium<dim>::assemble_terms(const StepContext<dim> &step,
                                    const bool              with_matrix)
   {
+    Assert(!terms.empty(), ExcMessage("initialize() comes first."));
     system.start_assembly(with_matrix);
     EvaluationStatus status = EvaluationStatus::success;
     for (unsigned int t = 0; t < terms.size(); ++t)

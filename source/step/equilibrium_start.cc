@@ -19,6 +19,8 @@ namespace isochor
   bool
   Equilibrium<dim>::is_supported(const Tensor<1, dim> &gravity) const
   {
+    AssertDimension(constraints.constrained.size(),
+                    setup.active_nodes().n_local() * scene.n_components);
     const unsigned int n_components = scene.n_components;
     const auto         along = [&](const unsigned int entry, const double x) {
       const unsigned int d = entry % n_components;
@@ -99,6 +101,8 @@ namespace isochor
   NewtonReport
   Equilibrium<dim>::try_step(const typename InertiaTerm<dim>::TrialStep &trial)
   {
+    Assert(scene.has_inertia(),
+           ExcMessage("Only dynamics start with trial steps."));
     InertiaTerm<dim>      &inertia    = scene.inertia;
     const StepContext<dim> step       = setup.context();
     const auto            &conditions = scene.boundary_conditions;

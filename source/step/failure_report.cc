@@ -7,6 +7,7 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/diagnosis/yielded_share.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/postprocess/grid_fields.h>
 #include <isochor/postprocess/point_fields.h>
 #include <isochor/step/failure_report.h>
@@ -67,6 +68,10 @@ namespace isochor
   typename FailureReport<dim>::Evidence
   FailureReport<dim>::collect(const Failure &failure) const
   {
+    Assert(invariants::fits(failure.unknowns,
+                            failure.step.nodes,
+                            failure.step.n_components),
+           ExcOtherNodes());
     const MPI_Comm comm = failure.step.grid.communicator();
     Evidence       evidence;
     // an iterate moves as far as it is told where displacements are prescribed
@@ -135,6 +140,7 @@ namespace isochor
   std::string
   FailureReport<dim>::explain(const Failure &failure) const
   {
+    Assert(!failure.newton.converged, ExcMessage("There is no failure."));
     const LoadStepping &time = failure.time;
     return "The step from t = " + rounded(time.time) + " of size " +
            rounded(time.next_time() - time.time) +

@@ -94,6 +94,10 @@ namespace isochor
                          const bool              factorise,
                          const SolutionAccuracy &accuracy)
   {
+    AssertDimension(unknowns.size(), base.size());
+    AssertDimension(pending.size(), base.size());
+    Assert(factorise || has_factorisation() || is_iterative(),
+           ExcMessage("There is no factorisation."));
     linear_solver.set_accuracy(accuracy);
     system.right_hand_side(rhs);
     system.shape(solution);
@@ -121,6 +125,8 @@ namespace isochor
   void
   LinearStep<dim>::advance(const double s, NodalField &unknowns) const
   {
+    AssertDimension(unknowns.locally_owned_size(), base.locally_owned_size());
+    AssertDimension(correction.locally_owned_size(), base.locally_owned_size());
     const unsigned int n_entries =
       base.locally_owned_size() + base.get_partitioner()->n_ghost_indices();
     for (unsigned int i = 0; i < n_entries; ++i)

@@ -7,6 +7,7 @@
 
 #include <isochor/base/plain_message.h>
 #include <isochor/base/rounding.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/equations/smallest_cell.h>
 #include <isochor/step/failure_report.h>
 
@@ -28,6 +29,8 @@ namespace isochor
     largest_displacement(const StepContext<dim> &step,
                          const NodalField       &unknowns)
     {
+      Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+             ExcOtherNodes());
       double largest = 0;
       for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
         {
@@ -165,6 +168,8 @@ namespace isochor
                                const NodalField       &unknowns,
                                const Drive            &drive)
   {
+    Assert(!step.has_inertia, ExcMessage("Softness is of statics."));
+    Assert(step.step_size() > 0, ExcInternalError());
     last = softness(step, unknowns, drive);
     take_yardstick({step.old_time, step.time});
     const double growth = last.growth(stiffest);

@@ -122,6 +122,8 @@ namespace isochor
   void
   MaterialPointMethod<dim>::convective_phase(const NewtonReport &newton)
   {
+    Assert(newton.converged,
+           ExcMessage("The points take what is in equilibrium."));
     const StepContext<dim> step     = setup.context();
     const NodalField      &unknowns = equilibrium.nodal_unknowns();
     const StepResult<dim>  result{step,

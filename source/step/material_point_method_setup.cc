@@ -187,15 +187,18 @@ namespace isochor
   }
 
 
+
   /** What is known isn't looked for again. The last step must not go by a
    * factorisation of an earlier one. */
   template <int dim>
   void
   MaterialPointMethod<dim>::check_stability(const NewtonReport &report)
   {
+    Assert(report.converged && !scene.has_inertia(), ExcInternalError());
     n_unstable_modes = equilibrium.n_unstable_modes(
       scene.time.is_last_step() && report.n_factorisations == 0);
   }
+
 
 
   /** A step that is too inaccurate is none, unless it is the smallest. */
@@ -203,6 +206,7 @@ namespace isochor
   void
   MaterialPointMethod<dim>::check_error(NewtonReport &report)
   {
+    Assert(report.converged && scene.time.follows_error(), ExcInternalError());
     const StepContext<dim> step = setup.context();
     const double           error =
       scene.inertia.error_of_step(step, equilibrium.nodal_unknowns());
@@ -214,6 +218,7 @@ namespace isochor
                            " m, more than <Time/Tolerated error>" :
                          "the body moves by " + rounded(crossed) + " cells";
   }
+
 
 
   template <int dim>
@@ -241,6 +246,7 @@ namespace isochor
   }
 
 
+
   template <int dim>
   typename FailureReport<dim>::Drive
   MaterialPointMethod<dim>::drive() const
@@ -258,10 +264,12 @@ namespace isochor
   }
 
 
+
   template <int dim>
   void
   MaterialPointMethod<dim>::cut_step(const NewtonReport &newton)
   {
+    Assert(!newton.converged, ExcMessage("The step has a solution."));
     LoadStepping &time = scene.time;
     AssertThrow(time.can_be_cut(), ExcMessage(explain_failure(newton)));
     terminal.out() << "Step " << time.step + 1 << " to t = " << time.next_time()
@@ -269,6 +277,7 @@ namespace isochor
     time.reject(newton.failure);
     equilibrium.discard_step();
   }
+
 
 
   /** What the solution at the nodes tells, before the points move. */

@@ -5,6 +5,7 @@
 #include <isochor/base/keep_each_once.h>
 #include <isochor/boundary_condition/periodic_vertices.h>
 #include <isochor/equations/held_directions.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/step/step_setup.h>
 #include <isochor/step/why_to_reset.h>
 
@@ -203,6 +204,7 @@ namespace isochor
   StepSetup<dim>::start_step(const std::vector<EquationTerm<dim> *> &terms,
                              LastMotion &last_motion)
   {
+    Assert(locator != nullptr, ExcMessage("initialize() comes first."));
     // the initial acceleration, found in the first step, is the points'
     const bool dynamic  = scene.has_inertia(),
                repeated = is_current && !(dynamic && scene.time.step == 0);
@@ -327,6 +329,8 @@ namespace isochor
   bool
   StepSetup<dim>::repeats_first_step(const NodalField &unknowns)
   {
+    Assert(invariants::fits(unknowns, nodes, scene.n_components),
+           ExcOtherNodes());
     if (scene.time.step > 0 ||
         !scene.adaptation.repeats_first_step(++n_first_solutions))
       return false;
@@ -381,6 +385,8 @@ namespace isochor
   StepSetup<dim>::constrain(const StepContext<dim> &step,
                             NodalConstraints       &constraints) const
   {
+    AssertDimension(constraints.constrained.size(),
+                    step.nodes.n_local() * step.n_components);
     if (extends)
       extension.constrain(step, constraints);
   }
@@ -392,6 +398,10 @@ namespace isochor
   StepSetup<dim>::advance(const StepContext<dim> &step,
                           const NodalField       &unknowns)
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
+    Assert(invariants::is_consistent(step.points),
+           ExcMessage("The arrays are of different points."));
     bool is_asked_for = false;
     for (const auto *const condition :
          with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))

@@ -6,6 +6,7 @@
 
 #include <isochor/base/plain_message.h>
 #include <isochor/equations/final_state.h>
+#include <isochor/equations/invariants.h>
 #include <isochor/transfer/grid_reset.h>
 
 #include <algorithm>
@@ -119,6 +120,8 @@ namespace isochor
                           const bool              is_asked_for,
                           PointArrays<dim>       &points)
   {
+    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
+           ExcOtherNodes());
     ++n_steps_since;
     bad_quality = 1;
     is_due      = is_asked_for || n_steps_since == interval;
@@ -170,6 +173,7 @@ namespace isochor
                                           const NodalField       &unknowns,
                                           PointArrays<dim>       &points)
   {
+    AssertIndexRange(points.n_occupied_cells, points.cell.size() + 1);
     const NodalUnknowns<dim> nodal(step, unknowns);
     std::vector<double>      history(points.n_history);
     for (unsigned int k = points.n_occupied_cells; k < points.cell.size(); ++k)
@@ -220,6 +224,7 @@ namespace isochor
                                 const NodalField       &unknowns,
                                 PointArrays<dim>       &points)
   {
+    AssertDimension(points.cell_start.size(), points.cell.size() + 1);
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
     const NodalUnknowns<dim>    nodal(step, unknowns);
     points.deform_cells(geometry);
@@ -262,6 +267,7 @@ namespace isochor
   double
   GridReset<dim>::quality(const StepContext<dim> &step, const unsigned int k)
   {
+    AssertIndexRange(k, step.points.deformed_cell.size());
     const auto &gradients = step.grid.geometry().gradients(step.points.cell[k]);
     const auto &cell      = step.points.deformed_cell[k];
     Tensor<2, dim> A;

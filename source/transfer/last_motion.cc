@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/equations/invariants.h>
 #include <isochor/transfer/last_motion.h>
 
 #include <map>
@@ -22,6 +23,8 @@ namespace isochor
                       const unsigned int      n_components,
                       NodalField             &values)
     {
+      Assert(invariants::fits(is_known, nodes, 1), ExcOtherNodes());
+      Assert(invariants::fits(values, nodes, n_components), ExcOtherNodes());
       NodalField sums; // of displacements, and of how many
       nodes.initialize(sums, dim + 1);
       for (unsigned int e = 0; e < elements.size(); ++e)
@@ -64,6 +67,8 @@ namespace isochor
                        const double            size,
                        const NodalField       &values)
   {
+    Assert(size > 0, ExcInternalError());
+    Assert(invariants::fits(values, nodes, n_components), ExcOtherNodes());
     step_size = size;
     vertices.clear();
     unknowns.clear();
@@ -85,6 +90,9 @@ namespace isochor
                           const double            ratio,
                           NodalField             &values) const
   {
+    Assert(step_size > 0, ExcMessage("There is no last step."));
+    Assert(invariants::fits(values, nodes, n_components), ExcOtherNodes());
+    AssertDimension(unknowns.size(), vertices.size() * n_components);
     NodalField is_known;
     nodes.initialize(is_known, 1);
     unsigned int n_known = 0;
@@ -115,6 +123,8 @@ namespace isochor
                                const unsigned int      n_components,
                                NodalField             &values) const
   {
+    Assert(invariants::fits(values, nodes, n_components), ExcOtherNodes());
+    AssertDimension(unknowns.size(), vertices.size() * n_components);
     for (unsigned int i = 0; i < vertices.size(); ++i)
       values.local_element(nodes.node(vertices[i]) * n_components + dim) =
         unknowns[i * n_components + dim];
@@ -127,6 +137,8 @@ namespace isochor
   void
   LastMotion::send_to_owners(const BackgroundGrid<dim> &grid)
   {
+    Assert(vertices.empty() || unknowns.size() % vertices.size() == 0,
+           ExcInternalError());
     const MPI_Comm     comm = grid.communicator();
     const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
     const unsigned int n    = Utilities::MPI::max(

@@ -20,6 +20,7 @@ namespace isochor
                    const SymmetricTensor<2, 3>                 &stress_n,
                    const typename MixedKernel<dim>::PointState &state)
     {
+      Assert(increment.hoop_increment > 0, ExcInternalError());
       if (!material.dissipates())
         return 1;
       Tensor<2, 3> F               = unit_symmetric_tensor<3>(), l;
@@ -70,6 +71,7 @@ namespace isochor
                          const PointLayout                           &layout,
                          const ArrayView<double> &properties)
   {
+    AssertIndexRange(q, unseen.size());
     unseen[q]      = excess;
     double &memory = properties[layout.memory()];
     memory =
@@ -112,6 +114,8 @@ namespace isochor
                              const unsigned int      k,
                              const unsigned int      q) const
   {
+    AssertIndexRange(k, step.points.cell.size());
+    AssertIndexRange(q, step.points.n_points());
     const auto stencil = step.points.stencil(step.grid.geometry(), k, q);
     double     sum     = 0;
     for (unsigned int I = 0; I < stencil.n_nodes; ++I)
@@ -127,6 +131,7 @@ namespace isochor
   VolumeOffset<dim>::apply(const StepContext<dim> &step,
                            MaterialPoints<dim>    &points)
   {
+    Assert(step.mixed(), ExcMessage("There are no pressures."));
     const auto &materials = step.kernel.materials;
     if (std::none_of(materials.begin(), materials.end(), [](const auto &m) {
           return m->dissipates();

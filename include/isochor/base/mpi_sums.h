@@ -21,6 +21,14 @@ namespace isochor
 {
   using namespace dealii;
 
+  /** Whether all ranks call this with the same number, for Assert: that ranks
+   * are at the same place. Collective. */
+  inline bool
+  is_same_on_all_ranks(const long value, const MPI_Comm comm)
+  {
+    return Utilities::MPI::min(value, comm) == Utilities::MPI::max(value, comm);
+  }
+
   /**
    * What each rank has, by rank. Collective.
    *

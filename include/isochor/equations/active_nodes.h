@@ -80,6 +80,7 @@ namespace isochor
     unsigned int
     vertex(const unsigned int node) const
     {
+      AssertIndexRange(node, vertices.size());
       return vertices[node];
     }
 
@@ -102,6 +103,7 @@ namespace isochor
     const ControlNode<dim> *
     control_node(const unsigned int node) const
     {
+      AssertIndexRange(node, vertices.size());
       return control.empty() || vertices[node] < control_vertex(0) ?
                nullptr :
                &control[vertices[node] - control_vertex(0)];
@@ -124,6 +126,7 @@ namespace isochor
     unsigned int
     node(const unsigned int vertex) const
     {
+      AssertIndexRange(vertex, node_at_vertex.size());
       return node_at_vertex[vertex];
     }
 

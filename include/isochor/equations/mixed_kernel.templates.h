@@ -107,6 +107,7 @@ namespace isochor
                              const Shape                           &shape,
                              const bool with_matrix) const
   {
+    Assert(begin <= end && end <= points.n_points(), ExcInternalError());
     constexpr bool     mixed = (n_components == dim + 1);
     const unsigned int n     = element.nodes();
 
@@ -234,6 +235,7 @@ namespace isochor
     const std::array<Point<dim>, dim + 1> &corners,
     const bool                             with_matrix) const
   {
+    Assert(compliance.volume > 0, ExcMessage("No points are in the cell."));
     constexpr unsigned int nc     = dim + 1;
     const unsigned int     n_dofs = element.n_dofs();
     const Tensor<1, dim>   weight =
@@ -324,6 +326,8 @@ namespace isochor
                                 const double            nodal_pressure,
                                 double                 *history) const
   {
+    AssertIndexRange(q, points.n_points());
+    AssertIndexRange(points.material[q], materials.size());
     const MaterialModel<dim> &material = *materials[points.material[q]];
     const double *const       old_history =
       points.history.data() + q * std::size_t(points.n_history);

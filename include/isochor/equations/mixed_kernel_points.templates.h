@@ -165,10 +165,11 @@ namespace isochor
                     const Stencil                         &stencil_of,
                     const bool                             with_matrix)
     {
-      constexpr bool     mixed = (n_components == dim + 1);
-      constexpr bool     hoop  = (strain_dim > dim);
-      const unsigned int n     = element.nodes();
-      element.compliance       = {};
+      constexpr bool mixed = (n_components == dim + 1);
+      Assert(begin <= end && end <= points.n_points(), ExcInternalError());
+      constexpr bool     hoop = (strain_dim > dim);
+      const unsigned int n    = element.nodes();
+      element.compliance      = {};
       std::fill_n(element.residual.begin(), element.n_dofs(), 0.);
       if (with_matrix)
         std::fill_n(element.matrix.begin(),

@@ -5,6 +5,8 @@
 #ifndef isochor_nodal_constraints_h
 #define isochor_nodal_constraints_h
 
+#include <deal.II/base/exceptions.h>
+
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -71,6 +73,7 @@ namespace isochor
     bool
     has(const unsigned int k, const unsigned char flag) const
     {
+      AssertIndexRange(k, flags.size());
       return (flags[k] & flag) != 0;
     }
 
@@ -79,6 +82,7 @@ namespace isochor
     double
     sum(const unsigned int k, const Field &x) const
     {
+      AssertIndexRange(k, entry.size());
       double result = 0;
       for (std::size_t i = start[k]; i < start[k + 1]; ++i)
         result += weight[i] * x(master[i]);
@@ -192,6 +196,7 @@ namespace isochor
     bool
     is_of_control_node(const unsigned int entry) const
     {
+      AssertIndexRange(entry, constrained.size());
       return !is_control.empty() && is_control[entry] != 0;
     }
 

@@ -5,6 +5,8 @@
 #ifndef isochor_tied_elements_h
 #define isochor_tied_elements_h
 
+#include <deal.II/base/exceptions.h>
+
 #include <isochor/equations/active_nodes.h>
 #include <isochor/equations/element_nodes.h>
 #include <isochor/equations/nodal_constraints.h>
@@ -34,6 +36,7 @@ namespace isochor
     void
     update(const Followers &followers)
     {
+      Assert(all.same_structure(followers), ExcMessage("Others follow."));
       all = followers;
     }
 
@@ -61,6 +64,7 @@ namespace isochor
     const ElementNodes &
     extended() const
     {
+      Assert(!empty(), ExcMessage("Nothing follows."));
       return extended_elements;
     }
 
