@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/rounding.h>
 #include <isochor/interaction/body_pair_term.h>
 
 #include <algorithm>
@@ -96,14 +97,13 @@ namespace isochor
   BodyPairTerm<dim>::find_tie(const Point<dim> &X, PairElement &element) const
   {
     // meshes of bodies are rounded to some digits in their files
-    constexpr double     rounding = 1e-4;
-    const FaceCopy<dim> &own      = copies[element.own];
+    constexpr double     close = 1e-4;
+    const FaceCopy<dim> &own   = copies[element.own];
     for (const unsigned int i : element.others)
       {
         const FaceCopy<dim>      &other = copies[i];
         const FaceProjection<dim> at(X, other.X);
-        if (at.distance_square >
-              std::pow(rounding * size_of<dim>(other.X), 2) ||
+        if (at.distance_square > std::pow(close * size_of<dim>(other.X), 2) ||
             at.normal * own.normal > 0)
           continue;
         const InteractionLaw<dim> *const law = laws.given(own, other);
@@ -335,8 +335,7 @@ namespace isochor
                                   const PairElement      &element,
                                   const Point<dim>       &x) const
   {
-    constexpr double rounding = 1e-10;
-    Meeting          nearest;
+    Meeting nearest;
     for (unsigned int i = 0; i < element.others.size(); ++i)
       {
         const FaceCopy<dim>        &other = copies[element.others[i]];
@@ -351,7 +350,8 @@ namespace isochor
             // there that x is farther out of
             const double d     = projection->distance_square,
                          least = nearest.projection->distance_square;
-            const bool is_same = std::abs(d - least) <= rounding * least;
+            const bool is_same =
+              std::abs(d - least) <= rounding::accumulated * least;
             if (is_same ? projection->distance <= nearest.projection->distance :
                           d > least)
               continue;

@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/rounding.h>
 #include <isochor/interaction/grid_boundary_partner.h>
 
 #include <algorithm>
@@ -161,8 +162,7 @@ namespace isochor
                                    const std::vector<AtEdge> &at_edge,
                                    std::vector<unsigned int> &smooth) const
   {
-    constexpr double rounding = 1e-8;
-    auto             rim      = Facets::Rim::free;
+    auto rim = Facets::Rim::free;
     for (const AtEdge &other : at_edge)
       {
         if (other.face == f)
@@ -174,7 +174,7 @@ namespace isochor
             smooth.push_back(other.face);
             return Facets::Rim::none;
           }
-        if (other.way * faces[f].normal > rounding)
+        if (other.way * faces[f].normal > rounding::accumulated)
           rim = Facets::Rim::concave;
       }
     return rim;
@@ -253,7 +253,6 @@ namespace isochor
   double
   GridBoundaryPartner<dim>::distance_of_chord(const Point<dim> &X) const
   {
-    constexpr double rounding = 1e-8;
     if (at_start->is_flat())
       return 0.;
     const auto  place = at_start->nearest(X, Tensor<1, dim>());
@@ -262,8 +261,8 @@ namespace isochor
     for (unsigned int v = 0; v < dim; ++v)
       p += place.weights[v] * facet.corners[v];
     const bool is_on_facet =
-                 X.distance(p) <=
-                 rounding * facet.corners[0].distance(facet.corners[1]),
+                 X.distance(p) <= rounding::accumulated *
+                                    facet.corners[0].distance(facet.corners[1]),
                is_behind_chord =
                  place.distance < 0 && (X - p) * facet.normal > 0;
     return is_on_facet || is_behind_chord ? place.distance : 0.;

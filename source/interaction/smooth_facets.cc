@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/numerics/rtree.h>
 
+#include <isochor/base/rounding.h>
 #include <isochor/interaction/face_projection.h>
 #include <isochor/interaction/smooth_facets.h>
 
@@ -15,7 +16,6 @@ namespace isochor
 {
   namespace
   {
-    constexpr double rounding = 1e-10;
 
     template <std::size_t n, int dim>
     Point<dim>
@@ -64,11 +64,11 @@ namespace isochor
             const Tensor<1, dim> r     = facet.corners[0] - first.corners[0];
             part.is_plane =
               part.is_plane &&
-              std::abs(r * first.normal) <= rounding * r.norm() &&
+              std::abs(r * first.normal) <= rounding::accumulated * r.norm() &&
               std::count(facet.rims.begin(), facet.rims.end(), Rim::free) == 0;
             for (const Tensor<1, dim> &n : facet.normals)
-              part.is_plane =
-                part.is_plane && (n - first.normal).norm() < rounding;
+              part.is_plane = part.is_plane &&
+                              (n - first.normal).norm() < rounding::accumulated;
             boxes.emplace_back(BoundingBox<dim>(std::vector<Point<dim>>(
                                  facet.corners.begin(), facet.corners.end())),
                                f);
@@ -116,9 +116,9 @@ namespace isochor
         place.distance +=
           weights[v] * (facet.normals[v] *
                         ((x - facet.corners[v]) - (p - facet.corners[v]) / 2));
-        is_inside = is_inside && unclamped[v] >= -rounding;
-        is_beyond =
-          is_beyond || (unclamped[v] < -rounding && facet.rims[v] == Rim::free);
+        is_inside = is_inside && unclamped[v] >= -rounding::accumulated;
+        is_beyond = is_beyond || (unclamped[v] < -rounding::accumulated &&
+                                  facet.rims[v] == Rim::free);
       }
     const double         length = place.normal.norm();
     const Tensor<2, dim> T =

@@ -8,6 +8,7 @@
 
 #include <isochor/base/expression.h>
 #include <isochor/base/plugin_registry.h>
+#include <isochor/base/rounding.h>
 #include <isochor/grid/structured_grid.h>
 #include <isochor/rigid_body/rigid_shape.h>
 
@@ -159,10 +160,9 @@ namespace isochor
   bool
   FormulaShape<dim>::find_nearest(const Point<dim> &x, Point<dim> &p) const
   {
-    constexpr double       tolerance = 1e-12;
-    constexpr unsigned int most      = 30;
-    const double           size      = lower.distance(upper);
-    double                 lambda    = 0;
+    constexpr unsigned int most   = 30;
+    const double           size   = lower.distance(upper);
+    double                 lambda = 0;
     for (unsigned int n = 0; n < most; ++n)
       {
         // p - x + λ∇φ(p) = 0, φ(p) = 0
@@ -190,10 +190,11 @@ namespace isochor
         for (unsigned int i = 0; i < dim; ++i)
           way[i] = change[i];
         // no further than the region is large
-        const double share = std::min(1., size / (4 * way.norm() + tolerance));
+        const double share =
+          std::min(1., size / (4 * way.norm() + rounding::arithmetic));
         p -= share * way;
         lambda -= share * change[dim];
-        if (way.norm() <= tolerance * size)
+        if (way.norm() <= rounding::arithmetic * size)
           return true;
       }
     return false;

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/plain_message.h>
+#include <isochor/base/rounding.h>
 #include <isochor/rigid_body/outline.h>
 
 #include <algorithm>
@@ -72,13 +73,12 @@ namespace isochor
     // how much of both edges the rounding of a corner takes
     std::vector<double> taken(n, 0.);
     std::vector<bool>   is_straight(n, false);
-    constexpr double    rounding = 1e-12;
     for (unsigned int i = (is_closed ? 0 : 1); i < n_edges; ++i)
       {
         const auto   before = direction(i + n - 1), after = direction(i);
         const double turn = std::atan2(cross(before, after), before * after);
-        is_straight[i]    = std::abs(turn) < rounding;
-        if (turn >= rounding)
+        is_straight[i]    = std::abs(turn) < rounding::arithmetic;
+        if (turn >= rounding::arithmetic)
           taken[i] = corners[i].radius * std::tan(turn / 2);
       }
     for (unsigned int i = 0; i < n_edges; ++i)

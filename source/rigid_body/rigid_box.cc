@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/plugin_registry.h>
+#include <isochor/base/rounding.h>
 #include <isochor/rigid_body/rigid_shape.h>
 
 #include <cmath>
@@ -75,11 +76,10 @@ namespace isochor
           const double away = result.normal.norm();
           result.distance   = away - radius;
           result.normal /= away;
-          constexpr double rounding = 1e-12; // at a sharp edge
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int j = i; j < dim; ++j)
               if (beyond[i] > 0 && beyond[j] > 0 &&
-                  away > rounding * half.norm())
+                  away > rounding::arithmetic * half.norm())
                 result.curvature[i][j] =
                   ((i == j ? 1. : 0.) - result.normal[i] * result.normal[j]) /
                   away;

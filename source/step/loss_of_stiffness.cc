@@ -168,7 +168,8 @@ namespace isochor
                                const NodalField       &unknowns,
                                const Drive            &drive)
   {
-    Assert(!step.has_inertia, ExcMessage("Softness is of statics."));
+    Assert(!step.has_inertia,
+           ExcMessage("Softness is that of a body without inertia."));
     Assert(step.step_size() > 0, ExcInternalError());
     last = softness(step, unknowns, drive);
     take_yardstick({step.old_time, step.time});
