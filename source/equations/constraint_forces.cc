@@ -96,7 +96,7 @@ namespace isochor
   void
   ConstraintForces::solve(const Node &node, const NodalField &force)
   {
-    Assert(!node.rows.empty(), ExcMessage("Nothing holds the node."));
+    Assert(!node.rows.empty(), ExcMessage("The node has no constraint."));
     const unsigned int n = node.rows.size();
     solution.resize(n);
     if (n == 1)
