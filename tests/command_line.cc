@@ -259,6 +259,9 @@ namespace
   test_file_names()
   {
     const std::string grid = "subsection Grid\n  set File = a.msh\nend\n";
+    // of a test that was interrupted
+    std::filesystem::remove("a.msh");
+    std::filesystem::remove("files/a.msh");
     write("files/scene.prm", grid);
     write("includes.prm", "include files/scene.prm\n");
     check_parameter("a file relative to the parameter file that names it",
