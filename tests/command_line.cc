@@ -258,11 +258,8 @@ namespace
   void
   test_file_names()
   {
-    const std::string grid = "subsection Grid\n  set File = a.msh\nend\n";
-    // of a test that was interrupted
-    std::filesystem::remove("a.msh");
-    std::filesystem::remove("files/a.msh");
-    write("files/scene.prm", grid);
+    std::filesystem::remove("a.msh"); // of a test that was interrupted
+    write("files/scene.prm", "subsection Grid\n  set File = a.msh\nend\n");
     write("includes.prm", "include files/scene.prm\n");
     check_parameter("a file relative to the parameter file that names it",
                     {"includes.prm"},
@@ -290,7 +287,7 @@ namespace
                 "<files/a.msh>, but there is one in the working directory, "
                 "too" +
                   which);
-    write("scene.prm", grid);
+    write("scene.prm", "subsection Grid\n  set File = a.msh\nend\n");
     check_parameter("a parameter file in the working directory",
                     {"scene.prm"},
                     "set File = a.msh");

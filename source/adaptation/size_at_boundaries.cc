@@ -38,8 +38,7 @@ namespace isochor
       for (const auto &entry :
            split_list_of_unique_names(prm.get("Cell size at boundaries"), name))
         {
-          places.push_back(
-            {entry.first, Utilities::string_to_double(entry.second), {}});
+          places.push_back({entry.first, number_in(entry.second, name), {}});
           AssertThrow(places.back().size > 0,
                       ExcMessage("The size at <" + entry.first + "> of <" +
                                  name + "> must be positive."));

@@ -269,6 +269,19 @@ namespace isochor
 
 
 
+  double
+  number_in(const std::string &text, const std::string &parameter)
+  {
+    const auto names = names_in_formula(text);
+    AssertThrow(std::find(names.begin(), names.end(), "t") == names.end(),
+                ExcMessage("The parameter <" + parameter +
+                           "> needs a number, not <" + text + ">."));
+    return Expression<1>(text, parameter, FormulaVariables::time)(Point<1>(),
+                                                                  0.);
+  }
+
+
+
   std::vector<std::string>
   names_in_formula(const std::string &formula)
   {

@@ -24,6 +24,8 @@ namespace isochor
     {
       const StepResult<dim> &result  = step.result;
       const bool             is_cpdi = result.step.points.has_stencils();
+      size_of_steps = result.time.follows_error() ? "<Time/Tolerated error>" :
+                                                    "<Time/Step size>";
       for (const auto *const energies :
            with_role<const HasEnergyBalance<dim>>(step.scene.postprocessors))
         if (const auto *const balance = energies->energy_balance(result))
@@ -106,8 +108,9 @@ namespace isochor
              loss / size,
              size > largest ? "by the scheme, per cycle" : "by the scheme",
              is_cpdi || grid_is_kept ?
-               "Use smaller steps (<Time/Step size>) and cells, or another "
-               "<Dynamics/Spectral radius>." :
+               "Use smaller steps (" + size_of_steps + ") and cells, or " +
+                 (loss > 0 ? "<Dynamics/Spectral radius = 1>." :
+                             "a smaller <Dynamics/Spectral radius>.") :
                "Use <Quadrature/Type = CPDI>, or <Grid reset/Steps between "
                "resets = 0>.");
     }
@@ -130,8 +133,8 @@ namespace isochor
              lost_at_starts,
              lost_at_starts / largest,
              "in the first steps, which don't resolve what happens in them",
-             "Use smaller steps (<Time/Step size>), and loads and motions that "
-             "begin smoothly.");
+             "Use smaller steps (" + size_of_steps +
+               "), and loads and motions that begin smoothly.");
     }
 
     /**
@@ -187,6 +190,7 @@ namespace isochor
     /** Of the stiffness: energies that are those of rounding errors. */
     static constexpr double rounding = 4e-14;
 
+    std::string size_of_steps; ///< the parameter
     double largest = 0, kinetic = 0, kinetic_change = 0;
     /** All that was lost, and what of it doesn't count. */
     double lost = 0, lost_at_starts = 0;

@@ -86,8 +86,7 @@ namespace isochor
                                    "> of the parameter <Grid/Stretch> must "
                                    "have the form <coordinate -> "
                                    "displacement>."));
-            planes.push_back(Utilities::string_to_double(
-              Utilities::trim(plane.substr(0, arrow))));
+            planes.push_back(number_in(plane.substr(0, arrow), "Grid/Stretch"));
             displacement.emplace_back(plane.substr(arrow + 2),
                                       "Grid/Stretch",
                                       FormulaVariables::time);

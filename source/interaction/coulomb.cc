@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/expression.h>
 #include <isochor/interaction/interaction_law.h>
 
 #include <algorithm>
@@ -76,7 +77,7 @@ namespace isochor
     adhesion               = prm.get_double("Adhesion");
     const std::string most = prm.get("Largest shear stress");
     if (!most.empty())
-      most_shear = Utilities::string_to_double(most);
+      most_shear = number_in(most, "Largest shear stress");
     AssertThrow(most_shear >= 0,
                 ExcMessage("The parameter <Largest shear stress> of an "
                            "interaction must not be negative."));

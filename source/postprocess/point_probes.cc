@@ -46,8 +46,9 @@ namespace isochor
       for (const auto &entry :
            split_list_of_unique_names(prm.get("Point probes"), name))
         {
-          const auto x =
-            Utilities::string_to_double(split_formulas(entry.second, name));
+          std::vector<double> x;
+          for (const std::string &one : split_formulas(entry.second, name))
+            x.push_back(number_in(one, name));
           AssertThrow(x.size() == dim,
                       ExcMessage("The probe <" + entry.first +
                                  "> of the parameter <" + name + "> needs " +

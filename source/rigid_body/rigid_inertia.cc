@@ -59,8 +59,10 @@ namespace isochor
   {
     constexpr unsigned int n_rotations = Components::n_rotations;
     mass                               = prm.get_double("Mass");
-    const auto list                    = Utilities::string_to_double(
-      Utilities::split_string_list(prm.get("Moment of inertia")));
+    std::vector<double> list;
+    for (const std::string &one :
+         Utilities::split_string_list(prm.get("Moment of inertia")))
+      list.push_back(number_in(one, section + "/Moment of inertia"));
     AssertThrow(list.size() == 1 || list.size() == n_rotations,
                 ExcMessage("The parameter <" + section +
                            "/Moment of inertia> must be one number or " +

@@ -81,6 +81,13 @@ namespace isochor
     std::shared_ptr<FunctionParser<dim>> function;
   };
 
+  /** The number that @p text stands for, which may be a formula without
+   * variables ("1/3", "sqrt(2)").
+   * @param parameter Where it is from, for messages.
+   * @throws ExcMessage if it is none. */
+  double
+  number_in(const std::string &text, const std::string &parameter);
+
   /** The names of variables and functions in a formula, in their order. */
   std::vector<std::string>
   names_in_formula(const std::string &formula);

@@ -83,8 +83,8 @@ namespace isochor
                const GridReset<dim> & /*reset*/)
     {}
 
-    /** The first step of a run that isn't resumed has its @p matrix, of the
-     * unloaded body. Collective. */
+    /** The first step of a run that isn't resumed has its @p matrix, the
+     * first one that is assembled. Collective. */
     virtual void
     step_set_up(const Scene<dim> & /*scene*/,
                 const StepContext<dim> & /*step*/,
