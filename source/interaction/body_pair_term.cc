@@ -360,10 +360,18 @@ namespace isochor
         nearest.corners    = corners;
         nearest.projection = std::move(projection);
       }
-    if (nearest.projection && !element.is_tied &&
-        (facing(copies[element.own].normal_now,
-                copies[element.others[nearest.place]].normal_now) == 0 ||
-         nearest.projection->distance_beyond() > reach))
+    if (!nearest.projection || element.is_tied)
+      return nearest;
+    // what slides in the step leaves the faces that the element has, not the
+    // body
+    const FaceCopy<dim> &own   = copies[element.own],
+                        &other = copies[element.others[nearest.place]];
+    const Tensor<1, dim> none;
+    const double         slid = (increment_at(step, unknowns, own, none) -
+                         increment_at(step, unknowns, other, none))
+                          .norm();
+    if (facing(own.normal_now, other.normal_now) == 0 ||
+        nearest.projection->distance_beyond() > reach + slid)
       nearest.projection.reset();
     return nearest;
   }

@@ -190,7 +190,8 @@ namespace isochor
     /** Half of the distance within which the elements have all faces, at the
      * last reset; and how much two bodies can have come closer since (m). Up to
      * there the nearest face is an element's: a place that is farther beyond
-     * its nearest face is next to one that it doesn't have, and isn't met. */
+     * its nearest face than this and what it slides in the step is next to one
+     * that it doesn't have, and isn't met. */
     double                     reach = 0, way_since_reset = 0;
     mutable SlipMemory<dim>    slips;
     mutable SurfaceStress<dim> own_stress, other_stress;
