@@ -92,7 +92,9 @@ namespace isochor
           for_parts_of_element(grid,
                                points.cell[k],
                                [&](const unsigned int cell, const double part) {
-                                 compliance[cell].add(of_points, part);
+                                 compliance[cell].volume +=
+                                   part * of_points.volume;
+                                 compliance[cell].mass += part * of_points.mass;
                                });
         }
       points.set_overlapped_cells(grid.geometry(), compliance);

@@ -26,7 +26,6 @@ namespace isochor
            ExcOtherNodes());
     TimerOutput::Scope     scope(terminal.timer(), "assembly");
     const StepContext<dim> step       = setup.context();
-    scene.kernel.inertial_stiffness   = scene.inertia.stiffness(step);
     const bool             is_pending = update_pending();
     const bool             is_dragged = update_boundary_force(step);
     const EvaluationStatus status     = assemble_terms(step, with_matrix);

@@ -162,14 +162,6 @@ namespace isochor
       const StepContext<dim>                                     &step,
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
 
-    /** The change of the acceleration with the displacement at the end of the
-     * step (1/s²); zero in statics. */
-    double
-    stiffness(const StepContext<dim> &step) const
-    {
-      return is_active() ? scheme().stiffness(step_size(step)) : 0.;
-    }
-
     void
     collect_elements(const StepContext<dim> &step,
                      ElementNodes           &elements) override;

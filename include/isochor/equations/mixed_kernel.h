@@ -104,11 +104,6 @@ namespace isochor
      * Zero: the stabilisation as it stands in the paper. */
     Tensor<1, dim> hydrostatic_acceleration;
 
-    /** In dynamics: the change of the acceleration with the displacement at the
-     * end of the step (1/s²), 1/(β Δt²) for Newmark's method. Zero in statics.
-     */
-    double inertial_stiffness = 0;
-
     /** Add point @p q, which integrates @p V of the cell, to what the cell's
      * stabilisation needs. */
     void
@@ -118,7 +113,7 @@ namespace isochor
                    CellCompliance         &compliance) const
     {
       const MaterialModel<dim> &material = *materials[points.material[q]];
-      compliance.add(V, 1 / material.shear_modulus(), material.density());
+      compliance.add(V / material.shear_modulus(), material.density());
     }
 
     /** The same where the cell is as compliant as @p mean_over_G, the mean of
@@ -130,7 +125,7 @@ namespace isochor
                    const double            mean_over_G,
                    CellCompliance         &compliance) const
     {
-      compliance.add(V, mean_over_G, materials[points.material[q]]->density());
+      compliance.add(V * mean_over_G, materials[points.material[q]]->density());
     }
 
     /** That of the points [begin, end) of a cell. */
@@ -204,15 +199,6 @@ namespace isochor
      * @p corners and the increments. P(26), which has h = 0, would take it for
      * an oscillation and answer with a change of volume. Without weight only
      * the pressure's part of @p element is changed.
-     *
-     * In dynamics inertia resists motions within a cell, too. What the
-     * projection stands in for, the bubble b = ∏ λ_I of the MINI element
-     * (Arnold, Brezzi & Fortin, Calcolo 21 (1984) 337-344), then has the
-     * stiffness ∫ (G |∇b|² + ρ/(β Δt²) b²) in place of ∫ G |∇b|², so that 1/G
-     * becomes
-     *   1/(G + ρ/(β Δt²) ∫ b²/∫ |∇b|²),   ∫ b²/∫ |∇b|² = c/Σ_I |∇λ_I|²
-     * with c = 1/14 in the plane, 2/55 in space: the pressure that drives
-     * accelerations is no oscillation where a step resolves its waves.
      */
     template <std::size_t max_nodes>
     void
@@ -286,36 +272,15 @@ namespace isochor
     }
 
   private:
-    /** α V/G of a cell with @p corners, with what inertia adds to G. */
+    /** α/G V (M_IJ - 1/(d+1)²) of a cell. */
     double
-    projection_volume(const CellCompliance                  &compliance,
-                      const std::array<Point<dim>, dim + 1> &corners) const
+    projection_entry(const CellCompliance &compliance,
+                     const unsigned int    I,
+                     const unsigned int    J) const
     {
-      if (inertial_stiffness == 0)
-        return ppp_coefficient * compliance.volume;
-      Tensor<2, dim> edges;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          edges[c][d] = corners[c + 1][d] - corners[0][d];
-      const Tensor<2, dim> gradients = invert(edges); // columns: ∇λ_c
-      Tensor<1, dim>       sum;
-      for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int c = 0; c < dim; ++c)
-          sum[d] += gradients[d][c];
-      constexpr double of_bubble = (dim == 2 ? 1. / 14 : 2. / 55);
-      const double     area =
-        of_bubble / (gradients.norm_square() + sum.norm_square());
-      return ppp_coefficient * compliance.volume /
-             (1 + inertial_stiffness * area * compliance.mass /
-                    compliance.reference_volume);
-    }
-
-    /** M_IJ - 1/(d+1)². */
-    static double
-    projection_entry(const unsigned int I, const unsigned int J)
-    {
-      return (I == J ? 2. : 1.) / ((dim + 1) * (dim + 2)) -
-             1. / ((dim + 1) * (dim + 1));
+      return ppp_coefficient * compliance.volume *
+             ((I == J ? 2. : 1.) / ((dim + 1) * (dim + 2)) -
+              1. / ((dim + 1) * (dim + 1)));
     }
 
     /** ρ g of a cell (N/m³). */

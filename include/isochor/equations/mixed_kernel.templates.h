@@ -156,7 +156,7 @@ namespace isochor
                   points, q, last, law, n, element.pressure, shape);
                 if (status != EvaluationStatus::success)
                   return status;
-                element.compliance.add(V, law.inverse_G, law.density);
+                element.compliance.add(V * law.inverse_G, law.density);
                 q = last - 1;
                 continue;
               }
@@ -182,7 +182,7 @@ namespace isochor
 
         const double V         = points.weight[q];
         const double inverse_K = law.inverse_K;
-        element.compliance.add(V, law.inverse_G, law.density);
+        element.compliance.add(V * law.inverse_G, law.density);
         const internal::PressureFactor factor(law.measure, kinematics.J);
         if (!mixed)
           p = response.volumetric_strain / inverse_K;
@@ -244,14 +244,13 @@ namespace isochor
     std::array<double, nc> derivative;
     for (unsigned int a = 0; a < dim; ++a)
       derivative[a] = weight[a];
-    derivative[dim]        = 1;
-    const auto   deviation = pressure_deviation(element, weight, corners);
-    const double volume    = projection_volume(compliance, corners);
-    const auto   add       = [&](const auto first) {
+    derivative[dim]      = 1;
+    const auto deviation = pressure_deviation(element, weight, corners);
+    const auto add       = [&](const auto first) {
       for (unsigned int I = 0; I <= dim; ++I)
         for (unsigned int J = 0; J <= dim; ++J)
           {
-            const double entry = volume * projection_entry(I, J);
+            const double entry = projection_entry(compliance, I, J);
             for (unsigned int a = first; a < nc; ++a)
               element.residual[I * nc + a] -=
                 derivative[a] * entry * deviation[J];
@@ -281,7 +280,6 @@ namespace isochor
     const Tensor<1, dim>                   &weight) const
   {
     const double density = compliance.mass / compliance.volume;
-    const double of_cell = projection_volume(compliance, corners);
     const auto   deviation =
       pressure_deviation(element, weight_density(compliance, weight), corners);
     ProjectionEnergy energy;
@@ -289,7 +287,7 @@ namespace isochor
       {
         double volume = 0; // of the stabilisation, at node I
         for (unsigned int J = 0; J <= dim; ++J)
-          volume += of_cell * projection_entry(I, J) * deviation[J];
+          volume += projection_entry(compliance, I, J) * deviation[J];
         // p + h = 2 p - d
         energy.stored += (element.pressure[I] - deviation[I] / 2) * volume;
         energy.moment += density * volume *

@@ -22,35 +22,25 @@ namespace isochor
 {
   using namespace dealii;
 
-  /** Σ V/G, Σ ρ V/G and Σ V of the points in a cell, V the reference volume
-   * that each integrates: what the stabilisation needs (MixedKernel). */
+  /** Σ V/G and Σ ρ V/G of the points in a cell, V the reference volume that
+   * each integrates: what the stabilisation needs (MixedKernel). */
   struct CellCompliance
   {
-    double volume = 0, mass = 0, reference_volume = 0;
+    double volume = 0, mass = 0;
 
-    /** Points with @p density that integrate the volume @p V. */
+    /** @p V_over_G: of points with @p density. */
     void
-    add(const double V, const double inverse_G, const double density)
+    add(const double V_over_G, const double density)
     {
-      volume += V * inverse_G;
-      mass += density * V * inverse_G;
-      reference_volume += V;
-    }
-
-    /** The @p part of @p other. */
-    void
-    add(const CellCompliance &other, const double part)
-    {
-      volume += part * other.volume;
-      mass += part * other.mass;
-      reference_volume += part * other.reference_volume;
+      volume += V_over_G;
+      mass += density * V_over_G;
     }
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &volume &mass &reference_volume;
+      archive &volume &mass;
     }
   };
 
