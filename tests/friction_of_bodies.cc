@@ -108,6 +108,29 @@ namespace
       "Displacement x of P (m)");
   }
 
+  /** The force on a block that is pressed and dragged over three faces in the
+   * given number of steps. */
+  double
+  force(const unsigned int n_steps)
+  {
+    return test::get(
+      *test::run_scene<2>(
+        "Quadrature/Type = CPDI\nGrid/Lower corner = -0.25, -0.125\n"
+        "Grid/Upper corner = 2.75, 0.875\nGrid/Subdivisions = 24, 8\n"
+        "Material points/Region = y>0 && y<0.75 && if(y<0.375, x>0 && x<1.5, "
+        "x>0.25 && x<0.75)\n"
+        "Material points/Bodies = A: y<0.375; B: y>0.375\n"
+        "Material/Young modulus = 1000\nMaterial/Poisson ratio = 0.3\n"
+        "Boundary conditions/Surfaces of body = bottom: y<0.01; top: y>0.74\n"
+        "Interaction: A - B/Law = Coulomb\n"
+        "Interaction: A - B/Friction coefficient = 0.3\n"
+        "Interaction: bottom - place/Displacement = x=0, y=0\n"
+        "Interaction: top - place/Displacement = x=0.2*t, y=-0.001*t\n"
+        "Time/Step size = " +
+        std::to_string(1. / n_steps) + '\n'),
+      "Force y on A by B (N)");
+  }
+
   /** A block that is pushed along; the centres of the faces at its side lie on
    * the border of the region. */
   void
@@ -148,5 +171,8 @@ main(int argc, char **argv)
   test::check_error("loads in 6 and in 12 steps",
                     test::relative(displacement(12), displacement(6)),
                     0.01);
+  test::check_error("force in 1 and in 16 steps",
+                    test::relative(force(1), force(16)),
+                    0.1);
   test_border();
 }

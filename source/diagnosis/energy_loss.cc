@@ -191,7 +191,7 @@ namespace isochor
     static constexpr double rounding = 4e-14;
 
     std::string size_of_steps; ///< the parameter
-    double largest = 0, kinetic = 0, kinetic_change = 0;
+    double      largest = 0, kinetic = 0, kinetic_change = 0;
     /** All that was lost, and what of it doesn't count. */
     double lost = 0, lost_at_starts = 0;
     /** Steps since the last start. */
