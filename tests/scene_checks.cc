@@ -102,6 +102,14 @@ namespace
     expect("free to slide",
            messages<2>(held + "y = 0\n"),
            {"free in translation in x (the one"});
+    expect("free to slide under a pressure that follows one of its sides",
+           messages<2>("Grid/Subdivisions = 4, 4\nQuadrature/Type = CPDI\n"
+                       "Material points/Region = x > 0.25 && x < 0.75\n"
+                       "Boundary conditions/Displacement = bottom: y = 0\n"
+                       "Boundary conditions/Surfaces of body = side: x > 0.74\n"
+                       "Boundary conditions/Pressure on body = side: 1e4*t\n"
+                       "Time/Step size = 0.1\n"),
+           {"free in translation in x (the one"});
     expect("free to slide behind a one-sided wall",
            messages<2>(no_load +
                        "Quadrature/Type = CPDI\n"

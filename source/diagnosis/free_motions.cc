@@ -156,7 +156,7 @@ namespace isochor
 
 
 
-    /** Σ v·A v and Σ v·diag(A) v of the modes. */
+    /** w·A v and w·diag(A) v of all pairs of modes, summed over the rows. */
     void
     add_energies(const SparseSystem       &A,
                  const std::vector<Label> &label,
@@ -176,8 +176,9 @@ namespace isochor
               if (!is_displacement(A, j))
                 continue;
               const Mode column = modes_at(A, j, body);
-              // half of each of the two places of an off-diagonal pair
-              const double a = A.values[k] * (A.symmetric && j != i ? 1 : 0.5);
+              // a symmetric matrix has one of each pair, and half of the
+              // diagonal counts twice below
+              const double a = A.values[k] * (A.symmetric && j == i ? 0.5 : 1);
               for (unsigned int m = 0; m < 6; ++m)
                 image[m] += a * column[m];
               if (i == j)
@@ -186,7 +187,8 @@ namespace isochor
           for (unsigned int m = 0; m < 6; ++m)
             for (unsigned int n = 0; n < 6; ++n)
               {
-                body.energy[6 * m + n] += row[m] * image[n] + image[m] * row[n];
+                body.energy[6 * m + n] +=
+                  row[m] * image[n] + (A.symmetric ? image[m] * row[n] : 0.);
                 body.diagonal[6 * m + n] += diagonal * row[m] * row[n];
               }
         }
@@ -215,7 +217,9 @@ namespace isochor
 
 
 
-    /** Combinations of the modes that cost no energy. */
+    /** Combinations of the modes v that nothing answers: w·A v = 0 for all
+     * modes w. Where a pressure follows the surface A isn't symmetric, and v·A
+     * v alone wouldn't tell. */
     std::vector<Mode>
     null_space(const Body &body, const unsigned int n_modes)
     {
@@ -248,16 +252,18 @@ namespace isochor
           for (unsigned int m = 0; m < n_modes; ++m)
             for (unsigned int n = 0; n < n_modes; ++n)
               reduced(k, l) += basis[k][m] * energy(m, n) * basis[l][n];
-      eigen_decomposition(reduced, values, vectors);
+      LAPACKFullMatrix<double> decomposed(basis.size(), basis.size());
+      decomposed = reduced;
+      decomposed.compute_svd();
 
       std::vector<Mode> modes;
-      for (unsigned int k = 0; k < values.size(); ++k)
-        if (std::abs(values[k]) < rounding::accumulated)
+      for (unsigned int k = 0; k < basis.size(); ++k)
+        if (decomposed.singular_value(k) < rounding::accumulated)
           {
             Mode mode{};
             for (unsigned int l = 0; l < basis.size(); ++l)
               for (unsigned int m = 0; m < n_modes; ++m)
-                mode[m] += vectors(l, k) * basis[l][m];
+                mode[m] += decomposed.get_svd_vt()(k, l) * basis[l][m];
             modes.push_back(mode);
           }
       return modes;
