@@ -268,7 +268,6 @@ namespace isochor
   DiscreteExtension<dim>::make_tie(const unsigned int               vertex,
                                    const std::vector<unsigned int> &cells) const
   {
-    Assert(!cells.empty(), ExcInternalError());
     const SimplexGeometry<dim>    &geometry = grid.geometry();
     std::map<unsigned int, double> weights;
     for (const unsigned int cell : cells)

@@ -96,7 +96,6 @@ namespace isochor
     unsigned int
     control_vertex(const unsigned int k) const
     {
-      AssertIndexRange(k, control.size() + 1);
       return grid.triangulation().n_vertices() + k;
     }
 
