@@ -362,16 +362,19 @@ namespace isochor
       }
     if (!nearest.projection || element.is_tied)
       return nearest;
-    // what slides in the step leaves the faces that the element has, not the
-    // body
     const FaceCopy<dim> &own   = copies[element.own],
                         &other = copies[element.others[nearest.place]];
-    const Tensor<1, dim> none;
-    const double         slid = (increment_at(step, unknowns, own, none) -
-                         increment_at(step, unknowns, other, none))
-                          .norm();
+    // what slides in the step leaves the faces that the element has, not the
+    // body
+    const auto slid = [&]() {
+      const Tensor<1, dim> none;
+      return (increment_at(step, unknowns, own, none) -
+              increment_at(step, unknowns, other, none))
+        .norm();
+    };
+    const double beyond = nearest.projection->distance_beyond();
     if (facing(own.normal_now, other.normal_now) == 0 ||
-        nearest.projection->distance_beyond() > reach + slid)
+        (beyond > reach && beyond > reach + slid()))
       nearest.projection.reset();
     return nearest;
   }

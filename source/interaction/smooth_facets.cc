@@ -16,7 +16,6 @@ namespace isochor
 {
   namespace
   {
-
     template <std::size_t n, int dim>
     Point<dim>
     place_of(const std::array<Point<dim>, n> &corner,

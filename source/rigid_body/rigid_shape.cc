@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/plugin_registry.h>
+#include <isochor/base/rounding.h>
 #include <isochor/grid/lattice_source.h>
 #include <isochor/rigid_body/rigid_shape.h>
 
@@ -233,7 +234,7 @@ namespace isochor
   {
     // a direction that isn't that of rounding
     const Tensor<1, dim> arm = x - place.point;
-    if (arm.norm() <= 1e-12 * (x.norm() + place.point.norm()))
+    if (arm.norm() <= rounding::arithmetic * (x.norm() + place.point.norm()))
       return;
     place.normal    = arm / place.distance;
     place.curvature = rounded_curvature(place.distance, place.normal, edge);
