@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/rounding.h>
 #include <isochor/grid/nearest_cells.h>
+#include <isochor/grid/simplex_coordinates.h>
 #include <isochor/material_points/sparse_cells.h>
 
 #include <algorithm>
@@ -37,23 +38,10 @@ namespace isochor
           if (x[d] < lower - slack || x[d] > upper + slack)
             return false;
         }
-      Tensor<2, dim> edges;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          edges[d][c] = domain.current[c + 1][d] - domain.current[0][d];
-      const double det = determinant(edges);
-      if (det == 0)
-        return false;
-      const Tensor<1, dim> lambda = invert(edges) * (x - domain.current[0]);
+      const auto lambda = simplex_coordinates<dim>(domain.current, x);
       // a place on the face between two domains is covered
-      double sum = 0;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          if (!(lambda[d] >= -rounding::accumulated))
-            return false;
-          sum += lambda[d];
-        }
-      return sum <= 1 + rounding::accumulated;
+      return *std::min_element(lambda.begin(), lambda.end()) >=
+             -rounding::accumulated;
     }
   } // namespace
 

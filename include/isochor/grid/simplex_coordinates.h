@@ -13,12 +13,11 @@ namespace isochor
 {
   using namespace dealii;
 
-  /** The barycentric coordinates of @p x in the simplex with @p corners,
-   * places that are seen from the same point; all are -1 if it is flat. */
-  template <int dim>
+  /** The barycentric coordinates of @p x in the simplex with @p corners, all
+   * points, or all vectors from one point; all are -1 if it is flat. */
+  template <int dim, typename Place>
   std::array<double, dim + 1>
-  simplex_coordinates(const std::array<Tensor<1, dim>, dim + 1> &corners,
-                      const Tensor<1, dim>                      &x)
+  simplex_coordinates(const std::array<Place, dim + 1> &corners, const Place &x)
   {
     std::array<double, dim + 1> lambda;
     lambda.fill(-1);
