@@ -204,6 +204,16 @@ namespace isochor
     double last_ratio = 0.;
     double reduction  = 0.; ///< merit to the one before, 0 if there is none
     unsigned int n_shortened = 0; ///< corrections in a row
+    /** As needed_matrix, of the last solution. */
+    std::vector<bool> needed_before;
+    /** Whether the matrix of the given iterate will be needed, as it was then,
+     * or @p otherwise if there was no such iterate. */
+    bool
+    expects_need(const unsigned int iteration, const bool otherwise) const
+    {
+      return iteration < needed_before.size() ? needed_before[iteration] :
+                                                otherwise;
+    }
   };
 
 
@@ -333,19 +343,6 @@ namespace isochor
 
 
 
-  bool
-  NewtonSolver::expects_need(const Problem     &problem,
-                             const unsigned int iteration,
-                             const bool         otherwise) const
-  {
-    return reuse_ratio > 0 && !problem.is_iterative() &&
-               iteration < needed_before.size() ?
-             needed_before[iteration] :
-             otherwise;
-  }
-
-
-
   NewtonReport
   NewtonSolver::solve(const Problem &problem, std::ostream *log)
   {
@@ -353,12 +350,14 @@ namespace isochor
            ExcInternalError());
     if (log != nullptr)
       *log << "     it     forces       volume     length\n";
-    needed_before = std::exchange(needed_matrix, {});
-    NewtonReport report;
-    Iterate      now;
+    NewtonReport            report;
+    Iterate                 now;
+    const std::vector<bool> before = std::exchange(needed_matrix, {});
+    if (reuse_ratio > 0 && !problem.is_iterative())
+      now.needed_before = before;
     // Assembling the matrix costs as much again as the residual: it is left
     // away where the next iterate will need none.
-    now.matrix_is_current = expects_need(problem, 0, true);
+    now.matrix_is_current = now.expects_need(0, true);
     now.norms             = problem.assemble(now.matrix_is_current);
     now.gauge.take(now.norms);
     add_row(now, 0, 0, report, log);
@@ -405,7 +404,7 @@ namespace isochor
     // points that turn over shorten such a correction.
     const bool may_grow = now.norms.pending || report.n_iterations() == 0;
     now.expect_need =
-      expects_need(problem, report.n_iterations() + 1, now.expect_need);
+      now.expects_need(report.n_iterations() + 1, now.expect_need);
     const LineSearch search = backtrack(problem,
                                         now.gauge,
                                         may_grow,

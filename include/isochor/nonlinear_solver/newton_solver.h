@@ -134,13 +134,6 @@ namespace isochor
               const bool         with_matrix,
               ResidualNorms     &norms) const;
 
-    /** Whether the matrix of the given iterate will be needed, as it was in
-     * the last solution, or @p otherwise if it had no such iterate. */
-    bool
-    expects_need(const Problem     &problem,
-                 const unsigned int iteration,
-                 const bool         otherwise) const;
-
     /** From one iterate to the next. If there is none, @p report says why. */
     void
     correct(const Problem &problem,
@@ -179,7 +172,7 @@ namespace isochor
     /** By the number of iterations done: whether the last solution went on with
      * the matrix there. Where factorisations are kept the next one mostly does
      * the same; it decides what is assembled, not what comes out. */
-    std::vector<bool> needed_matrix, needed_before;
+    std::vector<bool> needed_matrix;
   };
 } // namespace isochor
 
