@@ -20,12 +20,19 @@ namespace isochor
   {
   public:
     void
+    scene_read(const ParameterHandler & /*prm*/,
+               const Scene<dim> &scene,
+               const GridReset<dim> & /*reset*/) override
+    {
+      size_of_steps = scene.time.follows_error() ? "<Time/Tolerated error>" :
+                                                   "<Time/Step size>";
+    }
+
+    void
     step_ended(const ConvergedStep<dim> &step) override
     {
       const StepResult<dim> &result  = step.result;
       const bool             is_cpdi = result.step.points.has_stencils();
-      size_of_steps = result.time.follows_error() ? "<Time/Tolerated error>" :
-                                                    "<Time/Step size>";
       for (const auto *const energies :
            with_role<const HasEnergyBalance<dim>>(step.scene.postprocessors))
         if (const auto *const balance = energies->energy_balance(result))
@@ -109,8 +116,8 @@ namespace isochor
              size > largest ? "by the scheme, per cycle" : "by the scheme",
              is_cpdi || grid_is_kept ?
                "Use smaller steps (" + size_of_steps + ") and cells, or " +
-                 (loss > 0 ? "<Dynamics/Spectral radius = 1>." :
-                             "a smaller <Dynamics/Spectral radius>.") :
+                 (loss > 0 ? "a larger" : "a smaller") +
+                 " <Dynamics/Spectral radius>." :
                "Use <Quadrature/Type = CPDI>, or <Grid reset/Steps between "
                "resets = 0>.");
     }
@@ -214,6 +221,6 @@ namespace isochor
     "([stability.md](stability.md#cycles))",
     "`Quadrature/Type = CPDI`; no reset (`Grid reset/Steps between resets = "
     "0`, with `Smallest element quality = 0`); smaller steps and cells; loads "
-    "and motions that begin smoothly; where energy is created, a smaller "
-    "`Dynamics/Spectral radius`, or `Time/Tolerated error`")
+    "and motions that begin smoothly; a larger `Dynamics/Spectral radius` "
+    "where energy is lost, a smaller one where it is created, or `Time/Tolerated error`")
 } // namespace isochor

@@ -17,8 +17,8 @@ namespace isochor
     prm.declare_entry("End time",
                       "1",
                       Patterns::Double(0),
-                      "Time (s), quasi-static the load parameter t, at which "
-                      "the run ends.");
+                      "Time (s) at which the run ends; without inertia t is a "
+                      "load parameter.");
     prm.declare_entry(
       "Step size",
       "1",
