@@ -163,6 +163,10 @@ main(int argc, char **argv)
              "Ghost penalty",
              "Use = never",
              {"Ghost penalty", "Cut cells/Extension"});
+  test_entry("a quadrature of earlier versions",
+             "Quadrature",
+             "Type = cell-filled + boundary",
+             {"is gone", "<Quadrature/Type = CPDI>"});
   test_entry("displacements of the body",
              "Boundary conditions",
              "Displacement of body = top: x=0, y=t; bottom: y=0",

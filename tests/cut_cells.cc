@@ -16,10 +16,6 @@ using namespace isochor;
 
 namespace
 {
-  const std::vector<std::string> all_but_points = {"cell-filled",
-                                                   "cell-filled + boundary",
-                                                   "CPDI"};
-
   /** The largest value of a column over the steps of the scene run last; 0 if
    * there is none. */
   double
@@ -152,6 +148,29 @@ namespace
                 details.str());
   }
 
+  /** A bar of a point over its height bends: its nodes outside hand on what
+   * they carry. */
+  void
+  test_what_ties_carry()
+  {
+    const auto problem =
+      run<2>("Grid/Lower corner = 0, -1\nGrid/Upper corner = 1.25, 0.5\n"
+             "Grid/Subdivisions = 10, 12\nQuadrature/Type = CPDI\n"
+             "Material points/Region = x < 1 && y > 0 && y < 0.125\n"
+             "Material points/Points per cell = 1\n"
+             "Material/Young modulus = 1e7\nMaterial/Poisson ratio = 0.499\n"
+             "Material/Density = 1000\n"
+             "Boundary conditions/Displacement = left: x=0, y=0\n"
+             "Boundary conditions/Gravity = 0, -t\nTime/Step size = 0.5\n");
+    std::string told;
+    for (const auto &warning : test::all_warnings(*problem).all())
+      if (warning.subject == "a part of the body too thin for the grid")
+        told = warning.text;
+    test::check("what ties carry",
+                told.find("% of the internal work") != std::string::npos,
+                told);
+  }
+
   /** When the crest of a vertical cut of the height 4 m and the weight γ H/c =
    * 8 t starts to run, faster than ten times its speed at the start. Exact, for
    * φ = 20°: γ H/c = 5.4 to 5.5, t = 0.68; with eight cells over H the grid
@@ -224,6 +243,7 @@ main(int argc, char **argv)
     test_one_sided<2>("CPDI", push);
   test_one_sided<3>("CPDI", 1.);
   test_thin_body();
+  test_what_ties_carry();
   test_vertical_cut("cell-filled");
   test_vertical_cut("CPDI");
 }

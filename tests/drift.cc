@@ -44,8 +44,9 @@ main(int argc, char **argv)
   expect("up and down, CPDI",
          messages<2>(cycles, false),
          {"WARNING energy balance", "<Grid reset/Steps between resets>"});
-  expect("up and down, with boundary",
-         messages<2>(cycles + "Quadrature/Type = cell-filled + boundary\n",
+  expect("up and down, cell-filled",
+         messages<2>(cycles + "Quadrature/Type = cell-filled\n"
+                              "Boundary conditions/Gravity = 0, sin(2*pi*t)\n",
                      false),
          {"WARNING energy balance", "<Quadrature/Type = CPDI>"});
   expect("up and down, grid that stays with the body",

@@ -96,31 +96,6 @@ namespace
     test::check_error("holes don't depend on the order of axes", error, 1e-9);
   }
 
-  /** A cube of half the grid's width between smooth plates, G = 1e6, ν = 1/2:
-   * F = G A (λ - 1/λ²) on the area A at the start. */
-  void
-  test_cube()
-  {
-    const auto problem = test::run_scene<3>(
-      "Grid/Subdivisions = 6, 6, 3\n"
-      "Grid/Stretch = z: 0 -> 0, 1 -> -0.5*t\n"
-      "Material points/Region = x < 0.5 && y < 0.5\n"
-      "Quadrature/Type = cell-filled + boundary\n"
-      "Material/Young modulus = 3e6\nMaterial/Poisson ratio = 0.5\n"
-      "Boundary conditions/Displacement = front: z=0; back: z=-0.5*t; left: "
-      "x=0; bottom: y=0\n"
-      "Time/Step size = 0.1\nPostprocess/Reactions = back\n");
-    const Statistics  &s     = problem->last_statistics();
-    const double       exact = 1e6 * 0.25 * (0.5 - 4.);
-    std::ostringstream volumes;
-    test::check_error("cube between smooth plates: reaction",
-                      std::abs(s.get("Reaction z on back (N)") / exact - 1),
-                      0.005);
-    test::check_error("cube between smooth plates: volume",
-                      std::abs(s.get("Volume in the grid (m^3)") / 0.25 - 1),
-                      0.005);
-  }
-
   /** What is said of a bar of height 1 that is pulled, with points on a
    * lattice. */
   void
@@ -198,6 +173,5 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_friction_on_kept_grid();
   test_exchanged_axes();
-  test_cube();
   test_sparse_points();
 }

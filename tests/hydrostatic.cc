@@ -165,7 +165,6 @@ main(int argc, char **argv)
     {
       test_block("points", formulation, 6, 0.1, 1.);
       test_block("cell-filled", formulation, 6, 0., 1e-11);
-      test_block("cell-filled + boundary", formulation, 4, 0., 1e-11);
       test_block("CPDI", formulation, 4, 0., 1e-11);
     }
 }

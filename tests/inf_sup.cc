@@ -355,29 +355,25 @@ main(int argc, char **argv)
   finds_condition_number = false;
 
   // The uppermost row of cells is cut at the fraction f of its height.
-  for (const std::string quadrature : {"cell-filled + boundary", "CPDI"})
+  double smallest = 1e9, whole = 0;
+  for (const double f : {1., 0.8, 0.3, 0.1, 1e-2, 1e-4, 1e-6, 1e-8})
     {
-      double smallest = 1e9, whole = 0;
-      for (const double f : {1., 0.8, 0.3, 0.1, 1e-2, 1e-4, 1e-6, 1e-8})
-        {
-          const unsigned int n = 8;
-          const double       h = 1 / (n - 1 + f);
-          std::ostringstream settings;
-          settings << std::setprecision(17) << "Grid/Upper corner = 1, "
-                   << n * h << "\nGrid/Subdivisions = 8, " << n
-                   << "\nMaterial points/Points per cell = 4\n"
-                   << "Material points/Body mesh = " << write_mesh("/", 8)
-                   << "\nQuadrature/Type = " << quadrature << '\n';
-          const double beta = inf_sup_constant(settings.str(), 1);
-          if (f == 1)
-            whole = beta;
-          smallest = std::min(smallest, beta);
-          if (print)
-            std::cout << quadrature << ", cut " << f << ": " << beta
-                      << std::endl;
-        }
-      test::check("no cut takes more than a tenth of beta, " + quadrature,
-                  smallest > 0.9 * whole,
-                  std::to_string(smallest) + " of " + std::to_string(whole));
+      const unsigned int n = 8;
+      const double       h = 1 / (n - 1 + f);
+      std::ostringstream settings;
+      settings << std::setprecision(17) << "Grid/Upper corner = 1, " << n * h
+               << "\nGrid/Subdivisions = 8, " << n
+               << "\nMaterial points/Points per cell = 4\n"
+               << "Material points/Body mesh = " << write_mesh("/", 8)
+               << "\nQuadrature/Type = CPDI\n";
+      const double beta = inf_sup_constant(settings.str(), 1);
+      if (f == 1)
+        whole = beta;
+      smallest = std::min(smallest, beta);
+      if (print)
+        std::cout << "cut " << f << ": " << beta << std::endl;
     }
+  test::check("no cut takes more than a tenth of beta",
+              smallest > 0.9 * whole,
+              std::to_string(smallest) + " of " + std::to_string(whole));
 }

@@ -4,7 +4,7 @@
  * --------------------------------------------------------------------- */
 
 // Cook's membrane under up to forty times the paper's load, in a box that is
-// larger than the body and not aligned with it: the scene
+// larger than the body and not aligned with it, with cells of 1 m: the scene
 // prm/cooks_membrane/large_load.prm, with and without a reset in each step.
 
 #include <fstream>
@@ -50,9 +50,9 @@ displacement(const double       P,
   return test::get(
     *test::run_scene<2>(
       "Grid/Lower corner = 0, -3\nGrid/Upper corner = 54, 78\n"
-      "Grid/Subdivisions = 36, 54\nMaterial points/Points per cell = 6\n"
+      "Grid/Subdivisions = 54, 81\nMaterial points/Points per cell = 6\n"
       "Material points/Body mesh = membrane.msh\n"
-      "Quadrature/Type = cell-filled + boundary\n"
+      "Quadrature/Type = CPDI\n"
       "Material/Young modulus = 70\nMaterial/Poisson ratio = " +
       poisson_ratio +
       "\nBoundary conditions/Displacement = left: x = 0, y = 0\n"
@@ -71,7 +71,7 @@ main(int argc, char **argv)
 {
   test::MPISession mpi(argc, argv);
   if (test::this_rank() == 0)
-    write_membrane("membrane.msh", 32);
+    write_membrane("membrane.msh", 48);
   test::wait_for_all_ranks();
 
   struct Case

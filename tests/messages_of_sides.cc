@@ -57,8 +57,7 @@ namespace
         true,
         2);
     };
-    for (const std::string quadrature :
-         {"points", "cell-filled", "cell-filled + boundary"})
+    for (const std::string quadrature : {"points", "cell-filled"})
       {
         expect("materials in the same cells, " + quadrature,
                layers(quadrature, "0.5625", "1e8"),

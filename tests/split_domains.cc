@@ -197,7 +197,6 @@ main(int argc, char **argv)
       test_tension<2>(formulation, "CPDI", "4", corner);
       test_tension<2>(formulation, "CPDI", "3", band);
     }
-  test_tension<2>("u-p", "cell-filled + boundary", "4", corner);
   test_tension<3>("u-p", "CPDI", "4", "if(abs(x - 0.3) < 0.1, 0.1, 1)");
   test_far_away();
   return 0;

@@ -108,7 +108,7 @@ class Cook(Scene):
         spread over four places."""
         geo = PRM / "cooks_membrane" / "membrane.geo"
         for quadrature, n in product(
-            ("points", "cell-filled + boundary", "CPDI"), (16, 32, 64, 128)
+            ("points", "CPDI"), (16, 32, 64, 128)
         ):
             path = directory / "meshes" / f"membrane-{n}.msh"
             yield Run(
@@ -208,8 +208,6 @@ class Tube(Scene):
     CHOICES = (
         ("points", 6),
         ("cell-filled", 6),
-        ("cell-filled + boundary", 6),
-        ("cell-filled + boundary", 12),
         ("CPDI", 4),
     )
 

@@ -140,7 +140,7 @@ def grid(scene, random, pick, chance):
 def body(scene, random, pick, chance):
     set_ = scene.overrides
     set_["Quadrature/Type"] = pick(
-        "points", "cell-filled", "cell-filled + boundary", "CPDI", "CPDI"
+        "points", "cell-filled", "CPDI", "CPDI"
     )
     set_["Material points/Points per cell"] = (
         pick(1, 3, 4, 6, 9, 12) if scene.dim == 2 else pick(1, 4, 8)

@@ -7,7 +7,7 @@ import harness
 import report
 from harness import HERE, PRM, output
 
-QUADRATURES = ("points", "cell-filled", "cell-filled + boundary", "CPDI")
+QUADRATURES = ("points", "cell-filled", "CPDI")
 SCENES = HERE / "scenes"
 
 

@@ -21,14 +21,13 @@ class Membrane:
         with open(HERE / "references" / "cook_membrane.json") as stream:
             self.exact = json.load(stream)["results"]["nu=0.5 P=25"]["uy"]
 
-    def error(self, n, quadrature, name, overrides):
+    def error(self, n, name, overrides):
         """In per cent, with cells of 48/n; the body is seeded in a mesh of such."""
         path = self.bench.directory / "meshes" / f"membrane-{n}.msh"
         harness.mesh(PRM / "cooks_membrane" / "membrane.geo", path, n=n)
         numbers = self.bench.run(
             SCENE,
             {
-                "Quadrature/Type": quadrature,
                 "Material/Poisson ratio": 0.5,
                 "Material points/Body mesh": path,
                 "Boundary conditions/Mesh of body surfaces": path,
@@ -37,7 +36,7 @@ class Membrane:
                 "Time/Step size": 0.1,
                 **overrides,
             },
-            f"convergence {quadrature} {n} {name}",
+            f"convergence {n} {name}",
         )
         return 100 * (numbers[TIP][-1] / self.exact - 1)
 
@@ -50,34 +49,32 @@ def convergence(bench):
     sizes = (16, 32) if bench.quick else (16, 32, 64)
     count = 4 if bench.quick else 8
     figure, axes = plt.subplots(1, 2, figsize=(9, 3.6), constrained_layout=True)
-    for number, quadrature in enumerate(("CPDI", "cell-filled + boundary")):
-        means = []
-        for n in sizes:
-            errors = np.array(
-                [
-                    membrane.error(n, quadrature, f"place {k} of {count}", at)
-                    for k, at in enumerate(harness.places(count))
-                ]
-            )
-            axes[0].semilogx(
-                np.full(count, n * (1 + 0.03 * number)), errors, f"C{number}.", alpha=0.4
-            )
-            means.append(errors.mean())
-            order = np.log2(means[-2] / means[-1]) if len(means) > 1 else np.nan
-            bench.check(
-                "convergence",
-                f"{quadrature}, n = {n}, {count} grids: {min(errors):+.2f} to "
-                f"{max(errors):+.2f} %, mean {errors.mean():+.2f} ± {errors.std():.2f} %"
-                + ("" if np.isnan(order) else "; order of the mean"),
-                "" if np.isnan(order) else f"{order:.1f}",
-                "" if np.isnan(order) else "at least 0.8",
-                np.isnan(order) or order > 0.8,
-            )
-        axes[0].semilogx(sizes, means, f"C{number}-", label=quadrature)
+    means = []
+    for n in sizes:
+        errors = np.array(
+            [
+                membrane.error(n, f"place {k} of {count}", at)
+                for k, at in enumerate(harness.places(count))
+            ]
+        )
+        axes[0].semilogx(
+            np.full(count, n), errors, "C0.", alpha=0.4
+        )
+        means.append(errors.mean())
+        order = np.log2(means[-2] / means[-1]) if len(means) > 1 else np.nan
+        bench.check(
+            "convergence",
+            f"n = {n}, {count} grids: {min(errors):+.2f} to "
+            f"{max(errors):+.2f} %, mean {errors.mean():+.2f} ± {errors.std():.2f} %"
+            + ("" if np.isnan(order) else "; order of the mean"),
+            "" if np.isnan(order) else f"{order:.1f}",
+            "" if np.isnan(order) else "at least 0.8",
+            np.isnan(order) or order > 0.8,
+        )
+    axes[0].semilogx(sizes, means, "C0-")
     axes[0].set_xticks(sizes, [str(n) for n in sizes])
     axes[0].set(xlabel="n", ylabel="error of u_y(A) (%)")
     axes[0].minorticks_off()
-    axes[0].legend(fontsize=7)
     where_it_sits(bench, membrane, axes[1])
     bench.save(figure, "convergence")
 
@@ -98,7 +95,6 @@ def where_it_sits(bench, membrane, axis):
             [
                 membrane.error(
                     16,
-                    "CPDI",
                     f"{name} {k}",
                     {
                         "Grid/Type": "adaptive",

@@ -19,10 +19,6 @@ CASES = {  # name: parameters, how much above the upper bound it may be, quick
     "cell-filled, no extension": (
         {"Quadrature/Type": "cell-filled", "Cut cells/Extension": "never"},
         0.04, False),
-    "with boundary": ({"Quadrature/Type": "cell-filled + boundary"}, 0.04, True),
-    "with boundary, no extension": (
-        {"Quadrature/Type": "cell-filled + boundary",
-         "Cut cells/Extension": "never"}, 0.04, False),
     "CPDI, '/'": (
         {"Quadrature/Type": "CPDI", "Grid/Diagonals": "/"}, 0.2, False),
     "cell-filled, '/'": (

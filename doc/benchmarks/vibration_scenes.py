@@ -20,7 +20,7 @@ class TubeVibration(Scene):
     def runs(self, directory):
         ring = PRM / "plastic_cylinder" / "ring.geo"
         for quadrature, n, steps in product(
-            ("points", "cell-filled + boundary", "CPDI"), (16, 32), (50, 100)
+            ("points", "CPDI"), (16, 32), (50, 100)
         ):
             path = directory / "meshes" / f"ring-{n // 2}.msh"
             yield Run(
@@ -60,7 +60,7 @@ class Cantilever(Scene):
 
     def runs(self, directory):
         for quadrature, n in product(
-            ("points", "cell-filled + boundary", "CPDI", "finite elements"), (2, 4)
+            ("points", "CPDI", "finite elements"), (2, 4)
         ):
             kept = quadrature == "finite elements"
             yield Run(

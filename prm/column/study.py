@@ -24,7 +24,6 @@ HEIGHT, WIDTH, GRAVITY, YOUNG = 50.0, 6.25, 10.0, 1e4
 QUADRATURES = {  # name: points per cell
     "points": 6,
     "cell-filled": 6,
-    "cell-filled + boundary": 4,
     "CPDI": 4,
 }
 # formulation, Poisson ratio, density (kg/m^3), PPP coefficient, steps between

@@ -81,6 +81,12 @@ namespace isochor
   check_replaced(const ParameterStatement &statement)
   {
     const auto &path = statement.path;
+    if (join_path(path) == "Quadrature/Type" &&
+        statement.value == "cell-filled + boundary")
+      throw ParameterError(statement.origin +
+                           ": <Quadrature/Type = " + statement.value +
+                           "> is gone: take <Quadrature/Type = CPDI>, the "
+                           "default, which is more accurate");
     if (path.front() == "Ghost penalty")
       throw ParameterError(
         statement.origin + ": the subsection <" + path.front() +

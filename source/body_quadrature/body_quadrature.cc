@@ -24,10 +24,7 @@ namespace isochor
       "sum over the material points, the plain Material Point Method, whose "
       "stresses don't converge when points cross cells; the cheapest where "
       "they don't. 'cell-filled': the points of cells inside the body share "
-      "the volume of their cell; for material that flows far. 'cell-filled "
-      "+ boundary': "
-      "those of cells at the surface also share the part of their cell that "
-      "the body fills.");
+      "the volume of their cell; for material that flows far.");
     PluginRegistry<BodyQuadrature<dim>>::declare_parameters(prm);
     prm.leave_subsection();
   }
@@ -113,7 +110,7 @@ namespace isochor
   {
     const BackgroundGrid<dim> &grid = occupancy.grid;
     const bool                 by_functions =
-      !grid.shape_functions().are_linear() && !makes_stencils();
+      !grid.shape_functions().are_linear() && !is_linear_on_domains();
     if (by_functions)
       {
         points.clear_stencils();
@@ -121,9 +118,10 @@ namespace isochor
       }
     start_step(points, locator, kernel, with_occupancy, occupancy);
     if (!is_linear_on_domains())
-      points.displacement.clear();
-    if (!needs_domains()) // which then are there for splitting only
-      points.domain.clear();
+      {
+        points.displacement.clear();
+        points.domain.clear(); // they are there for splitting only
+      }
     if (by_functions)
       {
         add_stencils(grid.shape_functions(), points); // of massless points

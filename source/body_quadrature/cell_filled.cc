@@ -4,31 +4,10 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/plugin_registry.h>
 #include <isochor/body_quadrature/body_quadrature.h>
-#include <isochor/body_quadrature/cell_filling.h>
+#include <isochor/body_quadrature/hole_points.h>
 
 namespace isochor
 {
-  template <int dim>
-  void
-  fill_interior_cells(PointArrays<dim>         &points,
-                      const CellOccupancy<dim> &occupancy)
-  {
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
-      {
-        const unsigned int cell = points.cell[k];
-        if (!occupancy.is_interior(cell))
-          continue;
-        const double factor = occupancy.grid.geometry().measure(cell) /
-                              occupancy.content(cell)->volume;
-        for (unsigned int q = points.cell_start[k];
-             q < points.cell_start[k + 1];
-             ++q)
-          points.weight[q] *= factor;
-      }
-  }
-
-
-
   /** Within the step, the points of each interior cell share its measure, and
    * holes are integrated. Masses, and with them external forces, are not
    * scaled. */
@@ -45,17 +24,31 @@ namespace isochor
     {
       occupancy.update(points, kernel, true);
       fill_interior_cells(points, occupancy);
-      occupancy.add_cells({});
-      add_hole_points(points, occupancy, kernel, {});
+      add_hole_points(points, occupancy, kernel);
+    }
+
+  private:
+    /** The weights of the points of each interior cell e share its measure:
+     * V0_p ← V0_p |e| / Σ_{q∈e} J_q V0_q, with J at t_n. */
+    static void
+    fill_interior_cells(PointArrays<dim>         &points,
+                        const CellOccupancy<dim> &occupancy)
+    {
+      for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+        {
+          const unsigned int cell = points.cell[k];
+          if (!occupancy.is_interior(cell))
+            continue;
+          const double factor = occupancy.grid.geometry().measure(cell) /
+                                occupancy.content(cell)->volume;
+          for (unsigned int q = points.cell_start[k];
+               q < points.cell_start[k + 1];
+               ++q)
+            points.weight[q] *= factor;
+        }
     }
   };
 
   ISOCHOR_REGISTER_FOR_DIMENSION(BodyQuadrature, CellFilled, "cell-filled")
 
-
-
-  template void
-  fill_interior_cells(PointArrays<2> &, const CellOccupancy<2> &);
-  template void
-  fill_interior_cells(PointArrays<3> &, const CellOccupancy<3> &);
 } // namespace isochor

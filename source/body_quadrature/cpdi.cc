@@ -35,18 +35,6 @@ namespace isochor
   {
   public:
     bool
-    needs_domains() const override
-    {
-      return true;
-    }
-
-    bool
-    makes_stencils() const override
-    {
-      return true;
-    }
-
-    bool
     is_linear_on_domains() const override
     {
       return true;

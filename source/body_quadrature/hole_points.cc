@@ -5,7 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/rounding.h>
-#include <isochor/body_quadrature/cell_filling.h>
+#include <isochor/body_quadrature/hole_points.h>
 
 #include <algorithm>
 #include <cmath>
@@ -303,38 +303,35 @@ namespace isochor
 
   template <int dim>
   void
-  add_hole_points(PointArrays<dim>              &points,
-                  const CellOccupancy<dim>      &occupancy,
-                  const MixedKernel<dim>        &kernel,
-                  std::map<unsigned int, double> cells)
+  add_hole_points(PointArrays<dim>         &points,
+                  const CellOccupancy<dim> &occupancy,
+                  const MixedKernel<dim>   &kernel)
   {
     const BackgroundGrid<dim>  &grid     = occupancy.grid;
     const SimplexGeometry<dim> &geometry = grid.geometry();
     const unsigned int          rank =
       Utilities::MPI::this_mpi_process(grid.communicator());
-    std::vector<unsigned int> holes; // of this rank
-    VertexStates<dim>         states;
+    std::set<unsigned int> holes;
+    VertexStates<dim>      states;
     for (const auto &content : occupancy.occupied_cells())
       if (content.is_hole)
-        cells[content.cell] = geometry.measure(content.cell);
-    if (Utilities::MPI::max(cells.size(), grid.communicator()) == 0)
+        holes.insert(content.cell);
+    if (Utilities::MPI::max(holes.size(), grid.communicator()) == 0)
       return;
-    for (const auto &fill : cells)
-      {
-        if (geometry.owner(fill.first) == rank)
-          holes.push_back(fill.first);
-        for (const unsigned int v : vertices_near_points(fill.first, occupancy))
-          {
-            MeanStates<dim> around;
-            add_points_around(v, points, occupancy, kernel, around);
-            if (!around.empty())
-              states[{fill.first, v}] = around;
-          }
-      }
+    for (const unsigned int cell : holes)
+      for (const unsigned int v : vertices_near_points(cell, occupancy))
+        {
+          MeanStates<dim> around;
+          add_points_around(v, points, occupancy, kernel, around);
+          if (!around.empty())
+            states[{cell, v}] = around;
+        }
     exchange(geometry, points.n_history, states);
 
     for (const unsigned int cell : holes)
       {
+        if (geometry.owner(cell) != rank)
+          continue;
         const auto           state   = state_at_centroid(cell, states);
         const Tensor<2, dim> F       = state.second.deformation_gradient();
         std::vector<double>  history = state.second.mean_history();
@@ -346,7 +343,7 @@ namespace isochor
         points.shape.back().fill(1. / (dim + 1));
         points.volume.push_back(0);
         points.mass.push_back(0);
-        points.weight.push_back(cells.at(cell) / determinant(F));
+        points.weight.push_back(geometry.measure(cell) / determinant(F));
         points.pressure.push_back(0);
         if (kernel.has_pressures)
           points.volume_offset.push_back(state.second.mean_offset());
@@ -360,8 +357,6 @@ namespace isochor
             points.velocity.emplace_back();
             points.acceleration.emplace_back();
           }
-        if (!points.domain.empty())
-          points.domain.emplace_back();
       }
   }
 
@@ -370,11 +365,9 @@ namespace isochor
   template void
   add_hole_points(PointArrays<2> &,
                   const CellOccupancy<2> &,
-                  const MixedKernel<2> &,
-                  std::map<unsigned int, double>);
+                  const MixedKernel<2> &);
   template void
   add_hole_points(PointArrays<3> &,
                   const CellOccupancy<3> &,
-                  const MixedKernel<3> &,
-                  std::map<unsigned int, double>);
+                  const MixedKernel<3> &);
 } // namespace isochor

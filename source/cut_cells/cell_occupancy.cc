@@ -282,40 +282,6 @@ namespace isochor
 
   template <int dim>
   void
-  CellOccupancy<dim>::add_cells(const std::map<unsigned int, double> &cells)
-  {
-    for (const auto &cell : cells)
-      entry(cell.first);
-  }
-
-
-
-  template <int dim>
-  void
-  CellOccupancy<dim>::share(std::map<unsigned int, double> &values) const
-  {
-    const MPI_Comm comm = grid.communicator();
-    if (Utilities::MPI::n_mpi_processes(comm) == 1)
-      return;
-    const unsigned int me = Utilities::MPI::this_mpi_process(comm);
-    std::map<unsigned int, std::vector<std::pair<unsigned int, double>>> sent;
-    for (auto value = values.begin(); value != values.end();)
-      if (grid.geometry().owner(value->first) == me)
-        {
-          for (const unsigned int rank : ranks_near_cell(value->first))
-            sent[rank].push_back(*value);
-          ++value;
-        }
-      else
-        value = values.erase(value);
-    for (const auto &received : Utilities::MPI::some_to_some(comm, sent))
-      values.insert(received.second.begin(), received.second.end());
-  }
-
-
-
-  template <int dim>
-  void
   CellOccupancy<dim>::exchange()
   {
     if (Utilities::MPI::n_mpi_processes(grid.communicator()) == 1)

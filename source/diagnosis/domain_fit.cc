@@ -51,7 +51,7 @@ namespace isochor
                 const SparseSystem & /*matrix*/) override
     {
       const BodySeeding<dim> &seeding = scene.points.body_seeding();
-      if (scene.quadrature->needs_domains() &&
+      if (scene.quadrature->is_linear_on_domains() &&
           scene.points.layout().with_domains &&
           !seeding.parameters_read().zones.empty())
         look_at_cells_of_body(seeding,
@@ -120,10 +120,10 @@ namespace isochor
     DomainFit,
     "domains that don't fit together",
     ISOCHOR_ESSENTIAL,
-    "`Points per cell in zones` with domains (CPDI, `cell-filled + "
-    "boundary`), at the start: cells meet whose numbers of points divide "
-    "the face between them differently. Corners of domains hang on faces of"
-    " others, and even a homogeneous stress has forces there",
+    "`Points per cell in zones` with domains (CPDI), at the start: cells meet "
+    "whose numbers of points divide the face between them differently. "
+    "Corners of domains hang on faces of others, and even a homogeneous "
+    "stress has forces there",
     "numbers that divide faces alike (1 and 3; 4, 6 and 12; 9 and 27; 16, "
     "24 and 48; 3D: 1 and 4; 8 and 32; 27 and 108), one number everywhere, "
     "or a quadrature that doesn't integrate over domains (`points`, `cell-"

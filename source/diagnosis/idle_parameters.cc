@@ -400,7 +400,7 @@ namespace isochor
       inspect_grid(inspect, scene.grid.source(), of_grids, reset);
       inspect_points(inspect,
                      scene.grid.source().is_adaptive(),
-                     scene.quadrature->needs_domains(),
+                     scene.quadrature->is_linear_on_domains(),
                      scene.points_have_domains());
       if (scene.grid.source().is_adaptive())
         inspect_adaptation(list, inspect);

@@ -109,9 +109,9 @@ namespace isochor
                       "Which points have a domain, a triangle (tetrahedron) "
                       "that they carry along. 'auto': on adaptive grids all, "
                       "so that small cells get as many points as large ones, "
-                      "else as 'if needed': those of the quadratures 'CPDI' "
-                      "and 'cell-filled + boundary', which integrate over "
-                      "domains. Others use them only to split points.");
+                      "else as 'if needed': those of the quadrature 'CPDI', "
+                      "which integrates over domains. Others use them only "
+                      "to split points.");
     prm.declare_entry("Split at share of cell",
                       "0",
                       Patterns::Double(0),

@@ -50,7 +50,7 @@ namespace isochor
   {
     extension.parse_parameters(prm);
     refinement.parse_parameters(prm);
-    refinement.integrate_over_domains(scene.quadrature->needs_domains());
+    refinement.integrate_over_domains(scene.quadrature->is_linear_on_domains());
     if (refinement.splits_points())
       scene.points.keep_ancestry();
     grid_reset.parse_parameters(prm,

@@ -53,9 +53,9 @@ namespace isochor
         "Enlarge this, or let it follow by <Grid/Stretch>. If not, material "
         "beside it has jumped through these cells while they were empty and "
         "resisted nothing. That happens to points at the surface of a body "
-        "with strains that no cell feels: use <Quadrature/Type = CPDI> or "
-        "'cell-filled + boundary' if it isn't set, smaller steps, or "
-        "more <Material points/Points per cell>.";
+        "with strains that no cell feels: use <Quadrature/Type = CPDI> if it "
+        "isn't set, smaller steps, or more <Material points/Points per "
+        "cell>.";
     if (scene.time.step <= 1)
       text += std::string(text.empty() ? "" : " ") +
               "That it does so in the first step may be a matter of units: "

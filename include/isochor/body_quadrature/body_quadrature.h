@@ -45,24 +45,10 @@ namespace isochor
     parse_parameters(ParameterHandler & /*prm*/)
     {}
 
-    /** Whether each point must carry a simplex domain. */
-    virtual bool
-    needs_domains() const
-    {
-      return false;
-    }
-
-    /** Whether start_step() gives points stencils. If not, they get those of
-     * the grid's shape functions. */
-    virtual bool
-    makes_stencils() const
-    {
-      return false;
-    }
-
-    /** Whether points see functions that are linear on their domains, by the
-     * stencils that start_step() gives them. Then loads on the body's surface
-     * are integrated like stresses (FaceLoads). */
+    /** Whether each point must carry a simplex domain, and sees functions that
+     * are linear on it, by the stencils that start_step() gives the point. Then
+     * loads on the body's surface are integrated like stresses (FaceLoads). If
+     * not, points get stencils of the grid's shape functions where needed. */
     virtual bool
     is_linear_on_domains() const
     {

@@ -137,16 +137,6 @@ namespace isochor
     bool
     is_closed(const unsigned int cell) const;
 
-    /** Cells that hold material of points in other cells, by their numbers; the
-     * cells around still count as next to an empty one. */
-    void
-    add_cells(const std::map<unsigned int, double> &cells);
-
-    /** Send @p values of this rank's cells to the ranks that are near them, and
-     * add those of their cells. Collective. */
-    void
-    share(std::map<unsigned int, double> &values) const;
-
     /** The cells around a vertex. */
     ArrayView<const unsigned int>
     cells_at(const unsigned int vertex) const

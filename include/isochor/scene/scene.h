@@ -99,7 +99,7 @@ namespace isochor
     bool
     points_have_domains() const
     {
-      return quadrature->needs_domains() || domains == "always" ||
+      return quadrature->is_linear_on_domains() || domains == "always" ||
              (domains == "auto" && grid.source().is_adaptive());
     }
 
