@@ -5,8 +5,9 @@
 
 // Scenes that early versions got wrong without a word, and that no other test
 // has: a vibration that cut cells damped (0.475 of the energy left), a tube
-// whose pressure was 11 % too small and that lost 4 % of its energy in a period,
-// a ring pressed by a wall, a cut in soil that slides out and comes to rest.
+// whose pressure was 11 % too small and that lost 4 % of its energy in a
+// period, a ring pressed by a wall, a cut in soil that slides out and comes to
+// rest.
 
 #include <algorithm>
 #include <cmath>
