@@ -6,6 +6,7 @@
 #include <isochor/base/earlier_output.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/step/material_point_method.h>
+#include <isochor/step/why_points_left.h>
 
 namespace isochor
 {
@@ -51,7 +52,10 @@ namespace isochor
             AssertThrow(false,
                         ExcMessage(
                           plain_message(exc) + " " +
-                          setup.why_points_left(exc.boundaries) +
+                          why_points_left(exc.boundaries,
+                                          scene,
+                                          setup.walls(),
+                                          setup.reset()) +
                           FailureReport<dim>::write_points(setup.context(),
                                                            scene.points,
                                                            output_directory)));

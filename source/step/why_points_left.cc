@@ -2,47 +2,50 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-// The members of StepSetup that explain why points have left the grid.
-#include <isochor/step/step_setup.h>
-
-#include <string>
-#include <vector>
+#include <isochor/step/why_points_left.h>
+#include <isochor/transfer/grid_reset.h>
 
 namespace isochor
 {
-  template <int dim>
-  bool
-  StepSetup<dim>::is_held(const std::string &boundary) const
+  namespace
   {
-    const auto &names = scene.grid.boundary_names();
-    const auto  name  = names.find(boundary);
-    if (name == names.end())
+    /** Whether a condition holds the displacement normal to @p boundary, at
+     * least on a part of it. */
+    template <int dim>
+    bool
+    is_held(const std::string &boundary, const CellOccupancy<dim> &walls)
+    {
+      const auto &names = walls.grid.boundary_names();
+      const auto  name  = names.find(boundary);
+      if (name == names.end())
+        return false;
+      // all vertices of an open face are marked, of a held one those at its rim
+      for (const BoundaryFace &face : walls.grid.boundary_faces())
+        if (face.id == name->second)
+          {
+            const auto &vertices =
+              walls.grid.geometry().vertex_indices(face.cell);
+            for (unsigned int v = 0; v <= dim; ++v)
+              if (v != face.opposite_vertex &&
+                  !walls.is_at_open_boundary(vertices[v]))
+                return true;
+          }
       return false;
-    // all vertices of an open face are marked, of a held one those at its rim
-    for (const BoundaryFace &face : scene.grid.boundary_faces())
-      if (face.id == name->second)
-        {
-          const auto &vertices =
-            scene.grid.geometry().vertex_indices(face.cell);
-          for (unsigned int v = 0; v <= dim; ++v)
-            if (v != face.opposite_vertex &&
-                !occupancy.is_at_open_boundary(vertices[v]))
-              return true;
-        }
-    return false;
-  }
+    }
+  } // namespace
 
 
 
   template <int dim>
   std::string
-  StepSetup<dim>::why_points_left(const std::vector<std::string> &boundaries)
+  why_points_left(const std::vector<std::string> &boundaries,
+                  const Scene<dim>               &scene,
+                  const CellOccupancy<dim>       &walls,
+                  const GridReset<dim>           &reset)
   {
-    if (!needs_occupancy)
-      find_walls();
     std::string held, text;
     for (const std::string &boundary : boundaries)
-      if (is_held(boundary))
+      if (is_held(boundary, walls))
         held += (held.empty() ? "<" : ", <") + boundary + ">";
       else
         text = "Enlarge the grid, or hold the body by boundary conditions.";
@@ -62,7 +65,7 @@ namespace isochor
               "lengths, of the grid and the body, go with stiffnesses, loads "
               "and <Material/Density> (m with Pa, N and kg/m^3; mm with MPa, N "
               "and t/mm^3).";
-    if (const std::string why = grid_reset.why(); !why.empty())
+    if (const std::string why = reset.why(); !why.empty())
       text += (text.empty() ? "" : " ") + why;
     for (const auto *const condition :
          with_role<const HasPeriods>(scene.boundary_conditions))
@@ -74,12 +77,14 @@ namespace isochor
 
 
 
-  template bool
-  StepSetup<2>::is_held(const std::string &) const;
-  template bool
-  StepSetup<3>::is_held(const std::string &) const;
   template std::string
-  StepSetup<2>::why_points_left(const std::vector<std::string> &);
+  why_points_left(const std::vector<std::string> &,
+                  const Scene<2> &,
+                  const CellOccupancy<2> &,
+                  const GridReset<2> &);
   template std::string
-  StepSetup<3>::why_points_left(const std::vector<std::string> &);
+  why_points_left(const std::vector<std::string> &,
+                  const Scene<3> &,
+                  const CellOccupancy<3> &,
+                  const GridReset<3> &);
 } // namespace isochor

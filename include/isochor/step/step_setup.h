@@ -177,16 +177,17 @@ namespace isochor
       return first_element;
     }
 
-    /** Points have left the grid, as it was put back for the step to come,
-     * through @p boundaries: what may be the cause, and what to change. */
-    std::string
-    why_points_left(const std::vector<std::string> &boundaries);
+    /** Where conditions hold the body on the grid's boundary, whether the cells
+     * are known in which it lies or not. Collective. */
+    const CellOccupancy<dim> &
+    walls()
+    {
+      if (!needs_occupancy)
+        find_walls();
+      return occupancy;
+    }
 
   private:
-    /** Whether a condition holds the displacement normal to @p boundary, at
-     * least on a part of it. */
-    bool
-    is_held(const std::string &boundary) const;
     void
     reset_grid(const std::vector<EquationTerm<dim> *> &terms,
                LastMotion                             &last_motion);
