@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -38,6 +39,27 @@ namespace isochor
                          records.payload(i));
       return sorted;
     }
+
+
+
+    /** A boundary point and its nodes, as a checkpoint has them. */
+    template <int dim>
+    struct SavedPoint
+    {
+      unsigned int                cell = 0;
+      Point<dim>                  location;
+      std::vector<double>         payload;
+      std::vector<unsigned int>   vertex;
+      std::vector<double>         shape;
+      std::vector<Tensor<1, dim>> gradient;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &cell &location &payload &vertex &shape &gradient;
+      }
+    };
   } // namespace
 
 
@@ -250,50 +272,84 @@ namespace isochor
 
 
   template <int dim>
-  Tensor<1, dim>
-  BoundaryPoints<dim>::displacement(const unsigned int b) const
-  {
-    AssertIndexRange(b, size());
-    Tensor<1, dim> u;
-    for (unsigned int d = 0; d < dim; ++d)
-      u[d] = records.payload(b)[displacement_entry + d];
-    return u;
-  }
-
-
-
-  template <int dim>
-  Tensor<2, dim>
-  BoundaryPoints<dim>::F(const unsigned int b) const
-  {
-    AssertIndexRange(b, size());
-    Tensor<2, dim> F;
-    for (unsigned int d = 0; d < dim; ++d)
-      for (unsigned int e = 0; e < dim; ++e)
-        F[d][e] = records.payload(b)[F_entry + d * dim + e];
-    return F;
-  }
-
-
-
-  template <int dim>
   typename SurfaceForces<dim>::Place
   BoundaryPoints<dim>::place(const unsigned int b) const
   {
     AssertIndexRange(b + 1, stencil_start.size());
     typename SurfaceForces<dim>::Place at;
-    const std::size_t                  begin = stencil_start[b];
-    at.displacement                          = displacement(b);
-    at.X = Point<dim>(records.locations[b] - at.displacement);
+    const auto                         payload = records.payload(b);
     for (unsigned int d = 0; d < dim; ++d)
-      at.area[d] = records.payload(b)[area_entry + d];
-    at.F       = F(b);
-    at.n_nodes = stencil_start[b + 1] - begin;
-    at.vertex  = stencil_vertex.data() + begin;
+      {
+        at.displacement[d] = payload[displacement_entry + d];
+        at.area[d]         = payload[area_entry + d];
+        for (unsigned int e = 0; e < dim; ++e)
+          at.F[d][e] = payload[F_entry + d * dim + e];
+      }
+    at.X = Point<dim>(records.locations[b] - at.displacement);
+    const std::size_t begin = stencil_start[b];
+    at.n_nodes              = stencil_start[b + 1] - begin;
+    at.vertex               = stencil_vertex.data() + begin;
     at.shape.assign(stencil_shape.begin() + begin,
                     stencil_shape.begin() + stencil_start[b + 1]);
     at.gradient = stencil_gradient.data() + begin;
     return at;
+  }
+
+
+
+  template <int dim>
+  std::string
+  BoundaryPoints<dim>::save_state() const
+  {
+    std::map<types::particle_index, SavedPoint<dim>> points, all;
+    for (unsigned int b = 0; b < size(); ++b)
+      {
+        const auto payload     = records.payload(b);
+        const auto at          = place(b);
+        points[records.ids[b]] = {records.cells[b],
+                                  records.locations[b],
+                                  {payload.begin(), payload.end()},
+                                  {at.vertex, at.vertex + at.n_nodes},
+                                  at.shape,
+                                  {at.gradient, at.gradient + at.n_nodes}};
+      }
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(grid.communicator(), points))
+      all.insert(of_rank.begin(), of_rank.end());
+    const std::vector<char> state = Utilities::pack(all, false);
+    return std::string(state.begin(), state.end());
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryPoints<dim>::load_state(const std::string &state)
+  {
+    records = PointRecords<dim>(n_entries);
+    clear_stencils();
+    const unsigned int rank =
+      Utilities::MPI::this_mpi_process(grid.communicator());
+    for (const auto &[id, point] :
+         Utilities::unpack<std::map<types::particle_index, SavedPoint<dim>>>(
+           std::vector<char>(state.begin(), state.end()), false))
+      if (grid.geometry().owner(point.cell) == rank)
+        {
+          records.push_back(point.cell,
+                            id,
+                            point.location,
+                            make_array_view(point.payload));
+          stencil_vertex.insert(stencil_vertex.end(),
+                                point.vertex.begin(),
+                                point.vertex.end());
+          stencil_shape.insert(stencil_shape.end(),
+                               point.shape.begin(),
+                               point.shape.end());
+          stencil_gradient.insert(stencil_gradient.end(),
+                                  point.gradient.begin(),
+                                  point.gradient.end());
+          stencil_start.push_back(stencil_vertex.size());
+        }
   }
 
 

@@ -77,23 +77,15 @@ namespace isochor
     void
     touch_vertices(std::vector<unsigned int> &vertices) const;
 
-    /** All points of all ranks as text. Collective. */
+    /** All points of all ranks. Collective. */
     std::string
     save_state() const;
-    /** To be called with the same text on all ranks; leaves each rank its own.
+    /** To be called with the same state on all ranks; leaves each rank its own.
      */
     void
     load_state(const std::string &state);
 
   private:
-    /** Total displacement up to the start of the step. */
-    Tensor<1, dim>
-    displacement(const unsigned int b) const;
-
-    /** F at the start of the step. */
-    Tensor<2, dim>
-    F(const unsigned int b) const;
-
     /** Entries of a point's payload. */
     static constexpr unsigned int surface_entry      = 0;
     static constexpr unsigned int displacement_entry = 1;
