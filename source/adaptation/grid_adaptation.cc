@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/adaptation/carried_motion.h>
 #include <isochor/adaptation/grid_adaptation.h>
 #include <isochor/adaptation/leaf_weights.h>
 #include <isochor/equations/invariants.h>
@@ -204,6 +205,83 @@ namespace isochor
 
 
 
+  namespace
+  {
+    /** Where the @p levels of leaves with points would make more than twice as
+     * many leaves as the @p largest number, let levels increase by less. Leaves
+     * are split as a whole: those that a body takes its finest points to in one
+     * step would become very many. */
+    template <int dim>
+    void
+    limit_number_of_leaves(const std::vector<Leaf<dim>> &leaves,
+                           const std::vector<double>    &n_points,
+                           const double                  largest,
+                           std::vector<unsigned int>    &levels)
+    {
+      AssertDimension(levels.size(), leaves.size());
+      AssertDimension(n_points.size(), leaves.size());
+      // what a change of the grid may make too much, and the next one takes
+      // back
+      constexpr double margin   = 2;
+      const auto       wanted   = levels;
+      const auto       increase = [&](const unsigned int i) {
+        return static_cast<int>(wanted[i]) - static_cast<int>(leaves[i].level);
+      };
+      for (int most = Leaf<dim>::max_level; most > 0; --most)
+        {
+          double number = 0;
+          for (unsigned int i = 0; i < leaves.size(); ++i)
+            if (n_points[i] > 0)
+              {
+                const int by = std::min(increase(i), most);
+                levels[i]    = leaves[i].level + by;
+                number += std::pow(2., dim * by);
+              }
+          if (number <= margin * largest)
+            return;
+        }
+    }
+
+
+
+    /** Give @p n_buffer layers of leaves around those with points the level of
+     * these. */
+    template <int dim>
+    void
+    add_buffer(const BackgroundGrid<dim> &grid,
+               const std::vector<double> &n_points,
+               const unsigned int         n_buffer,
+               std::vector<unsigned int> &levels)
+    {
+      AssertDimension(levels.size(), grid.adaptive_grid().leaves().size());
+      const AdaptiveGrid<dim>    &forest   = grid.adaptive_grid();
+      const SimplexGeometry<dim> &geometry = grid.geometry();
+      std::vector<unsigned int>   around   = levels, at_vertex;
+      for (unsigned int i = 0; i < levels.size(); ++i)
+        if (n_points[i] == 0)
+          around[i] = 0;
+      for (unsigned int layer = 0; layer < n_buffer; ++layer)
+        {
+          at_vertex.assign(geometry.vertices().size(), 0);
+          for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+            for (const unsigned int v : geometry.vertex_indices(cell))
+              at_vertex[v] =
+                std::max(at_vertex[v], around[forest.leaf_of_cell(cell)]);
+          for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+            for (const unsigned int v : geometry.vertex_indices(cell))
+              {
+                unsigned int &level = around[forest.leaf_of_cell(cell)];
+                level               = std::max(level, at_vertex[v]);
+              }
+        }
+      for (unsigned int i = 0; i < levels.size(); ++i)
+        if (n_points[i] == 0)
+          levels[i] = std::max(levels[i], around[i]);
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::vector<unsigned int>
   GridAdaptation<dim>::wanted_levels(const BackgroundGrid<dim> &grid,
@@ -252,73 +330,6 @@ namespace isochor
 
 
   template <int dim>
-  void
-  GridAdaptation<dim>::limit_number_of_leaves(
-    const std::vector<Leaf<dim>> &leaves,
-    const std::vector<double>    &n_points,
-    const double                  largest,
-    std::vector<unsigned int>    &levels)
-  {
-    AssertDimension(levels.size(), leaves.size());
-    AssertDimension(n_points.size(), leaves.size());
-    // what a change of the grid may make too much, and the next one takes back
-    constexpr double margin   = 2;
-    const auto       wanted   = levels;
-    const auto       increase = [&](const unsigned int i) {
-      return static_cast<int>(wanted[i]) - static_cast<int>(leaves[i].level);
-    };
-    for (int most = Leaf<dim>::max_level; most > 0; --most)
-      {
-        double number = 0;
-        for (unsigned int i = 0; i < leaves.size(); ++i)
-          if (n_points[i] > 0)
-            {
-              const int by = std::min(increase(i), most);
-              levels[i]    = leaves[i].level + by;
-              number += std::pow(2., dim * by);
-            }
-        if (number <= margin * largest)
-          return;
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  GridAdaptation<dim>::add_buffer(const BackgroundGrid<dim> &grid,
-                                  const std::vector<double> &n_points,
-                                  std::vector<unsigned int> &levels) const
-  {
-    AssertDimension(levels.size(), grid.adaptive_grid().leaves().size());
-    const AdaptiveGrid<dim>    &forest   = grid.adaptive_grid();
-    const SimplexGeometry<dim> &geometry = grid.geometry();
-    std::vector<unsigned int>   around   = levels, at_vertex;
-    for (unsigned int i = 0; i < levels.size(); ++i)
-      if (n_points[i] == 0)
-        around[i] = 0;
-    for (unsigned int layer = 0; layer < n_buffer; ++layer)
-      {
-        at_vertex.assign(geometry.vertices().size(), 0);
-        for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-          for (const unsigned int v : geometry.vertex_indices(cell))
-            at_vertex[v] =
-              std::max(at_vertex[v], around[forest.leaf_of_cell(cell)]);
-        for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-          for (const unsigned int v : geometry.vertex_indices(cell))
-            {
-              unsigned int &level = around[forest.leaf_of_cell(cell)];
-              level               = std::max(level, at_vertex[v]);
-            }
-      }
-    for (unsigned int i = 0; i < levels.size(); ++i)
-      if (n_points[i] == 0)
-        levels[i] = std::max(levels[i], around[i]);
-  }
-
-
-
-  template <int dim>
   bool
   GridAdaptation<dim>::is_due()
   {
@@ -342,7 +353,7 @@ namespace isochor
     const auto               old    = forest.leaves();
     std::vector<double>      n_points;
     auto levels = wanted_levels(grid, points, time, n_points);
-    add_buffer(grid, n_points, levels);
+    add_buffer(grid, n_points, n_buffer, levels);
 
     const auto         leaves = forest.refine([&](const Leaf<dim> &leaf) {
       if (leaf.level < rule.minimum)
@@ -368,17 +379,51 @@ namespace isochor
     if (!is_refined &&
         !is_out_of_balance(weights, forest, owners, n_ranks, balance))
       return GridChange::none;
-    const Motion motion = motion_in_old_grid(grid, last_motion);
+    const CarriedMotion<dim> motion(grid, last_motion);
 
     points.change_grid(
       locator,
       [&]() { return grid.change(leaves, owners, time); },
       keep_points);
-    set_motion_in_new_grid(motion, grid, last_motion);
+    motion.hand_over(grid, last_motion);
     if (!is_refined)
       return GridChange::owners;
     ++n_changes;
     return GridChange::cells;
+  }
+
+
+
+  template <int dim>
+  void
+  GridAdaptation<dim>::evaluate(const BackgroundGrid<dim> &grid,
+                                const MaterialPoints<dim> &points,
+                                const PointArrays<dim>    &arrays,
+                                Statistics                &statistics)
+  {
+    const AdaptiveGrid<dim> &forest = grid.adaptive_grid();
+    const auto              &leaves = forest.leaves();
+    // all cells of a leaf belong to one rank
+    std::vector<unsigned int> filled;
+    for (unsigned int k = 0; k < arrays.n_occupied_cells; ++k)
+      filled.push_back(forest.leaf_of_cell(arrays.cell[k]));
+    std::sort(filled.begin(), filled.end());
+    const types::global_dof_index n_filled =
+      std::unique(filled.begin(), filled.end()) - filled.begin();
+    const auto [coarsest, finest] =
+      std::minmax_element(leaves.begin(),
+                          leaves.end(),
+                          [](const Leaf<dim> &a, const Leaf<dim> &b) {
+                            return a.level < b.level;
+                          });
+    statistics.set("Cells of grid", grid.geometry().n_cells());
+    statistics.set("Leaves of grid", leaves.size());
+    statistics.set("Leaves with material",
+                   Utilities::MPI::sum(n_filled, grid.communicator()));
+    statistics.set("Coarsest level of grid", coarsest->level);
+    statistics.set("Finest level of grid", finest->level);
+    statistics.set("Changes of grid", n_changes);
+    evaluate_balance(points, grid.communicator(), statistics);
   }
 
 

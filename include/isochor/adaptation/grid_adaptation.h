@@ -136,25 +136,6 @@ namespace isochor
                const PointLocator<dim> &locator);
 
   private:
-    /** The last motion by vertex of an old grid. */
-    struct Motion
-    {
-      std::unique_ptr<const SimplexGeometry<dim>> geometry;
-      std::vector<Leaf<dim>>                      leaves;
-      std::vector<unsigned int>                   first_cells; ///< of leaves
-      unsigned int                                n_components = 0;
-      std::vector<double>                         unknowns;
-      std::vector<unsigned char>                  is_known;
-    };
-
-    static Motion
-    motion_in_old_grid(const BackgroundGrid<dim> &grid,
-                       const LastMotion          &last_motion);
-    static void
-    set_motion_in_new_grid(const Motion              &motion,
-                           const BackgroundGrid<dim> &grid,
-                           LastMotion                &last_motion);
-
     bool
     needs_state() const;
     double
@@ -166,20 +147,6 @@ namespace isochor
                   const MaterialPoints<dim> &points,
                   const double               time,
                   std::vector<double>       &n_points) const;
-    /** Where the @p levels of leaves with points would make more than twice as
-     * many leaves as the @p largest number, let levels increase by less. Leaves
-     * are split as a whole: those that a body takes its finest points to in one
-     * step would become very many. */
-    static void
-    limit_number_of_leaves(const std::vector<Leaf<dim>> &leaves,
-                           const std::vector<double>    &n_points,
-                           const double                  largest,
-                           std::vector<unsigned int>    &levels);
-    /** Give leaves around those with points the level of these. */
-    void
-    add_buffer(const BackgroundGrid<dim> &grid,
-               const std::vector<double> &n_points,
-               std::vector<unsigned int> &levels) const;
 
     std::vector<std::unique_ptr<CellSizeCriterion<dim>>> criteria;
     LevelRule<dim>                                       rule;
