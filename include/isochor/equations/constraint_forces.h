@@ -55,13 +55,6 @@ namespace isochor
       return multipliers[equation];
     }
 
-    /** Those of the constraints. */
-    const std::vector<NodalConstraints::Equation> &
-    all_equations() const
-    {
-      return equations;
-    }
-
     /** Whether a wall or a prescribed displacement acts on this
      * entry. */
     bool

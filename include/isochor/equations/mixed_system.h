@@ -9,7 +9,7 @@
 
 #include <isochor/equations/active_nodes.h>
 #include <isochor/equations/constraint_forces.h>
-#include <isochor/equations/element_nodes.h>
+#include <isochor/equations/equation_layout.h>
 #include <isochor/equations/nodal_constraints.h>
 #include <isochor/equations/tied_elements.h>
 #include <isochor/linear_solver/sparse_system.h>
@@ -19,9 +19,9 @@
 namespace isochor
 {
   /**
-   * The algebraic system of the free unknowns at the active nodes: equation
-   * numbers, sparsity pattern, and for each element where its entries go, so
-   * that assembly is additions at known places. Constrained unknowns have no
+   * The algebraic system of the free unknowns at the active nodes, whose
+   * elements add up at known places (EquationLayout). Constrained unknowns have
+   * no
    * equation; what they contribute goes to the right-hand side. Neither have
    * those that follow others (see NodalConstraints): their rows and columns,
    * and the forces on them, go to the unknowns that they follow.
@@ -122,13 +122,6 @@ namespace isochor
       return tied.followers();
     }
 
-    /** Those of the constraints, with the entries that follow by them. */
-    const std::vector<NodalConstraints::Equation> &
-    constraint_equations() const
-    {
-      return constraint_forces.all_equations();
-    }
-
     /** λ of an equation of the constraints, see ConstraintForces. Valid after
      * finish_assembly() on the rank that owns the pivot. */
     double
@@ -158,7 +151,7 @@ namespace isochor
     is_held(const unsigned int entry) const
     {
       return any_equations ? constraint_forces.is_held(entry) :
-                             equations[entry] == numbers::invalid_unsigned_int;
+                             !layout.has_equation(entry);
     }
 
     /** Make @p vector one over the equations, if it isn't. Collective. */
@@ -184,7 +177,7 @@ namespace isochor
     unsigned int
     equation(const unsigned int entry) const
     {
-      return equations[entry];
+      return layout.equation(entry);
     }
 
     /** Its values are those of the last assembly, empty once a linear solver
@@ -206,57 +199,12 @@ namespace isochor
     NodalField residual;
 
   private:
-    /** Global numbers of equations and local entries of fields, ascending. */
-    using FreeEntries =
-      std::vector<std::pair<types::global_dof_index, unsigned int>>;
-    /** Number what is free, one after the other over the ranks. Collective. */
-    FreeEntries
-    number_free_entries();
-    /** Tell the system what its local equations are. */
-    void
-    describe_equations(const FreeEntries &sorted);
-    /** Nodes in the order of their first equations. */
-    void
-    order_nodes(const FreeEntries &sorted);
-    void
-    collect_neighbours();
-    void
-    build_rows();
-    void
-    find_blocks();
-    /** The same for elements all of whose unknowns are free, @p nc at a node.
-     */
-    template <unsigned int nc>
-    void
-    add_free_element(const unsigned int  e,
-                     const unsigned int *node,
-                     const unsigned int  n_nodes,
-                     const double       *matrix);
-    /** Add what two nodes share, by its strides in the element's matrix. */
-    void
-    add_block(const unsigned int row_node,
-              const unsigned int column_node,
-              const unsigned int offset,
-              const double      *block,
-              const unsigned int row_stride,
-              const unsigned int column_stride);
     /** Add the columns of what is @p pending. */
     void
     add_lifting(const unsigned int *const node,
                 const unsigned int        n_nodes,
                 const double *const       matrix,
                 const NodalField         &pending);
-    /** The elements with all nodes that their entries go to. */
-    const ElementNodes &
-    all_elements() const
-    {
-      return tied.empty() ? elements : tied.extended();
-    }
-    unsigned int
-    n_free(const unsigned int node) const
-    {
-      return node_first_free[node + 1] - node_first_free[node];
-    }
 
     const ActiveNodes<dim>    &nodes;
     unsigned int               n_components = 0;
@@ -267,26 +215,9 @@ namespace isochor
     /** On any rank. */
     bool any_followers = false, any_equations = false;
 
-    SparseSystem              system;
-    std::vector<unsigned int> equations;
-    /** Prefix sums over nodes of the number of their free unknowns. */
-    std::vector<unsigned int> node_first_free;
-
-    /** Nodes with free unknowns in the order of their equations, and the
-     * neighbours of each in that order with the offset of their columns. */
-    std::vector<unsigned int> node_order, nodes_in_order;
-    std::vector<std::size_t>  neighbour_start;
-    std::vector<unsigned int> neighbour, neighbour_offset;
-
-    /** For each pair of an element's nodes (of a symmetric matrix once, the
-     * node first whose equations are) where in a row of the first one the
-     * columns of the second begin, counted as if the row began with those of
-     * its first neighbour: of a symmetric matrix, the node itself. */
-    std::vector<std::size_t>   block_start;
-    std::vector<unsigned int>  block_offset;
-    std::vector<unsigned char> element_is_constrained;
-
-    NodalField lifting;
+    SparseSystem        system;
+    EquationLayout<dim> layout;
+    NodalField          lifting;
     /** If there are equations between unknowns. */
     NodalField reactions;
   };
