@@ -5,14 +5,13 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
-#include <isochor/base/rounding.h>
 #include <isochor/equations/constraint_conflicts.h>
 #include <isochor/equations/invariants.h>
 #include <isochor/equations/pressure_mapping.h>
 #include <isochor/step/equilibrium.h>
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace isochor
 {
@@ -25,6 +24,7 @@ namespace isochor
     , terminal(terminal)
     , body(scene.grid, setup.point_arrays())
     , system(setup.active_nodes())
+    , residual(scene, setup, constraints, system)
     , linear_step(system, terminal.timer())
   {}
 
@@ -54,9 +54,9 @@ namespace isochor
   void
   Equilibrium<dim>::initialize()
   {
-    terms = {&body, &scene.inertia};
+    residual.terms = {&body, &scene.inertia};
     for (auto &condition : scene.boundary_conditions)
-      terms.push_back(condition.get());
+      residual.terms.push_back(condition.get());
   }
 
 
@@ -65,15 +65,13 @@ namespace isochor
   void
   Equilibrium<dim>::start_step()
   {
-    Assert(!terms.empty(), ExcMessage("initialize() comes first."));
+    Assert(!residual.terms.empty(), ExcMessage("initialize() comes first."));
     Assert(is_same_on_all_ranks(scene.time.step, scene.grid.communicator()),
            ExcMessage("Ranks are in different steps."));
     const ActiveNodes<dim> &nodes        = setup.active_nodes();
     const unsigned int      n_components = scene.n_components;
-    for (NodalField *field :
-         {&unknowns, &pending, &external_force, &boundary_force})
-      nodes.initialize(*field, n_components);
-    pending.set_ghost_state(true); // ranks write all that they hold themselves
+    nodes.initialize(unknowns, n_components);
+    residual.start_step();
     linear_step.start_step(nodes, n_components);
     at_start = true;
     set_initial_pressure();
@@ -85,11 +83,11 @@ namespace isochor
                              scene.boundary_conditions,
                              scene.points,
                              carries_acceleration());
-    setup.collect_elements(terms);
-    set_external_force();
+    setup.collect_elements(residual.terms);
+    residual.set_loads();
     start_conditions(setup.nodes_have_changed());
     set_weight();
-    compute_residual_floor();
+    residual.compute_floor();
   }
 
 
@@ -165,60 +163,9 @@ namespace isochor
          ++i)
       if (i % scene.n_components < dim)
         unknowns.local_element(i) = 0.;
-    set_external_force();
+    residual.set_loads();
     start_conditions(false);
   }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::set_external_force()
-  {
-    Assert(invariants::fits(external_force,
-                            setup.active_nodes(),
-                            scene.n_components),
-           ExcOtherNodes());
-    external_force = 0.;
-    external_force.zero_out_ghost_values();
-    for (const auto &condition : scene.boundary_conditions)
-      condition->add_external_force(setup.context(), external_force);
-    external_force.compress(VectorOperation::add);
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::compute_residual_floor()
-  {
-    // strains carry rounding errors of some 1e-15: residuals of ten times that
-    // are zero
-    const ActiveNodes<dim> &nodes        = setup.active_nodes();
-    const unsigned int      n_components = scene.n_components;
-    const MPI_Comm          comm         = scene.grid.communicator();
-    NodalField              unit;
-    nodes.initialize(unit, n_components);
-    const auto sums = [&]() {
-      unit.compress(VectorOperation::add);
-      double force = 0, volume = 0;
-      for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
-        (i % n_components == dim ? volume : force) +=
-          unit.local_element(i) * unit.local_element(i);
-      return std::make_pair(Utilities::MPI::sum(force, comm),
-                            Utilities::MPI::sum(volume, comm));
-    };
-    body.add_unit_residual(setup.context(), unit);
-    strain_floor = rounding::numbers * std::sqrt(sums().first);
-    unit.zero_out_ghost_values();
-    for (const EquationTerm<dim> *term : terms)
-      if (term != &body)
-        term->add_unit_residual(setup.context(), unit);
-    const auto [force, volume] = sums();
-    force_floor                = rounding::numbers * std::sqrt(force);
-    volume_floor               = rounding::numbers * std::sqrt(volume);
-  }
-
 
 
   template <int dim>
@@ -328,10 +275,13 @@ namespace isochor
     bool may_reuse = last_try_converged;
     problem.solve  = [this, &may_reuse](const bool              factorise,
                                        const SolutionAccuracy &accuracy) {
-      may_reuse = may_reuse || factorise;
-      const unsigned int n =
-        linear_step.solve(unknowns, constraints, pending, factorise, accuracy);
-      WorkTally &work = terminal.work();
+      may_reuse               = may_reuse || factorise;
+      const unsigned int n    = linear_step.solve(unknowns,
+                                               constraints,
+                                               residual.pending_increments(),
+                                               factorise,
+                                               accuracy);
+      WorkTally         &work = terminal.work();
       work.count("factorisations", factorise);
       work.count("analyses of the matrix",
                  factorise && linear_step.report().analysed);
@@ -359,6 +309,136 @@ namespace isochor
   {
     at_start = true;
     assemble(true);
+  }
+
+
+
+  template <int dim>
+  bool
+  Equilibrium<dim>::carries_acceleration() const
+  {
+    if (!scene.inertia.is_from_stresses() || scene.time.step == 0)
+      return true;
+    return setup.was_disturbed() && steps_over_waves(setup.context());
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  Equilibrium<dim>::try_step(const typename InertiaTerm<dim>::TrialStep &trial)
+  {
+    Assert(scene.has_inertia(),
+           ExcMessage("Only dynamics start with trial steps."));
+    InertiaTerm<dim>      &inertia    = scene.inertia;
+    const StepContext<dim> step       = setup.context();
+    const auto            &conditions = scene.boundary_conditions;
+    inertia.start_trial(step, trial, conditions);
+    start_again();
+    at_start            = true;
+    NewtonReport report = trial.size < 0 ? find_root() : solve_from_start();
+    if (report.converged && trial.size > 0 && !trial.is_past)
+      settle_weight(report);
+    if (report.converged)
+      inertia.finish_trial(setup.context(), unknowns, setup.point_arrays());
+    inertia.end_trial(step, conditions);
+    return report;
+  }
+
+
+
+  template <int dim>
+  NewtonReport
+  Equilibrium<dim>::find_initial_acceleration()
+  {
+    NewtonReport        report;
+    const LoadStepping &time = scene.time;
+    report.converged         = true;
+    terminal.work().count("searches for an acceleration",
+                          scene.has_inertia() && time.starts_anew);
+    if (!scene.has_inertia() || !time.starts_anew)
+      return report;
+    // a trial errs by O(h); two, one of them back in time, by O(h²)
+    using TrialStep = typename InertiaTerm<dim>::TrialStep;
+    const double h  = time.next_time() - time.time;
+    const bool   moves =
+      time.step > 0 || scene.motion_starts.any_moves(scene.grid, 0., h);
+    std::vector<TrialStep> trials = {{h, false, h, moves},
+                                     {-h, false, h, moves}};
+    if (time.step > 0)
+      trials.insert(trials.begin(),
+                    {{h, true, time.last_size, moves},
+                     {-h, true, time.last_size, moves}});
+    for (const TrialStep &trial : trials)
+      if (report.converged)
+        report = try_step(trial);
+    if (!report.converged)
+      return report;
+    scene.inertia.start_step(setup.context(),
+                             scene.boundary_conditions,
+                             scene.points,
+                             carries_acceleration());
+    start_again();
+    set_weight();
+    return report;
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::settle_weight(NewtonReport &report)
+  {
+    constexpr unsigned int max_repetitions = 3;
+    for (unsigned int n = 0; n < max_repetitions && report.converged; ++n)
+      {
+        const Tensor<1, dim> before = scene.kernel.hydrostatic_acceleration;
+        set_weight();
+        if (scene.kernel.hydrostatic_acceleration == before)
+          return;
+        report.continue_with(find_root());
+      }
+  }
+
+
+
+  template <int dim>
+  long
+  Equilibrium<dim>::n_unstable_modes(const bool is_old)
+  {
+    const long supposed = linear_step.n_unstable_modes();
+    if (supposed < 0 || (supposed == 0 && !is_old))
+      return supposed;
+    assemble(true);
+    try
+      {
+        linear_step.factorise();
+      }
+    catch (const ExcLinearSolverFailed &)
+      {
+        return -1;
+      }
+    terminal.work().count("factorisations", true);
+    return linear_step.n_unstable_modes();
+  }
+
+
+
+  template <int dim>
+  ResidualNorms
+  Equilibrium<dim>::assemble(const bool with_matrix)
+  {
+    TimerOutput::Scope  scope(terminal.timer(), "assembly");
+    const ResidualNorms norms =
+      residual.assemble(unknowns, with_matrix, at_start);
+    terminal.work().count("assemblies of the matrix", with_matrix);
+    if (with_matrix && look_at_matrix)
+      {
+        const auto look = std::exchange(look_at_matrix, nullptr);
+        if (scene.time.step == 0) // resumed: said when it started
+          look(setup.context(), system.matrix());
+      }
+    return norms;
   }
 
 

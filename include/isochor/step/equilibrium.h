@@ -8,9 +8,9 @@
 #include <isochor/base/terminal.h>
 #include <isochor/equations/body_term.h>
 #include <isochor/nonlinear_solver/newton_solver.h>
+#include <isochor/step/left_out_weight.h>
 #include <isochor/step/linear_step.h>
-#include <isochor/step/load_change.h>
-#include <isochor/step/step_setup.h>
+#include <isochor/step/residual.h>
 #include <isochor/transfer/last_motion.h>
 
 #include <functional>
@@ -53,7 +53,7 @@ namespace isochor
     const std::vector<EquationTerm<dim> *> &
     equation_terms() const
     {
-      return terms;
+      return residual.terms;
     }
 
     /** The points are set up for the step: map what they know to the nodes, and
@@ -108,12 +108,15 @@ namespace isochor
     bool
     has_dead_loads() const
     {
-      return external_force.l2_norm() > 0;
+      return residual.has_dead_loads();
     }
     /** How the loads change in the step, against how they change in @p other,
      * both on the body as it is at the start of the step. Collective. */
     LoadChange
-    change_of_loads(const TimeInterval &other) const;
+    change_of_loads(const TimeInterval &other) const
+    {
+      return residual.change_of_loads(other);
+    }
     const NodalField &
     nodal_unknowns() const
     {
@@ -155,18 +158,10 @@ namespace isochor
     void
     start_again();
     void
-    compute_residual_floor();
-    void
-    set_external_force();
-    /** What the stabilisation takes for the body's weight: gravity at the end
-     * of the step; with inertia only if the body is_supported(). */
-    void
-    set_weight();
-    /** Whether a condition that holds now holds the body up against @p gravity:
-     * prescribed components, walls that it touches, surfaces
-     * with a prescribed component or a load. Collective. */
-    bool
-    is_supported(const Tensor<1, dim> &gravity) const;
+    set_weight()
+    {
+      weight.set(scene, setup, constraints, last_motion.bodies_were_apart);
+    }
     /** Whether the step starts with the acceleration that the points carry: the
      * first one, and where stresses made on another grid would excite what the
      * step does not resolve. Collective. */
@@ -197,49 +192,27 @@ namespace isochor
     find_root(const bool has_other_start = false);
     ResidualNorms
     assemble(const bool with_matrix);
-    /** Find what of the prescribed increments is still to come; whether there
-     * is anything on this rank. */
-    bool
-    update_pending();
-    /** Whether a boundary condition sets this rank's part of the body in
-     * motion; collects the forces of all of them. */
-    bool
-    update_boundary_force(const StepContext<dim> &step);
-    EvaluationStatus
-    assemble_terms(const StepContext<dim> &step, const bool with_matrix);
-    /** Sums over all ranks. */
-    ResidualNorms
-    measure_residual(const EvaluationStatus status,
-                     const bool             anything_pending) const;
 
     Scene<dim>     &scene;
     StepSetup<dim> &setup;
     Terminal       &terminal;
 
-    BodyTerm<dim>                    body;
-    std::vector<EquationTerm<dim> *> terms;
-    MixedSystem<dim>                 system;
-    NodalConstraints                 constraints;
-    LinearStep<dim>                  linear_step;
-    NewtonSolver                     newton_solver;
-    LastMotion                       last_motion;
+    BodyTerm<dim>      body;
+    MixedSystem<dim>   system;
+    NodalConstraints   constraints;
+    Residual<dim>      residual;
+    LeftOutWeight<dim> weight;
+    LinearStep<dim>    linear_step;
+    NewtonSolver       newton_solver;
+    LastMotion         last_motion;
 
-    NodalField unknowns, pending;
-    NodalField external_force;
-    /** Forces of the boundary conditions that are terms of the equations. */
-    NodalField boundary_force;
+    NodalField unknowns;
     /** Whether the iterate is where the step starts. */
-    bool   at_start           = true;
-    bool   last_try_converged = true;
-    double force_floor = 0, volume_floor = 0;
-    /** The part of the former that comes from strains. */
-    double strain_floor = 0;
+    bool at_start           = true;
+    bool last_try_converged = true;
     /** See look_at_first_matrix(); empty after that. */
     std::function<void(const StepContext<dim> &, const SparseSystem &)>
       look_at_matrix;
-    /** How many bodies apart from each other the active nodes form (0: not
-     * counted yet). */
-    unsigned int n_parts = 0;
   };
 } // namespace isochor
 

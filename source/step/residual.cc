@@ -2,50 +2,111 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-// The members of Equilibrium that assemble and measure the residual.
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/rounding.h>
 #include <isochor/equations/invariants.h>
-#include <isochor/step/equilibrium.h>
+#include <isochor/step/residual.h>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace isochor
 {
   template <int dim>
+  Residual<dim>::Residual(const Scene<dim>       &scene,
+                          const StepSetup<dim>   &setup,
+                          const NodalConstraints &constraints,
+                          MixedSystem<dim>       &system)
+    : scene(scene)
+    , setup(setup)
+    , constraints(constraints)
+    , system(system)
+  {}
+
+
+
+  template <int dim>
+  void
+  Residual<dim>::start_step()
+  {
+    for (NodalField *field : {&pending, &external_force, &boundary_force})
+      setup.active_nodes().initialize(*field, scene.n_components);
+    // ranks write all that they hold themselves
+    pending.set_ghost_state(true);
+  }
+
+
+
+  template <int dim>
+  void
+  Residual<dim>::set_loads()
+  {
+    external_force = 0.;
+    external_force.zero_out_ghost_values();
+    for (const auto &condition : scene.boundary_conditions)
+      condition->add_external_force(setup.context(), external_force);
+    external_force.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  Residual<dim>::compute_floor()
+  {
+    // strains carry rounding errors of some 1e-15: residuals of ten times that
+    // are zero
+    const ActiveNodes<dim> &nodes        = setup.active_nodes();
+    const unsigned int      n_components = scene.n_components;
+    const MPI_Comm          comm         = scene.grid.communicator();
+    NodalField              unit;
+    nodes.initialize(unit, n_components);
+    const auto sums = [&]() {
+      unit.compress(VectorOperation::add);
+      double force = 0, volume = 0;
+      for (unsigned int i = 0; i < nodes.n_owned() * n_components; ++i)
+        (i % n_components == dim ? volume : force) +=
+          unit.local_element(i) * unit.local_element(i);
+      return std::make_pair(Utilities::MPI::sum(force, comm),
+                            Utilities::MPI::sum(volume, comm));
+    };
+    terms.front()->add_unit_residual(setup.context(), unit); // the body
+    strain_floor = rounding::numbers * std::sqrt(sums().first);
+    unit.zero_out_ghost_values();
+    for (const EquationTerm<dim> *term : terms)
+      if (term != terms.front())
+        term->add_unit_residual(setup.context(), unit);
+    const auto [force, volume] = sums();
+    force_floor                = rounding::numbers * std::sqrt(force);
+    volume_floor               = rounding::numbers * std::sqrt(volume);
+  }
+
+
+
+  template <int dim>
   ResidualNorms
-  Equilibrium<dim>::assemble(const bool with_matrix)
+  Residual<dim>::assemble(const NodalField &unknowns,
+                          const bool        with_matrix,
+                          const bool        at_start)
   {
     Assert(is_same_on_all_ranks(with_matrix, scene.grid.communicator()),
            ExcMessage("Ranks assemble different things."));
     Assert(invariants::fits(unknowns, setup.active_nodes(), scene.n_components),
            ExcOtherNodes());
-    TimerOutput::Scope     scope(terminal.timer(), "assembly");
     const StepContext<dim> step       = setup.context();
-    const bool             is_pending = update_pending();
-    const bool             is_dragged = update_boundary_force(step);
-    const EvaluationStatus status     = assemble_terms(step, with_matrix);
-    const ResidualNorms    norms =
-      measure_residual(status, is_pending || is_dragged);
-    terminal.work().count("assemblies of the matrix", with_matrix);
-    if (with_matrix && look_at_matrix)
-      {
-        const auto look = std::exchange(look_at_matrix, nullptr);
-        if (scene.time.step == 0) // resumed: said when it started
-          look(step, system.matrix());
-      }
-    return norms;
+    const bool             is_pending = update_pending(unknowns);
+    const bool is_dragged = update_boundary_force(step, unknowns, at_start);
+    const EvaluationStatus status = assemble_terms(step, unknowns, with_matrix);
+    return measure(status, is_pending || is_dragged);
   }
 
 
 
   template <int dim>
   bool
-  Equilibrium<dim>::update_pending()
+  Residual<dim>::update_pending(const NodalField &unknowns)
   {
     AssertDimension(constraints.increment.size(),
                     constraints.constrained.size());
@@ -89,7 +150,9 @@ namespace isochor
 
   template <int dim>
   bool
-  Equilibrium<dim>::update_boundary_force(const StepContext<dim> &step)
+  Residual<dim>::update_boundary_force(const StepContext<dim> &step,
+                                       const NodalField       &unknowns,
+                                       const bool              at_start)
   {
     bool is_dragged = false;
     boundary_force  = 0.;
@@ -109,7 +172,7 @@ namespace isochor
 
   template <int dim>
   LoadChange
-  Equilibrium<dim>::change_of_loads(const TimeInterval &other) const
+  Residual<dim>::change_of_loads(const TimeInterval &other) const
   {
     const auto loads_at = [&](const double time) {
       StepContext<dim> step = setup.context();
@@ -152,31 +215,10 @@ namespace isochor
 
 
   template <int dim>
-  long
-  Equilibrium<dim>::n_unstable_modes(const bool is_old)
-  {
-    const long supposed = linear_step.n_unstable_modes();
-    if (supposed < 0 || (supposed == 0 && !is_old))
-      return supposed;
-    assemble(true);
-    try
-      {
-        linear_step.factorise();
-      }
-    catch (const ExcLinearSolverFailed &)
-      {
-        return -1;
-      }
-    terminal.work().count("factorisations", true);
-    return linear_step.n_unstable_modes();
-  }
-
-
-
-  template <int dim>
   EvaluationStatus
-  Equilibrium<dim>::assemble_terms(const StepContext<dim> &step,
-                                   const bool              with_matrix)
+  Residual<dim>::assemble_terms(const StepContext<dim> &step,
+                                const NodalField       &unknowns,
+                                const bool              with_matrix)
   {
     Assert(!terms.empty(), ExcMessage("initialize() comes first."));
     system.start_assembly(with_matrix);
@@ -197,8 +239,8 @@ namespace isochor
 
   template <int dim>
   ResidualNorms
-  Equilibrium<dim>::measure_residual(const EvaluationStatus status,
-                                     const bool anything_pending) const
+  Residual<dim>::measure(const EvaluationStatus status,
+                         const bool             anything_pending) const
   {
     const MPI_Comm        comm         = scene.grid.communicator();
     const unsigned int    n_components = scene.n_components;
@@ -238,16 +280,6 @@ namespace isochor
 
 
 
-  template ResidualNorms
-  Equilibrium<2>::assemble(const bool);
-  template long
-  Equilibrium<2>::n_unstable_modes(const bool);
-  template LoadChange
-  Equilibrium<2>::change_of_loads(const TimeInterval &) const;
-  template ResidualNorms
-  Equilibrium<3>::assemble(const bool);
-  template long
-  Equilibrium<3>::n_unstable_modes(const bool);
-  template LoadChange
-  Equilibrium<3>::change_of_loads(const TimeInterval &) const;
+  template class Residual<2>;
+  template class Residual<3>;
 } // namespace isochor
