@@ -434,6 +434,65 @@ namespace isochor
 
 
 
+  template <int dim>
+  void
+  InertiaTerm<dim>::start_trial(
+    const StepContext<dim>                                     &step,
+    const TrialStep                                            &trial_step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
+  {
+    Assert(is_active(), ExcMessage("There is no inertia."));
+    if (trial_step.size > 0) // the first of two
+      prescribed = false;
+    trial                   = trial_step;
+    StepContext<dim> motion = step;
+    motion.time             = end_of_motion(step);
+    for (auto *const condition : with_role<ActsByAssembly<dim>>(conditions))
+      condition->set_trial(motion, trial.size, smooth_start(step.step_size()));
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::end_trial(
+    const StepContext<dim>                                     &step,
+    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
+  {
+    trial = {};
+    for (auto *const condition : with_role<ActsByAssembly<dim>>(conditions))
+      condition->set_trial(step, 0., {});
+  }
+
+
+
+  template <int dim>
+  void
+  InertiaTerm<dim>::finish_trial(const StepContext<dim> &step,
+                                 const NodalField       &unknowns,
+                                 PointArrays<dim>       &points)
+  {
+    Assert(is_active(), ExcMessage("There is no inertia."));
+    starts_with_impulse = trial.with_velocity;
+    const double sign   = trial.is_past ? -1 : 1;
+    finish_step(step, unknowns);
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const Tensor<1, dim> a =
+            point(step,
+                  points.stencil(step.grid.geometry(), k, q),
+                  points.velocity[q])
+              .second;
+          points.acceleration[q] += sign / 2 * a;
+          if (trial.with_velocity)
+            points.velocity[q] += sign * trial.size / 4 * a;
+        }
+  }
+
+
+
   template class InertiaTerm<2>;
   template class InertiaTerm<3>;
 } // namespace isochor

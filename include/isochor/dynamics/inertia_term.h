@@ -95,12 +95,6 @@ namespace isochor
       return worst_projection;
     }
 
-    /** Whether shear waves cross more than half of the smallest extent of each
-     * body within @p step: their vibrations are not resolved then. Collective.
-     */
-    bool
-    steps_over_waves(const StepContext<dim> &step) const;
-
     /** Nodes are held anew by @p constraints, in a way that has @p changed or
      * not; the step ends at @p end. Do what follows from that. Collective. */
     void
@@ -384,6 +378,14 @@ namespace isochor
       NodalField                acceleration; ///< of the equation of motion
     } element;
   };
+
+
+
+  /** Whether shear waves cross more than half of the smallest extent of each
+   * body within @p step: their vibrations are not resolved then. Collective. */
+  template <int dim>
+  bool
+  steps_over_waves(const StepContext<dim> &step);
 } // namespace isochor
 
 #endif
