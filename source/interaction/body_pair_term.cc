@@ -84,7 +84,7 @@ namespace isochor
            BodySurface<dim>::key(surface.faces().front());)
       ++first_own;
     find_elements();
-    for (const PairElement &element : elements)
+    for (const Element &element : elements)
       vertices.insert(vertices.end(),
                       element.vertices.begin(),
                       element.vertices.end());
@@ -94,7 +94,7 @@ namespace isochor
 
   template <int dim>
   bool
-  BodyPairTerm<dim>::find_tie(const Point<dim> &X, PairElement &element) const
+  BodyPairTerm<dim>::find_tie(const Point<dim> &X, Element &element) const
   {
     // meshes of bodies are rounded to some digits in their files
     constexpr double     close = 1e-4;
@@ -141,7 +141,7 @@ namespace isochor
     std::vector<Entry> near;
     const auto         find = [&](const auto       &tree,
                           const Point<dim> &x,
-                          PairElement      &element,
+                          Element          &element,
                           const auto       &may_act) {
       near.clear();
       tree.query(bgi::intersects(x), std::back_inserter(near));
@@ -165,7 +165,7 @@ namespace isochor
     if (!knows_tied_pairs)
       for (unsigned int i = 0; i < copies.size(); ++i)
         {
-          PairElement element;
+          Element element;
           element.own        = i;
           const Point<dim> X = copies[i].centre();
           if (find(tree_at_start, X, element, acts) && find_tie(X, element))
@@ -183,7 +183,7 @@ namespace isochor
     for (unsigned int f = 0; f < surface.faces().size(); ++f)
       for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
         {
-          PairElement element;
+          Element element;
           element.own              = first_own + f;
           element.gauss_point      = g;
           const auto       weights = BodySurface<dim>::coordinates(g);
@@ -203,7 +203,7 @@ namespace isochor
 
   template <int dim>
   void
-  BodyPairTerm<dim>::number_nodes(PairElement &element) const
+  BodyPairTerm<dim>::number_nodes(Element &element) const
   {
     element.vertices = copies[element.own].vertex;
     for (const unsigned int i : element.others)
@@ -230,7 +230,7 @@ namespace isochor
                                       ElementNodes           &all)
   {
     std::vector<unsigned int> nodes;
-    for (const PairElement &element : elements)
+    for (const Element &element : elements)
       {
         nodes.clear();
         for (const unsigned int vertex : element.vertices)
@@ -256,9 +256,9 @@ namespace isochor
                                   numbers::invalid_unsigned_int;
                          });
     };
-    std::vector<PairElement> found;
+    std::vector<Element> found;
     found.swap(elements);
-    for (PairElement &element : found)
+    for (Element &element : found)
       {
         std::vector<unsigned int> others;
         std::copy_if(element.others.begin(),
@@ -288,7 +288,7 @@ namespace isochor
       copies = copy_faces(*grid, *points, surface);
     for (FaceCopy<dim> &copy : copies)
       start_step(step, copy);
-    for (PairElement &element : elements)
+    for (Element &element : elements)
       element.has_start = false;
   }
 
@@ -300,12 +300,11 @@ namespace isochor
                                 const NodalField       &unknowns,
                                 const NodalField & /*forces*/)
   {
-    InteractionKernel<dim> kernel;
-    Action                 action;
-    for (PairElement &element : elements)
+    BodyPairKernel<dim> kernel = kernel_at(start, unknowns);
+    for (Element &element : elements)
       {
-        evaluate_element(start, unknowns, element, false, kernel, action);
-        element.start     = action.end;
+        kernel.evaluate(element, false);
+        element.start     = kernel.action().end;
         element.has_start = true;
       }
   }
@@ -313,70 +312,27 @@ namespace isochor
 
 
   template <int dim>
-  Tensor<1, dim>
-  BodyPairTerm<dim>::increment_at(const StepContext<dim> &step,
-                                  const NodalField       &unknowns,
-                                  const FaceCopy<dim>    &copy,
-                                  const Tensor<1, dim>   &r) const
+  EvaluationStatus
+  BodyPairTerm<dim>::assemble(const StepContext<dim> &step,
+                              const NodalField       &unknowns,
+                              const NodalField       &pending,
+                              const unsigned int      first_element,
+                              const bool              with_matrix,
+                              MixedSystem<dim>       &system)
   {
-    const NodalUnknowns<dim> nodal(step, unknowns);
-    Tensor<1, dim>           increment;
-    for (unsigned int I = 0; I < copy.vertex.size(); ++I)
-      increment += copy.shape_at(I, r) * nodal.increment(copy.vertex[I]);
-    return increment;
-  }
-
-
-
-  template <int dim>
-  typename BodyPairTerm<dim>::Meeting
-  BodyPairTerm<dim>::find_meeting(const StepContext<dim> &step,
-                                  const NodalField       &unknowns,
-                                  const PairElement      &element,
-                                  const Point<dim>       &x) const
-  {
-    Meeting nearest;
-    for (unsigned int i = 0; i < element.others.size(); ++i)
+    BodyPairKernel<dim> kernel = kernel_at(step, unknowns);
+    for (unsigned int e = 0; e < elements.size(); ++e)
       {
-        const FaceCopy<dim>        &other = copies[element.others[i]];
-        std::array<Point<dim>, dim> corners;
-        for (unsigned int c = 0; c < dim; ++c)
-          corners[c] =
-            other.x[c] + increment_at(step, unknowns, other, other.r[c]);
-        auto projection = std::make_unique<FaceProjection<dim>>(x, corners);
-        if (nearest.projection)
-          {
-            // of faces that meet at the nearest place the one is the surface
-            // there that x is farther out of
-            const double d     = projection->distance_square,
-                         least = nearest.projection->distance_square;
-            const bool is_same =
-              std::abs(d - least) <= rounding::accumulated * least;
-            if (is_same ? projection->distance <= nearest.projection->distance :
-                          d > least)
-              continue;
-          }
-        nearest.place      = i;
-        nearest.corners    = corners;
-        nearest.projection = std::move(projection);
+        const EvaluationStatus status =
+          kernel.evaluate(elements[e], with_matrix);
+        if (status != EvaluationStatus::success)
+          return status;
+        system.add_element(first_element + e,
+                           kernel.sums().residual.data(),
+                           with_matrix ? kernel.sums().matrix.data() : nullptr,
+                           pending);
       }
-    if (!nearest.projection || element.is_tied)
-      return nearest;
-    const FaceCopy<dim> &own   = copies[element.own],
-                        &other = copies[element.others[nearest.place]];
-    // what slides in the step leaves the faces that the element has, not the
-    // body
-    const auto slid = [&]() {
-      const Tensor<1, dim> none;
-      return (increment_at(step, unknowns, own, none) -
-              increment_at(step, unknowns, other, none))
-        .norm();
-    };
-    const double beyond = nearest.projection->distance_beyond();
-    if (facing(own.normal_now, other.normal_now) == 0 ||
-        (beyond > reach && beyond > reach + slid()))
-      nearest.projection.reset();
-    return nearest;
+    return EvaluationStatus::success;
   }
 
 
@@ -386,7 +342,7 @@ namespace isochor
   BodyPairTerm<dim>::add_unit_residual(const StepContext<dim> &step,
                                        NodalField             &scale) const
   {
-    for (const PairElement &element : elements)
+    for (const Element &element : elements)
       {
         const FaceCopy<dim> &own   = copies[element.own],
                             &other = copies[element.others.front()];
@@ -414,19 +370,17 @@ namespace isochor
                                         const NodalField       &unknowns,
                                         NodalField             &force) const
   {
-    InteractionKernel<dim> kernel;
-    Action                 action;
-    for (const PairElement &element : elements)
+    BodyPairKernel<dim> kernel = kernel_at(step, unknowns);
+    for (const Element &element : elements)
       {
         // what can't be evaluated stops assemble(), too
-        if (evaluate_element(step, unknowns, element, false, kernel, action) !=
-            EvaluationStatus::success)
+        if (kernel.evaluate(element, false) != EvaluationStatus::success)
           return;
         for (unsigned int I = 0; I < element.vertices.size(); ++I)
           for (unsigned int a = 0; a < dim; ++a)
             force.local_element(
               step.nodes.node(element.vertices[I]) * step.n_components + a) -=
-              kernel.residual[I * step.n_components + a];
+              kernel.sums().residual[I * step.n_components + a];
       }
   }
 
@@ -444,13 +398,13 @@ namespace isochor
     if (grid->n_layers() == 1)
       return;
     // by pair of bodies, on the first of them
-    std::vector<double>    forces(n_bodies * n_bodies * dim);
-    InteractionKernel<dim> kernel;
+    std::vector<double> forces(n_bodies * n_bodies * dim);
+    BodyPairKernel<dim> kernel = kernel_at(step, unknowns);
     slips.start_noting();
-    for (const PairElement &element : elements)
+    for (const Element &element : elements)
       {
-        Action action;
-        evaluate_element(step, unknowns, element, false, kernel, action);
+        kernel.evaluate(element, false);
+        const auto &action = kernel.action();
         if (!action.meets)
           continue;
         const FaceCopy<dim> &own  = copies[element.own];
@@ -482,12 +436,12 @@ namespace isochor
     if (grid->n_layers() == 1)
       return;
     slips.accept();
-    double largest = 0;
+    const NodalUnknowns<dim> nodal(step, unknowns);
+    double                   largest = 0;
     for (unsigned int f = 0; f < surface.faces().size(); ++f)
       largest = std::max(
         largest,
-        increment_at(step, unknowns, copies[first_own + f], Tensor<1, dim>())
-          .norm());
+        increment_at(nodal, copies[first_own + f], Tensor<1, dim>()).norm());
     largest_increment = Utilities::MPI::max(largest, step.grid.communicator());
     way_since_reset += 2 * largest_increment;
   }

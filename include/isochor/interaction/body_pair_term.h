@@ -6,10 +6,7 @@
 #define isochor_body_pair_term_h
 
 #include <isochor/boundary_condition/boundary_condition.h>
-#include <isochor/interaction/face_copies.h>
-#include <isochor/interaction/face_projection.h>
-#include <isochor/interaction/pair_laws.h>
-#include <isochor/interaction/slip_memory.h>
+#include <isochor/interaction/body_pair_kernel.h>
 
 #include <memory>
 #include <set>
@@ -109,41 +106,7 @@ namespace isochor
     }
 
   private:
-    /** A Gauss point and the faces that it may meet. */
-    struct PairElement
-    {
-      unsigned int              own; ///< its face, number of the copy
-      unsigned int              gauss_point;
-      std::vector<unsigned int> others; ///< numbers of copies
-      /** Tied to the only one of the others, at these coordinates of it. */
-      bool               is_tied = false;
-      Tensor<1, dim - 1> tied_at;
-      StartOfStep<dim>   start;
-      bool               has_start = false; ///< whether that is known
-      /** By vertex of the element; and of each of the others, which of them its
-       * vertices are. */
-      std::vector<unsigned int>              vertices;
-      std::vector<std::vector<unsigned int>> of_other;
-    };
-
-    /** What acts at a Gauss point, at the iterate. */
-    struct Action
-    {
-      unsigned int other = 0; ///< number of the copy
-      /** On the body of the Gauss point (N), the mean over the step. */
-      Tensor<1, dim>   force;
-      Tensor<1, dim>   slip;          ///< to be remembered (m)
-      bool             meets = false; ///< whether there is another face
-      StartOfStep<dim> end;           ///< InteractionKernel::at_end()
-    };
-
-    /** The face of a pair that acts, and where on it the Gauss point is. */
-    struct Meeting
-    {
-      unsigned int                         place; ///< among PairElement::others
-      std::array<Point<dim>, dim>          corners; ///< at the iterate
-      std::unique_ptr<FaceProjection<dim>> projection;
-    };
+    using Element = PairElement<dim>;
 
     void
     find_elements();
@@ -152,27 +115,15 @@ namespace isochor
     void
     resume(const StepContext<dim> &step);
     bool
-    find_tie(const Point<dim> &X, PairElement &element) const;
+    find_tie(const Point<dim> &X, Element &element) const;
     void
-    number_nodes(PairElement &element) const;
-    Tensor<1, dim>
-    increment_at(const StepContext<dim> &step,
-                 const NodalField       &unknowns,
-                 const FaceCopy<dim>    &copy,
-                 const Tensor<1, dim>   &r) const;
-    Meeting
-    find_meeting(const StepContext<dim> &step,
-                 const NodalField       &unknowns,
-                 const PairElement      &element,
-                 const Point<dim>       &x) const;
-    EvaluationStatus
-    evaluate_element(const StepContext<dim> &step,
-                     const NodalField       &unknowns,
-                     const PairElement      &element,
-                     const bool              with_matrix,
-                     InteractionKernel<dim> &kernel,
-                     Action                 &action) const;
-
+    number_nodes(Element &element) const;
+    /** What evaluates the elements, at the iterate. */
+    BodyPairKernel<dim>
+    kernel_at(const StepContext<dim> &step, const NodalField &unknowns) const
+    {
+      return {step, unknowns, copies, laws, *default_tie, slips, reach};
+    }
     PairLaws<dim>                        laws;
     std::unique_ptr<InteractionLaw<dim>> default_tie;
     /** Pairs of bodies, the lower number first, that are tied somewhere: they
@@ -184,17 +135,16 @@ namespace isochor
     const PointArrays<dim>                         *points = nullptr;
     BodySurface<dim>                                surface;
     std::vector<FaceCopy<dim>>                      copies; ///< of all ranks
-    unsigned int             first_own = 0;                 ///< of the copies
-    std::vector<PairElement> elements;
-    double                   largest_increment = 0; ///< of the last step (m)
+    unsigned int         first_own = 0;                     ///< of the copies
+    std::vector<Element> elements;
+    double               largest_increment = 0; ///< of the last step (m)
     /** Half of the distance within which the elements have all faces, at the
      * last reset; and how much two bodies can have come closer since (m). Up to
      * there the nearest face is an element's: a place that is farther beyond
      * its nearest face than this and what it slides in the step is next to one
      * that it doesn't have, and isn't met. */
-    double                     reach = 0, way_since_reset = 0;
-    mutable SlipMemory<dim>    slips;
-    mutable SurfaceStress<dim> own_stress, other_stress;
+    double                  reach = 0, way_since_reset = 0;
+    mutable SlipMemory<dim> slips;
   };
 } // namespace isochor
 
