@@ -12,91 +12,10 @@
 #include <isochor/material_points/relocation.h>
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 namespace isochor
 {
-  PointLayout::PointLayout(const unsigned int dim,
-                           const unsigned int n_history,
-                           const bool         dynamic,
-                           const bool         with_domains,
-                           const bool         with_cell_size,
-                           const bool         with_ancestry,
-                           const bool         with_excess,
-                           const bool         with_surface,
-                           const bool         mixed)
-    : with_excess(with_excess)
-    , n_history(n_history)
-    , dynamic(dynamic)
-    , with_domains(with_domains)
-    , with_cell_size(with_cell_size)
-    , with_ancestry(with_ancestry)
-    , with_surface(with_surface)
-  {
-    const auto place = [this](unsigned int &field, const unsigned int size) {
-      field = n_properties;
-      n_properties += size;
-    };
-    place(volume, 1);
-    place(mass, 1);
-    place(material, 1);
-    place(displacement, dim);
-    place(F, dim * dim);
-    place(pressure, 1);
-    if (mixed)
-      place(volume_offset, 2);
-    place(stress, dim == 2 ? 4 : 6);
-    if (dynamic)
-      {
-        place(velocity, dim);
-        place(acceleration, dim);
-      }
-    if (with_excess)
-      place(excess, dim);
-    place(history, n_history);
-    if (with_domains)
-      place(domain, dim * dim);
-    if (with_cell_size)
-      place(cell_size, 1);
-    if (with_ancestry)
-      place(ancestry, 1);
-    if (with_surface)
-      place(outer_faces, 1);
-  }
-
-
-
-  template <int dim>
-  void
-  PointArrays<dim>::set_overlapped_cells(
-    const SimplexGeometry<dim>                   &geometry,
-    const std::map<unsigned int, CellCompliance> &compliance)
-  {
-    overlapped_cells.clear();
-    for (const auto &[c, sum] : compliance)
-      {
-        OverlappedCell<dim> overlapped{c, sum, {}};
-        for (unsigned int v = 0; v <= dim; ++v)
-          overlapped.corners[v] =
-            geometry.vertices()[geometry.vertex_indices(c)[v]];
-        overlapped_cells.push_back(overlapped);
-      }
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  PointArrays<dim>::most_nodes() const
-  {
-    std::size_t most = 0;
-    for (std::size_t q = 1; q < stencil_start.size(); ++q)
-      most = std::max(most, stencil_start[q] - stencil_start[q - 1]);
-    return most;
-  }
-
-
-
   template <int dim>
   MaterialPoints<dim>::MaterialPoints(const BackgroundGrid<dim> &grid)
     : grid(grid)
@@ -476,8 +395,68 @@ namespace isochor
 
 
 
-  template struct PointArrays<2>;
-  template struct PointArrays<3>;
+  template <int dim>
+  types::particle_index
+  MaterialPoints<dim>::relocate(const PointLocator<dim>          &locator,
+                                const std::vector<unsigned char> &is_concerned)
+  {
+    forget_order();
+    const RelocationReport<dim> report = isochor::relocate(
+      particles, grid.mapping(), locator, is_concerned, n_out_of_order);
+    if (report.n_lost > 0)
+      throw_lost_points(grid, report, *particles);
+    return report.n_moved;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::change_grid(
+    const PointLocator<dim>                                    &locator,
+    const std::function<std::unique_ptr<Triangulation<dim>>()> &change,
+    const bool                                                  keep_points)
+  {
+    forget_order();
+    n_out_of_order                  = 0;
+    const unsigned int n_properties = particles->n_properties_per_particle();
+    PointRecords<dim>  records =
+      keep_points ? all_points(*particles) : PointRecords<dim>(n_properties);
+    particles->clear_particles();
+    const std::unique_ptr<Triangulation<dim>> old = change();
+    // lets go of the old one
+    particles->initialize(grid.triangulation(), grid.mapping(), n_properties);
+    if (!keep_points)
+      return;
+    for (std::size_t i = 0; i < records.size(); ++i)
+      {
+        const auto place =
+          locator.locate(records.locations[i],
+                         grid.cells_after_change()[records.cells[i]]);
+        AssertThrow(place.found, ExcInternalError());
+        records.cells[i] = place.cell;
+      }
+    std::size_t             n_shipped;
+    const PointRecords<dim> own =
+      exchange_points(std::move(records), grid.geometry(), n_shipped);
+    particles->reserve(with_room_to_come(own.size(), grid.communicator()));
+    insert_particles(*particles, locator, own);
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::change_owners(const PointLocator<dim>     &locator,
+                                     const std::function<void()> &change)
+  {
+    forget_order();
+    isochor::change_owners(
+      particles, grid.mapping(), locator, change, n_out_of_order);
+  }
+
+
+
   template class MaterialPoints<2>;
   template class MaterialPoints<3>;
 } // namespace isochor

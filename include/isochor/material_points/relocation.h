@@ -10,6 +10,7 @@
 #include <deal.II/fe/mapping.h>
 #include <deal.II/particles/particle_handler.h>
 
+#include <isochor/grid/background_grid.h>
 #include <isochor/material_points/point_locator.h>
 #include <isochor/material_points/point_records.h>
 
@@ -91,6 +92,14 @@ namespace isochor
            const PointLocator<dim>                          &locator,
            const std::vector<unsigned char>                 &is_concerned,
            std::size_t                                      &n_out_of_order);
+
+  /** Put the lost points back into the cells that they were last in, so that
+   * the state can be looked at, and throw ExcPointsLeftGrid. Collective. */
+  template <int dim>
+  void
+  throw_lost_points(const BackgroundGrid<dim>       &grid,
+                    const RelocationReport<dim>     &report,
+                    Particles::ParticleHandler<dim> &points);
 
   /**
    * Let @p change give the cells other owners, and bring the particles, which
