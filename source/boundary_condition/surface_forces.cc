@@ -242,75 +242,57 @@ namespace isochor
   SurfaceForces<dim>::evaluate(const Surfaces         &surfaces,
                                const StepContext<dim> &step,
                                const NodalField       &unknowns,
+                               const NodalConstraints &constraints,
                                Statistics             &statistics) const
-  {
-    std::vector<std::array<double, dim>> forces(surfaces.size());
-    for (unsigned int b = 0; b < n_places(); ++b)
-      {
-        const Tensor<1, dim> load = force_at(step, unknowns, b, place(b));
-        for (unsigned int a = 0; a < dim; ++a)
-          forces[surface_at(surfaces, b)][a] += load[a];
-      }
-    for (auto &force : forces)
-      sum_over_ranks(force, step.grid.communicator());
-    for (unsigned int s = 0; s < surfaces.size(); ++s)
-      for (unsigned int a = 0; a < dim; ++a)
-        {
-          double force = 0; // a surface may have several loads
-          statistics.set_owner(surfaces[s]->owner);
-          for (unsigned int other = 0; other < surfaces.size(); ++other)
-            if (surfaces[other]->surface == surfaces[s]->surface &&
-                surfaces[other]->owner == surfaces[s]->owner)
-              force += forces[other][a];
-          statistics.set(std::string("Load ") + "xyz"[a] + " on " +
-                           surfaces[s]->surface + " (N)",
-                         force);
-        }
-  }
-
-
-
-  template <int dim>
-  std::vector<LoadOnSupport>
-  SurfaceForces<dim>::find_loads_on_supports(
-    const Surfaces         &surfaces,
-    const StepContext<dim> &step,
-    const NodalField       &unknowns,
-    const NodalConstraints &constraints) const
   {
     AssertDimension(constraints.constrained.size(),
                     step.nodes.n_local() * step.n_components);
-    // normals of faces along an axis have some
-    constexpr double nearly_all = 0.99;
-    // by surface and component: what is on supports, and all of it
-    std::vector<std::array<double, 2 * dim>> sums(surfaces.size());
+    // by surface and component: the force; what of it is on supports, and all
+    std::vector<std::array<double, 3 * dim>> sums(surfaces.size());
     for (unsigned int b = 0; b < n_places(); ++b)
       {
         const Place          at   = place(b);
         const Tensor<1, dim> load = force_at(step, unknowns, b, at);
         auto                &sum  = sums[surface_at(surfaces, b)];
         for (unsigned int a = 0; a < dim; ++a)
-          for (unsigned int I = 0; I < at.n_nodes; ++I)
-            {
-              const double part = std::abs(at.shape[I] * load[a]);
-              if (constraints.constrained[first_entry(step, at, I) + a] ==
-                  NodalConstraints::prescribed)
-                sum[a] += part;
-              sum[dim + a] += part;
-            }
+          {
+            sum[a] += load[a];
+            for (unsigned int I = 0; I < at.n_nodes; ++I)
+              {
+                const double part = std::abs(at.shape[I] * load[a]);
+                if (constraints.constrained[first_entry(step, at, I) + a] ==
+                    NodalConstraints::prescribed)
+                  sum[dim + a] += part;
+                sum[2 * dim + a] += part;
+              }
+          }
       }
-    std::vector<LoadOnSupport> found;
+    for (auto &sum : sums)
+      sum_over_ranks(sum, step.grid.communicator());
+    // normals of faces along an axis have some
+    constexpr double nearly_all = 0.99;
+    on_supports.clear();
     for (unsigned int s = 0; s < surfaces.size(); ++s)
       {
-        sum_over_ranks(sums[s], step.grid.communicator());
         const double load =
-          std::accumulate(sums[s].begin() + dim, sums[s].end(), 0.);
+          std::accumulate(sums[s].begin() + 2 * dim, sums[s].end(), 0.);
+        statistics.set_owner(surfaces[s]->owner);
         for (unsigned int a = 0; a < dim; ++a)
-          if (sums[s][dim + a] > rounding::accumulated * load &&
-              sums[s][a] > nearly_all * sums[s][dim + a])
-            found.push_back({surfaces[s]->surface, surfaces[s]->parameter, a});
+          {
+            double force = 0; // a surface may have several loads
+            for (unsigned int other = 0; other < surfaces.size(); ++other)
+              if (surfaces[other]->surface == surfaces[s]->surface &&
+                  surfaces[other]->owner == surfaces[s]->owner)
+                force += sums[other][a];
+            statistics.set(std::string("Load ") + "xyz"[a] + " on " +
+                             surfaces[s]->surface + " (N)",
+                           force);
+            if (sums[s][2 * dim + a] > rounding::accumulated * load &&
+                sums[s][dim + a] > nearly_all * sums[s][2 * dim + a])
+              on_supports.push_back(
+                {surfaces[s]->surface, surfaces[s]->parameter, a});
+          }
       }
-    return found;
   }
 
 

@@ -17,8 +17,7 @@ namespace isochor
       for (const auto *const condition :
            with_role<const FindsLoadsOnSupports<dim>>(
              step.scene.boundary_conditions))
-        for (const auto &load : condition->loads_on_supports(
-               step.result.step, step.result.unknowns, step.constraints))
+        for (const auto &load : condition->loads_on_supports())
           this->warn("the load on <" + load.surface + "> of <" +
                      load.parameter + "> acts in " + "xyz"[load.component] +
                      " where this component is prescribed: the body doesn't "

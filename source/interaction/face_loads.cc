@@ -82,24 +82,17 @@ namespace isochor
 
 
   template <int dim>
-  typename SurfaceForces<dim>::Surfaces
-  FaceLoads<dim>::loads() const
+  void
+  FaceLoads<dim>::evaluate(const StepContext<dim> &step,
+                           const NodalField       &unknowns,
+                           const NodalConstraints &constraints,
+                           Statistics             &statistics) const
   {
     typename SurfaceForces<dim>::Surfaces surfaces;
     for (const auto &one : all)
       surfaces.push_back(one->law->load());
-    return surfaces;
-  }
-
-
-
-  template <int dim>
-  void
-  FaceLoads<dim>::evaluate(const StepContext<dim> &step,
-                           const NodalField       &unknowns,
-                           Statistics             &statistics) const
-  {
-    SurfaceForces<dim>::evaluate(loads(), step, unknowns, statistics);
+    SurfaceForces<dim>::evaluate(
+      surfaces, step, unknowns, constraints, statistics);
     statistics.set_owner("");
   }
 

@@ -52,10 +52,10 @@ namespace isochor
   InteractionTerm<dim>::evaluate(const StepContext<dim> &step,
                                  const NodalField       &unknowns,
                                  const MixedSystem<dim> & /*system*/,
-                                 const NodalConstraints & /*constraints*/,
-                                 Statistics &statistics) const
+                                 const NodalConstraints &constraints,
+                                 Statistics             &statistics) const
   {
-    loads.evaluate(step, unknowns, statistics);
+    loads.evaluate(step, unknowns, constraints, statistics);
     if (interactions.empty())
       return;
     const auto sums = resultants(step, unknowns);

@@ -121,17 +121,16 @@ namespace isochor
     evaluate(const StepContext<dim> &step,
              const NodalField       &unknowns,
              const MixedSystem<dim> & /*system*/,
-             const NodalConstraints & /*constraints*/,
-             Statistics &statistics) const override
+             const NodalConstraints &constraints,
+             Statistics             &statistics) const override
     {
-      SurfaceForces<dim>::evaluate(loads(), step, unknowns, statistics);
+      SurfaceForces<dim>::evaluate(
+        loads(), step, unknowns, constraints, statistics);
     }
-    std::vector<LoadOnSupport>
-    loads_on_supports(const StepContext<dim> &step,
-                      const NodalField       &unknowns,
-                      const NodalConstraints &constraints) const override
+    const std::vector<LoadOnSupport> &
+    loads_on_supports() const override
     {
-      return this->find_loads_on_supports(loads(), step, unknowns, constraints);
+      return SurfaceForces<dim>::loads_on_supports();
     }
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override

@@ -202,11 +202,9 @@ namespace isochor
   public:
     virtual ~FindsLoadsOnSupports() = default;
 
-    /** The step has converged. Collective. */
-    virtual std::vector<LoadOnSupport>
-    loads_on_supports(const StepContext<dim> &step,
-                      const NodalField       &unknowns,
-                      const NodalConstraints &constraints) const = 0;
+    /** Of the step that BoundaryCondition::evaluate() has looked at. */
+    virtual const std::vector<LoadOnSupport> &
+    loads_on_supports() const = 0;
   };
 
 

@@ -83,19 +83,21 @@ namespace isochor
                   const NodalField       &unknowns,
                   NodalField             &force) const;
 
-    /** Set the columns of all @p surfaces. Collective. */
+    /** Set the columns of all @p surfaces, and find loads on supports.
+     * Collective. */
     void
     evaluate(const Surfaces         &surfaces,
              const StepContext<dim> &step,
              const NodalField       &unknowns,
+             const NodalConstraints &constraints,
              Statistics             &statistics) const;
 
-    /** See FindsLoadsOnSupports. Collective. */
-    std::vector<LoadOnSupport>
-    find_loads_on_supports(const Surfaces         &surfaces,
-                           const StepContext<dim> &step,
-                           const NodalField       &unknowns,
-                           const NodalConstraints &constraints) const;
+    /** As evaluate() has found them, see FindsLoadsOnSupports. */
+    const std::vector<LoadOnSupport> &
+    loads_on_supports() const
+    {
+      return on_supports;
+    }
 
   protected:
     /** How many places this rank has. */
@@ -136,6 +138,8 @@ namespace isochor
              const NodalField       &unknowns,
              const unsigned int      b,
              const Place            &at) const;
+
+    mutable std::vector<LoadOnSupport> on_supports;
   };
 } // namespace isochor
 

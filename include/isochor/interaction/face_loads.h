@@ -52,11 +52,8 @@ namespace isochor
     void
     evaluate(const StepContext<dim> &step,
              const NodalField       &unknowns,
+             const NodalConstraints &constraints,
              Statistics             &statistics) const;
-
-    /** All of them, for SurfaceForces::find_loads_on_supports(). */
-    typename SurfaceForces<dim>::Surfaces
-    loads() const;
 
   private:
     unsigned int

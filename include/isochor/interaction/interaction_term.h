@@ -51,15 +51,10 @@ namespace isochor
         load->find_bodies(names);
     }
 
-    std::vector<LoadOnSupport>
-    loads_on_supports(const StepContext<dim> &step,
-                      const NodalField       &unknowns,
-                      const NodalConstraints &constraints) const override
+    const std::vector<LoadOnSupport> &
+    loads_on_supports() const override
     {
-      return loads.find_loads_on_supports(loads.loads(),
-                                          step,
-                                          unknowns,
-                                          constraints);
+      return loads.loads_on_supports();
     }
 
     /** Whether surfaces may leave what they touch. */
