@@ -6,7 +6,6 @@
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/dynamics/inertia_term.h>
 #include <isochor/equations/invariants.h>
-#include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,24 +67,13 @@ namespace isochor
   }
 
 
-
   template <int dim>
   void
   InertiaTerm<dim>::take_pressures(const StepContext<dim> &step,
                                    const NodalField       &unknowns)
   {
-    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
-           ExcOtherNodes());
-    if (!is_active())
-      return;
-    step.nodes.initialize(start_unknowns, step.n_components);
-    start_unknowns.set_ghost_state(true);
-    for (unsigned int node = 0; node < step.nodes.n_local() && step.mixed();
-         ++node)
-      {
-        const unsigned int entry            = node * step.n_components + dim;
-        start_unknowns.local_element(entry) = unknowns.local_element(entry);
-      }
+    if (is_active())
+      start.take_pressures(step, unknowns);
   }
 
 
@@ -100,129 +88,10 @@ namespace isochor
   {
     if (!is_active())
       return;
-    worst_projection = 0;
-    by_stresses      = from_stresses && !carries;
-    mass.reinit(step, by_stresses);
-    mass.collect(step, step.points.velocity, momentum);
-    if (by_stresses)
-      collect_forces(step, conditions, points);
-    else
-      mass.collect(step, step.points.acceleration, force);
-    prescribed = false;
-    step.nodes.initialize(velocity, dim);
-    step.nodes.initialize(acceleration, dim);
+    start.start_step(step, conditions, points, from_stresses && !carries);
     step.nodes.initialize(element.acceleration, dim);
     element.acceleration.set_ghost_state(true); // each rank computes all
   }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::collect_forces(
-    const StepContext<dim>                                     &step,
-    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-    MaterialPoints<dim>                                        &points)
-  {
-    StepContext<dim> start = step;
-    start.time             = step.old_time;
-    NodalField loads;
-    step.nodes.initialize(loads, step.n_components);
-    for (const auto &condition : conditions)
-      condition->add_external_force(start, loads);
-    const PointLayout &l = points.layout();
-    points.for_each([&](const unsigned int k,
-                        const unsigned int q,
-                        Point<dim> & /*location*/,
-                        ArrayView<double> properties) {
-      const auto   stencil = step.points.stencil(step.grid.geometry(), k, q);
-      const auto   stress  = load_symmetric<dim>(&properties[l.stress]);
-      const double V = step.points.measure(q) * determinant(step.points.F[q]) *
-                       step.kernel.hoop_stretch(properties.data() + l.history);
-      for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-        {
-          const unsigned int entry =
-            step.nodes.node(stencil.vertex[I]) * step.n_components;
-          for (unsigned int a = 0; a < dim; ++a)
-            for (unsigned int b = 0; b < dim; ++b)
-              loads.local_element(entry + a) -=
-                V * stress[a][b] * stencil.gradient[I][b];
-          if (step.kernel.axisymmetric)
-            loads.local_element(entry) -=
-              V * stress[2][2] * stencil.shape[I] / step.points.radius[q];
-        }
-    });
-    loads.compress(VectorOperation::add);
-    std::vector<Tensor<1, dim>> excess(step.points.n_points());
-    points.for_each([&](const unsigned int /*k*/,
-                        const unsigned int q,
-                        Point<dim> & /*location*/,
-                        ArrayView<double> properties) {
-      // and what trials have added to the acceleration since
-      for (unsigned int d = 0; d < dim; ++d)
-        excess[q][d] = properties[l.excess + d] +
-                       step.points.acceleration[q][d] -
-                       properties[l.acceleration + d];
-    });
-    mass.collect(step, excess, force);
-    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
-      for (unsigned int a = 0; a < dim; ++a)
-        force.local_element(node * dim + a) +=
-          loads.local_element(node * step.n_components + a);
-  }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::collect_boundary_forces(
-    const StepContext<dim>                                     &step,
-    const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions)
-  {
-    StepContext<dim> start = step;
-    start.time             = step.old_time;
-    NodalField forces;
-    step.nodes.initialize(forces, step.n_components);
-    const auto acting = with_role<ActsByAssembly<dim>>(conditions);
-    for (const auto *const condition : acting)
-      condition->add_boundary_force(start, start_unknowns, forces);
-    forces.compress(VectorOperation::add);
-    for (auto *const condition : acting)
-      condition->note_start(start, start_unknowns, forces);
-    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
-      for (unsigned int a = 0; a < dim; ++a)
-        force.local_element(node * dim + a) +=
-          forces.local_element(node * step.n_components + a);
-  }
-
-
-
-  template <int dim>
-  void
-  InertiaTerm<dim>::project(const StepContext<dim>    &step,
-                            const NodalField          &load,
-                            const Followers           &followers,
-                            const std::vector<double> &given,
-                            NodalField                &solution,
-                            const bool                 with_domains)
-  {
-    Assert(held.size() >= solution.locally_owned_size(), ExcInternalError());
-    const auto solve = [&](const bool by_domains) {
-      solution.zero_out_ghost_values();
-      mass.set_lumped_solution(load, held, solution);
-      return mass.solve(
-        step, load, held, followers, given, solution, by_domains);
-    };
-    // the points' own mass conserves angular momentum best; where it is
-    // singular and the load not in its range, that of their domains takes its
-    // place
-    double error = solve(false);
-    if (with_domains && !(error < 1e-8))
-      error = solve(true);
-    if (!(error <= worst_projection))
-      worst_projection = error;
-  }
-
 
 
   template <int dim>
@@ -242,8 +111,12 @@ namespace isochor
     StepContext<dim> whole_step = step;
     whole_step.time             = end; // also in a trial
     whole_step.time             = end_of_motion(whole_step);
-    if (changed || !prescribed)
-      prescribe(whole_step, conditions, constraints);
+    if (changed || !start.prescribed)
+      start.prescribe(whole_step,
+                      conditions,
+                      constraints,
+                      smooth_start(whole_step.step_size()),
+                      kept_part > 0);
     if (in_trial())
       set_trial_increments(whole_step, constraints);
   }
@@ -257,9 +130,9 @@ namespace isochor
   {
     if (!is_active())
       return;
-    for (unsigned int e = 0; e < mass.n_elements(step); ++e)
+    for (unsigned int e = 0; e < start.mass.n_elements(step); ++e)
       {
-        mass.element_nodes(step, e, element.nodes);
+        start.mass.element_nodes(step, e, element.nodes);
         elements.add(element.nodes.begin(), element.nodes.end());
       }
   }
@@ -288,19 +161,19 @@ namespace isochor
       for (unsigned int d = 0; d < dim; ++d)
         {
           const unsigned int i   = node * dim + d;
-          const double       a_n = acceleration.local_element(i);
+          const double       a_n = start.acceleration.local_element(i);
           element.acceleration.local_element(i) =
             scheme().inertial_acceleration(
               a_n,
               scheme().acceleration(unknowns.local_element(node * nc + d),
-                                    velocity.local_element(i),
+                                    start.velocity.local_element(i),
                                     a_n,
                                     dt));
         }
-    for (unsigned int e = 0; e < mass.n_elements(step); ++e)
+    for (unsigned int e = 0; e < start.mass.n_elements(step); ++e)
       {
-        mass.element_nodes(step, e, element.nodes);
-        mass.element_matrix(step, e, element.mass);
+        start.mass.element_nodes(step, e, element.nodes);
+        start.mass.element_matrix(step, e, element.mass);
         const unsigned int n = element.nodes.size(), n_dofs = n * nc;
         element.residual.assign(n_dofs, 0.);
         for (unsigned int I = 0; I < n; ++I)
@@ -349,8 +222,8 @@ namespace isochor
       for (unsigned int d = 0; d < dim; ++d)
         {
           const unsigned int i   = node * dim + d;
-          const double       v_n = velocity.local_element(i);
-          const double       a_n = acceleration.local_element(i);
+          const double       v_n = start.velocity.local_element(i);
+          const double       a_n = start.acceleration.local_element(i);
           const double       a   = scheme().acceleration(
             unknowns.local_element(node * step.n_components + d), v_n, a_n, dt);
           at_end.velocity.local_element(i) = scheme().velocity(v_n, a_n, a, dt);
@@ -397,7 +270,7 @@ namespace isochor
           {
             v[d] += N * at_end.velocity.local_element(first + d);
             if (kept_part > 0)
-              v[d] -= N * kept_part * projected.local_element(first + d);
+              v[d] -= N * kept_part * start.projected.local_element(first + d);
             a[d] += N * at_end.acceleration.local_element(first + d);
           }
       }
@@ -436,6 +309,42 @@ namespace isochor
 
   template <int dim>
   void
+  InertiaTerm<dim>::set_trial_increments(const StepContext<dim> &step,
+                                         NodalConstraints &constraints) const
+  {
+    Assert(invariants::fits(start.velocity, step.nodes, dim), ExcOtherNodes());
+    Assert(invariants::fits(start.acceleration, step.nodes, dim),
+           ExcOtherNodes());
+    const unsigned int nc        = step.n_components;
+    const auto         increment = [this](const unsigned int i) {
+      return trial.size *
+             (start.velocity.local_element(i) +
+              trial.size / 2 * start.acceleration.local_element(i));
+    };
+    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
+      for (unsigned int d = 0; d < dim; ++d)
+        if (constraints.constrained[node * nc + d])
+          constraints.increment[node * nc + d] = increment(node * dim + d);
+    if (constraints.equations.empty())
+      return;
+    for (auto &equation : constraints.equations)
+      {
+        // an equation has displacements or pressures, not both
+        if (constraints.entry[equation.first] % nc == dim)
+          continue;
+        equation.value = 0;
+        for (std::size_t i = equation.first; i < equation.last; ++i)
+          equation.value += constraints.coefficient[i] *
+                            increment(constraints.entry[i] / nc * dim +
+                                      constraints.entry[i] % nc);
+      }
+    constraints.resolve(nc);
+  }
+
+
+
+  template <int dim>
+  void
   InertiaTerm<dim>::start_trial(
     const StepContext<dim>                                     &step,
     const TrialStep                                            &trial_step,
@@ -443,7 +352,7 @@ namespace isochor
   {
     Assert(is_active(), ExcMessage("There is no inertia."));
     if (trial_step.size > 0) // the first of two
-      prescribed = false;
+      start.prescribed = false;
     trial                   = trial_step;
     StepContext<dim> motion = step;
     motion.time             = end_of_motion(step);

@@ -29,20 +29,20 @@ namespace isochor
     double sum = 0, mass_sum = 0;
     for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
       {
-        const double m = std::max(mass.lumped.local_element(node), 0.);
+        const double m = std::max(start.mass.lumped.local_element(node), 0.);
         mass_sum += m;
         for (unsigned int d = 0; d < dim; ++d)
           {
             const unsigned int i   = node * dim + d;
-            const double       a_n = acceleration.local_element(i);
+            const double       a_n = start.acceleration.local_element(i);
             const double       a =
               integrator->acceleration(unknowns.local_element(
                                          node * step.n_components + d),
-                                       velocity.local_element(i),
+                                       start.velocity.local_element(i),
                                        a_n,
                                        dt);
             // what is held is where it shall be
-            const double error = held[i] ? 0. : factor * (a - a_n);
+            const double error = start.held[i] ? 0. : factor * (a - a_n);
             sum += m * error * error;
           }
       }

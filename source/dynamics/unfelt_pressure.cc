@@ -2,18 +2,19 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-// The member of InertiaTerm that takes out of the forces a step starts with
-// what no pressure of its grid could have made.
-#include <isochor/dynamics/inertia_term.h>
+#include <isochor/dynamics/field_followers.h>
+#include <isochor/dynamics/mass_matrix.h>
+#include <isochor/dynamics/unfelt_pressure.h>
 #include <isochor/equations/mixed_kernel.templates.h>
 
 namespace isochor
 {
   template <int dim>
   void
-  InertiaTerm<dim>::leave_out_unfelt_pressure(
-    const StepContext<dim> &step,
-    const NodalConstraints &constraints)
+  leave_out_unfelt_pressure(const StepContext<dim> &step,
+                            const NodalConstraints &constraints,
+                            NodalField             &unknowns,
+                            NodalField             &force)
   {
     const PointArrays<dim> &points = step.points;
     std::vector<double>     weight(points.n_points());
@@ -35,12 +36,16 @@ namespace isochor
     const std::vector<unsigned char> none_held(step.nodes.n_local(), 0);
     volume.set_lumped_solution(load, none_held, pressure);
     // where the iteration ends too early, nodes can represent the result, too
-    volume.solve(
-      step, load, none_held, pressure_followers(constraints), {}, pressure);
+    volume.solve(step,
+                 load,
+                 none_held,
+                 pressure_followers<dim>(constraints),
+                 {},
+                 pressure);
 
     pressure.update_ghost_values();
     for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
-      start_unknowns.local_element(node * step.n_components + dim) =
+      unknowns.local_element(node * step.n_components + dim) =
         pressure.local_element(node);
 
     NodalField unfelt;
@@ -74,9 +79,13 @@ namespace isochor
 
 
   template void
-  InertiaTerm<2>::leave_out_unfelt_pressure(const StepContext<2> &,
-                                            const NodalConstraints &);
+  leave_out_unfelt_pressure(const StepContext<2> &,
+                            const NodalConstraints &,
+                            NodalField &,
+                            NodalField &);
   template void
-  InertiaTerm<3>::leave_out_unfelt_pressure(const StepContext<3> &,
-                                            const NodalConstraints &);
+  leave_out_unfelt_pressure(const StepContext<3> &,
+                            const NodalConstraints &,
+                            NodalField &,
+                            NodalField &);
 } // namespace isochor

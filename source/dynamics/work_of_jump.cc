@@ -25,7 +25,7 @@ namespace isochor
           const Tensor<1, dim> v =
             interpolate(step,
                         step.points.stencil(step.grid.geometry(), k, q),
-                        velocity);
+                        start.velocity);
           work += step.points.mass[q] / 2 * v.norm_square();
           if (is_first)
             work -=

@@ -5,12 +5,8 @@
 #ifndef isochor_inertia_term_h
 #define isochor_inertia_term_h
 
-#include <isochor/boundary_condition/boundary_condition.h>
-#include <isochor/dynamics/mass_matrix.h>
-#include <isochor/dynamics/time_integrator.h>
-#include <isochor/equations/equation_term.h>
+#include <isochor/dynamics/nodal_start.h>
 
-#include <array>
 #include <memory>
 
 namespace isochor
@@ -75,7 +71,7 @@ namespace isochor
     const NodalField *
     unknowns_at_start() const
     {
-      return is_active() && by_stresses ? &start_unknowns : nullptr;
+      return is_active() ? start.unknowns_at_start() : nullptr;
     }
     /** Take the points as they are at the start of the step. If it @p carries
      * accelerations, as the first one does, those of the points count in any
@@ -92,7 +88,7 @@ namespace isochor
     double
     projection_error() const
     {
-      return worst_projection;
+      return start.worst_projection;
     }
 
     /** Nodes are held anew by @p constraints, in a way that has @p changed or
@@ -217,21 +213,6 @@ namespace isochor
     std::string initial_velocity;
 
   private:
-    /** What holds at the places of a motion_of_step(). */
-    using Places = std::array<NodalConstraints, n_motion_places>;
-
-    /**
-     * Give the unknowns held by @p constraints the velocity and acceleration
-     * that a smooth start with their motion_of_step() needs, and project to the
-     * others. Has to be called whenever other unknowns are held than before.
-     * Collective.
-     */
-    void
-    prescribe(
-      const StepContext<dim>                                     &step,
-      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-      const NodalConstraints                                     &constraints);
-
     /** The increments of a trial: those of the prescribed motion in
      * @p constraints. Collective. */
     void
@@ -251,16 +232,6 @@ namespace isochor
       return trial.is_past ? std::max(0., step.old_time - trial.step_size / 4) :
                              step.time;
     }
-    /** Project the velocities of the points to the nodes that are not held, and
-     * so the accelerations, or what forces give at the start of the step, where
-     * @p start holds. Collective. */
-    void
-    project_velocity(const StepContext<dim> &step);
-    void
-    project_acceleration(
-      const StepContext<dim>                                     &step,
-      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-      const NodalConstraints                                     &start);
     /** What a motion over a time @p dt (s) is to start with. */
     SmoothStart
     smooth_start(const double dt) const
@@ -275,101 +246,27 @@ namespace isochor
       return *integrator;
     }
 
-    /** Dead loads minus internal forces at the start of the step, from the
-     * stresses of the points. Collective. */
-    void
-    collect_forces(
-      const StepContext<dim>                                     &step,
-      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-      MaterialPoints<dim>                                        &points);
-
-    /** Add the forces that @p conditions assemble. Collective. */
-    void
-    collect_boundary_forces(
-      const StepContext<dim>                                     &step,
-      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions);
-
-    /**
-     * The pressures of the points come from the nodes of the last grid. Let
-     * their forces in @ref force be those of the nearest pressure that the
-     * nodes of this grid can have, p_h = Σ N_I p_I,
-     *   Σ_p V_p s N_I (p_h - p_p) = 0.
-     * The pressure equation says what work such a pressure does in the step;
-     * the rest of p_p does work on changes of volume that no pressure of this
-     * grid feels and nothing but the shear stiffness resists. They grow by it,
-     * and with them the rest of p_p. p_I goes to @ref start_unknowns. @p
-     * constraints are those of the start of the step. Collective.
-     */
-    void
-    leave_out_unfelt_pressure(const StepContext<dim> &step,
-                              const NodalConstraints &constraints);
-
-    /** M x = load at the entries not held, from the lumped solution. */
-    void
-    project(const StepContext<dim>    &step,
-            const NodalField          &load,
-            const Followers           &followers,
-            const std::vector<double> &given,
-            NodalField                &solution,
-            const bool                 with_domains = false);
-
-    /** The followers of displacements, in fields with dim entries per node. */
-    static Followers
-    displacement_followers(const NodalConstraints &constraints,
-                           const unsigned int      n_components);
-    /** The same of pressures, in fields with one entry per node. */
-    static Followers
-    pressure_followers(const NodalConstraints &constraints);
     /** Σ N_I f_I of a point, of a @p field with dim components per node. */
     static Tensor<1, dim>
     interpolate(const StepContext<dim>                   &step,
                 const typename PointArrays<dim>::Stencil &stencil,
                 const NodalField                         &field);
 
-    /** What the @p conditions and @p ties demand of the unknowns a @p part of
-     * the step after its start. */
-    NodalConstraints
-    constraints_at(
-      const StepContext<dim>                                     &step,
-      const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
-      const NodalTies                                            &ties,
-      const double                                                part) const;
-    /** Velocities and accelerations that the followers of displacements start
-     * with, by what they follow @p at the places of the step's motion. */
-    std::vector<std::pair<double, double>>
-                                    starts_of_followers(const Places      &at,
-                                                        const unsigned int n_components,
-                                                        const double       dt) const;
     std::unique_ptr<TimeIntegrator> integrator;
     const NewmarkFamily             trial_integrator{0.5, 1., 0.};
     TrialStep                       trial{};
-    double                          kept_part        = 0; ///< η
-    bool                            from_stresses    = false;
-    bool                            by_stresses      = false; ///< in this step
-    double                          worst_projection = 0;     ///< in this step
+    double                          kept_part     = 0; ///< η
+    bool                            from_stresses = false;
     /** Whether the last trial has changed the velocities. */
     bool starts_with_impulse = false;
 
-    MassMatrix<dim> mass;
-    /** All with dim components per node. Σ_p m_p N_I v_p and M a_n; the
-     * projection of v_p; velocity and acceleration at the start of the step. */
-    NodalField momentum, force, projected, velocity, acceleration;
-    /** The unknowns at the start of the step: no increments. */
-    NodalField start_unknowns;
+    NodalStart<dim> start;
     /** The same at its end, after finish_step(), and what the acceleration
-     * exceeds that of the forces by. */
+     * exceeds that of the forces by. With dim components per node. */
     struct
     {
       NodalField velocity, acceleration, excess;
     } at_end;
-    /** Prescribed entries, of local nodes. */
-    std::vector<unsigned char> held;
-    /** Of velocities and accelerations. */
-    Followers followers;
-    /** What is given to them by prescribed motions, see MassMatrix::solve(). */
-    std::vector<double> given_velocity, given_acceleration;
-    bool                prescribed = false;
-
     /** What assemble() works with. */
     struct
     {

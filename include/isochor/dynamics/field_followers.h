@@ -1,0 +1,23 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_field_followers_h
+#define isochor_field_followers_h
+
+#include <isochor/equations/nodal_constraints.h>
+
+namespace isochor
+{
+  /** The followers of displacements, in fields with dim entries per node. */
+  template <int dim>
+  Followers
+  displacement_followers(const NodalConstraints &constraints,
+                         const unsigned int      n_components);
+  /** The same of pressures, in fields with one entry per node. */
+  template <int dim>
+  Followers
+  pressure_followers(const NodalConstraints &constraints);
+} // namespace isochor
+
+#endif
