@@ -45,9 +45,10 @@ namespace isochor
                       "1",
                       Patterns::Anything(),
                       "The body: a condition in x, y(, z). Points are seeded "
-                      "where it holds. Parts and gaps that are narrower than "
-                      "the distance of points are lost; a warning tells, but "
-                      "not with <Lattice spacing>.");
+                      "where it holds; those with domains ('Points per cell') "
+                      "have them cut by its border. Parts and gaps that are "
+                      "narrower than the distance of points are lost; a "
+                      "warning tells, but not with <Lattice spacing>.");
     prm.declare_entry("Physical groups",
                       "",
                       Patterns::List(Patterns::Anything()),
@@ -74,7 +75,8 @@ namespace isochor
       "Material 1 is the subsection 'Material', k > 1 the "
       "subsection 'Material k', whose defaults are those of the "
       "program, not the entries of 'Material'. The last "
-      "condition that holds counts; 1 elsewhere.");
+      "condition that holds counts; 1 elsewhere. Domains of points are cut "
+      "by the borders of the zones.");
     prm.leave_subsection();
   }
 

@@ -150,17 +150,12 @@ namespace isochor
           const Point<dim>   x = corner(parts[p].seed, c);
           const unsigned int v = places.find_or_add(x);
           if (v >= vertices.size())
-            {
-              vertices.resize(v + 1, Point<dim>());
-              parts_at.resize(v + 1);
-            }
-          if (parts_at[v].empty())
-            vertices[v] = x;
-          parts_at[v].push_back(p);
+            vertices.resize(v + 1);
+          if (vertices[v].parts.empty())
+            vertices[v].place = x;
+          vertices[v].parts.push_back(p);
           parts[p].corners[c] = v;
         }
-    is_on_border.assign(vertices.size(), false);
-    is_moved.assign(vertices.size(), false);
   }
 
 
@@ -177,21 +172,19 @@ namespace isochor
               const unsigned int inside  = part.corners[a],
                                  outside = part.corners[b];
               if (!crossing_of_edge
-                     .emplace(edge(inside, outside), crossings.size())
+                     .emplace(std::minmax(inside, outside), crossings.size())
                      .second)
                 continue;
               crossings.push_back(
                 find_crossing(seeds[part.seed], inside, outside));
             }
-    touches_border.assign(vertices.size(), false);
     for (const Crossing &crossing : crossings)
       for (const auto &[vertex, share] :
            {std::make_pair(crossing.inside, crossing.share),
             std::make_pair(crossing.outside, 1 - crossing.share)})
         {
-          is_on_border[vertex] =
-            is_on_border[vertex] || share < rounding::places;
-          touches_border[vertex] = touches_border[vertex] || share < touching;
+          vertices[vertex].is_on_border |= share < rounding::places;
+          vertices[vertex].touches |= share < touching;
         }
   }
 
@@ -203,15 +196,15 @@ namespace isochor
                                 const unsigned int inside,
                                 const unsigned int outside) const
   {
-    const Tensor<1, dim> edge  = vertices[outside] - vertices[inside];
+    const Point<dim>     from  = vertices[inside].place;
+    const Tensor<1, dim> edge  = vertices[outside].place - from;
     double               lower = 0, upper = 1;
     while (upper - lower > rounding::arithmetic)
       {
         const double middle = (lower + upper) / 2;
-        (is_in_from(seed, vertices[inside] + middle * edge) ? lower : upper) =
-          middle;
+        (is_in_from(seed, from + middle * edge) ? lower : upper) = middle;
       }
-    return {inside, outside, vertices[inside] + lower * edge, lower};
+    return {inside, outside, from + lower * edge, lower};
   }
 
 
@@ -220,7 +213,6 @@ namespace isochor
   void
   RegionCut<dim>::find_fixed_faces()
   {
-    normals_at.resize(vertices.size());
     // by vertices, material and zone: how many there are, a part and a corner
     std::map<std::array<unsigned int, dim + 2>, std::array<unsigned int, 3>>
       faces;
@@ -248,9 +240,9 @@ namespace isochor
         bool stays = keep_outside;
         for (unsigned int i = 0; i <= dim; ++i)
           stays = stays || (i != c && is_inside(parts[p], i) &&
-                            !touches_border[parts[p].corners[i]]);
+                            !vertices[parts[p].corners[i]].touches);
         for (unsigned int i = 0; i < dim && n == 1 && stays; ++i)
-          normals_at[key[i]].push_back(
+          vertices[key[i]].normals.push_back(
             normal<dim>(seeds[parts[p].seed].domain, c));
       }
   }
@@ -272,15 +264,17 @@ namespace isochor
           candidates.emplace_back(1 - crossing.share, crossing.outside, i);
       }
     std::sort(candidates.begin(), candidates.end());
-    for (const auto &[share, vertex, i] : candidates)
+    for (const auto &[share, v, i] : candidates)
       {
         const Crossing &crossing = crossings[i];
-        if (is_on_border[crossing.inside] || is_on_border[crossing.outside])
+        if (vertices[crossing.inside].is_on_border ||
+            vertices[crossing.outside].is_on_border)
           continue;
-        is_moved[vertex]     = may_move(vertex, crossing.place);
-        is_on_border[vertex] = is_moved[vertex] || touches_border[vertex];
-        if (is_moved[vertex])
-          vertices[vertex] = crossing.place;
+        Vertex &vertex      = vertices[v];
+        vertex.is_moved     = may_move(vertex, crossing.place);
+        vertex.is_on_border = vertex.is_moved || vertex.touches;
+        if (vertex.is_moved)
+          vertex.place = crossing.place;
       }
   }
 
@@ -288,25 +282,25 @@ namespace isochor
 
   template <int dim>
   bool
-  RegionCut<dim>::may_move(const unsigned int vertex,
-                           const Point<dim>  &place) const
+  RegionCut<dim>::may_move(const Vertex &vertex, const Point<dim> &place) const
   {
-    const Tensor<1, dim> step = place - vertices[vertex];
-    for (const Tensor<1, dim> &n : normals_at[vertex])
+    const Tensor<1, dim> step = place - vertex.place;
+    for (const Tensor<1, dim> &n : vertex.normals)
       if (std::abs(n * step) > rounding::places * step.norm())
         return false;
     // not beyond a face, where domains have other shapes than a grid's
-    return std::none_of(parts_at[vertex].begin(),
-                        parts_at[vertex].end(),
-                        [&](const auto p) {
-                          std::array<Point<dim>, dim + 1> corners;
-                          for (unsigned int c = 0; c <= dim; ++c)
-                            corners[c] = parts[p].corners[c] == vertex ?
-                                           place :
-                                           vertices[parts[p].corners[c]];
-                          return volume<dim>(corners) <
-                                 near * seeds[parts[p].seed].volume;
-                        });
+    for (const unsigned int p : vertex.parts)
+      {
+        std::array<Point<dim>, dim + 1> corners;
+        for (unsigned int c = 0; c <= dim; ++c)
+          {
+            const Vertex &corner = vertices[parts[p].corners[c]];
+            corners[c]           = &corner == &vertex ? place : corner.place;
+          }
+        if (volume<dim>(corners) < near * seeds[parts[p].seed].volume)
+          return false;
+      }
+    return true;
   }
 
 
@@ -318,12 +312,14 @@ namespace isochor
     std::vector<std::pair<float, unsigned int>> order;
     for (unsigned int i = 0; i < crossings.size(); ++i)
       {
-        const auto [in, out] =
-          std::make_pair(crossings[i].inside, crossings[i].outside);
-        if (!is_on_border[in] && !is_on_border[out])
-          order.emplace_back(-(vertices[out] - vertices[in]).norm(), i);
+        const Crossing &crossing = crossings[i];
+        const Vertex   &in       = vertices[crossing.inside],
+                     &out        = vertices[crossing.outside];
+        if (!in.is_on_border && !out.is_on_border)
+          order.emplace_back(-(out.place - in.place).norm(), i);
         else
-          crossing_of_edge.erase(edge(in, out));
+          crossing_of_edge.erase(
+            std::minmax(crossing.inside, crossing.outside));
       }
     std::sort(order.begin(), order.end());
     for (unsigned int rank = 0; rank < order.size(); ++rank)
@@ -331,9 +327,9 @@ namespace isochor
         Crossing &crossing = crossings[order[rank].second];
         crossing.rank      = rank;
         crossing.vertex    = vertices.size();
-        vertices.push_back(crossing.place);
-        is_on_border.push_back(true);
-        is_moved.push_back(true);
+        vertices.emplace_back();
+        vertices.back().place        = crossing.place;
+        vertices.back().is_on_border = vertices.back().is_moved = true;
       }
   }
 
@@ -348,8 +344,8 @@ namespace isochor
     for (unsigned int a = 0; a <= dim; ++a)
       for (unsigned int b = 0; b < a; ++b)
         {
-          const auto found =
-            crossing_of_edge.find(edge(part.corners[a], part.corners[b]));
+          const auto found = crossing_of_edge.find(
+            std::minmax(part.corners[a], part.corners[b]));
           if (found != crossing_of_edge.end())
             here.push_back(crossings[found->second]);
         }
@@ -383,12 +379,12 @@ namespace isochor
   {
     Seed<dim> seed = seeds[part.seed];
     if (std::none_of(corners.begin(), corners.end(), [&](const auto v) {
-          return is_moved[v];
+          return vertices[v].is_moved;
         }))
       return seed;
     std::array<Point<dim>, dim + 1> places;
     for (unsigned int c = 0; c <= dim; ++c)
-      places[c] = vertices[corners[c]];
+      places[c] = vertices[corners[c]].place;
     seed.volume   = volume<dim>(places);
     seed.location = places[0];
     for (unsigned int c = 1; c <= dim; ++c)
@@ -408,7 +404,7 @@ namespace isochor
   {
     // a corner that isn't on the border is one of the whole
     for (unsigned int c = 0; c <= dim; ++c)
-      if (!is_on_border[corners[c]])
+      if (!vertices[corners[c]].is_on_border)
         return is_inside(part, c);
     return is_in(seed.location);
   }

@@ -64,10 +64,20 @@ namespace isochor
       unsigned int seed;
       Corners      corners; ///< numbers of vertices
     };
+    /** A corner of such domains. */
+    struct Vertex
+    {
+      Point<dim>                  place;
+      bool                        is_on_border = false;
+      bool                        touches  = false; ///< nearly on the border
+      bool                        is_moved = false;
+      std::vector<unsigned int>   parts;   ///< around it
+      std::vector<Tensor<1, dim>> normals; ///< of faces that it must not leave
+    };
     /** Where the border crosses the edge between two vertices. */
     struct Crossing
     {
-      unsigned int inside, outside; ///< vertices
+      unsigned int inside, outside; ///< numbers of vertices
       Point<dim>   place;
       double       share; ///< of the edge, from the vertex inside
       unsigned int rank   = 0;
@@ -80,14 +90,9 @@ namespace isochor
     /** Bit c: corner c is inside; all alike if the domain isn't cut. */
     std::vector<unsigned char> sides;
 
-    std::vector<Part>                        parts; ///< in the order of seeds
-    std::vector<Point<dim>>                  vertices;
-    std::vector<bool>                        is_on_border;   ///< by vertex
-    std::vector<bool>                        touches_border; ///< nearly
-    std::vector<bool>                        is_moved;       ///< by vertex
-    std::vector<std::vector<unsigned int>>   parts_at;       ///< by vertex
-    std::vector<std::vector<Tensor<1, dim>>> normals_at;     ///< of fixed faces
-    std::vector<Crossing>                    crossings;
+    std::vector<Part>     parts; ///< in the order of seeds
+    std::vector<Vertex>   vertices;
+    std::vector<Crossing> crossings;
     std::map<std::pair<unsigned int, unsigned int>, unsigned int>
       crossing_of_edge;
 
@@ -124,14 +129,13 @@ namespace isochor
     find_crossing(const Seed<dim>   &seed,
                   const unsigned int inside,
                   const unsigned int outside) const;
-    /** Faces that a vertex must not leave. */
     void
     find_fixed_faces();
     void
     move_vertices();
     /** Whether @p vertex may be moved to @p place. */
     bool
-    may_move(const unsigned int vertex, const Point<dim> &place) const;
+    may_move(const Vertex &vertex, const Point<dim> &place) const;
     /** Order the edges to be cut, and make vertices of their crossings. */
     void
     number_crossings();
@@ -143,11 +147,6 @@ namespace isochor
     is_piece_inside(const Part      &part,
                     const Corners   &corners,
                     const Seed<dim> &seed) const;
-    static std::pair<unsigned int, unsigned int>
-    edge(const unsigned int a, const unsigned int b)
-    {
-      return std::minmax(a, b);
-    }
   };
 } // namespace isochor
 
