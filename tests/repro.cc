@@ -24,7 +24,7 @@ namespace
     const auto problem = test::run_scene<3>(
       "Grid/Upper corner = 1.6, 1.2, 1\nGrid/Subdivisions = 10, 8, 6\n"
       "Material points/Points per cell = 4\n"
-      "Material points/Region = x < 0.5 && y < 0.5\n"
+      "Material points/Region = x < 0.49 && y < 0.47\n"
       "Quadrature/Type = cell-filled + boundary\nFormulation/Type = u-p\n"
       "Material/Model = J2\nMaterial/Young modulus = 1000\n"
       "Material/Poisson ratio = 0.49\nMaterial/Density = 1\n"

@@ -68,8 +68,6 @@ namespace isochor
     for (unsigned int c = 0; c <= dim; ++c)
       if (is_in_from(seed, seed.location + seed.domain[c]))
         corners |= 1u << c;
-    if (corners == 0 || corners == all_corners)
-      corners = is_in(seed.location) ? all_corners : 0;
     if (corners == 0 && !keep_outside)
       return;
     seeds.push_back(seed);
@@ -179,12 +177,11 @@ namespace isochor
                 find_crossing(seeds[part.seed], inside, outside));
             }
     for (const Crossing &crossing : crossings)
-      for (const auto &[vertex, share] :
-           {std::make_pair(crossing.inside, crossing.share),
-            std::make_pair(crossing.outside, 1 - crossing.share)})
+      for (const auto &[v, share] : crossing.ends())
         {
-          vertices[vertex].is_on_border |= share < rounding::places;
-          vertices[vertex].touches |= share < touching;
+          vertices[v].is_on_border |= share < rounding::places;
+          vertices[v].touches |= share < touching;
+          vertices[v].beyond.push_back(crossing.inside + crossing.outside - v);
         }
   }
 
@@ -196,15 +193,19 @@ namespace isochor
                                 const unsigned int inside,
                                 const unsigned int outside) const
   {
-    const Point<dim>     from  = vertices[inside].place;
-    const Tensor<1, dim> edge  = vertices[outside].place - from;
-    double               lower = 0, upper = 1;
-    while (upper - lower > rounding::arithmetic)
+    const Point<dim> from = vertices[inside].place,
+                     to   = vertices[outside].place;
+    // an edge on the border of the region has to be seen from within
+    const bool on_edge = is_in(from) && !is_in(to);
+    double     lower = 0, upper = 1;
+    while (upper - lower > rounding::numbers)
       {
-        const double middle = (lower + upper) / 2;
-        (is_in_from(seed, from + middle * edge) ? lower : upper) = middle;
+        const double     middle = (lower + upper) / 2;
+        const Point<dim> x      = from + middle * (to - from);
+        ((on_edge ? is_in(x) : is_in_from(seed, x)) ? lower : upper) = middle;
       }
-    return {inside, outside, from + lower * edge, lower};
+    const double share = (lower + upper) / 2;
+    return {inside, outside, from + share * (to - from), share};
   }
 
 
@@ -213,35 +214,39 @@ namespace isochor
   void
   RegionCut<dim>::find_fixed_faces()
   {
-    // by vertices, material and zone: how many there are, a part and a corner
-    std::map<std::array<unsigned int, dim + 2>, std::array<unsigned int, 3>>
+    // by vertices, material, zone and which of them are inside: a part, a
+    // corner, and whether there are two
+    std::map<std::array<unsigned int, dim + 3>, std::array<unsigned int, 3>>
       faces;
     for (unsigned int p = 0; p < parts.size(); ++p)
       for (unsigned int c = 0; c <= dim; ++c)
         {
-          const Seed<dim>                  &seed = seeds[parts[p].seed];
-          std::array<unsigned int, dim + 2> key;
-          std::copy_if(parts[p].corners.begin(),
-                       parts[p].corners.end(),
-                       key.begin(),
-                       [&](const unsigned int v) {
-                         return v != parts[p].corners[c];
-                       });
-          std::sort(key.begin(), key.begin() + dim);
-          key[dim]     = seed.material;
-          key[dim + 1] = seed.zone;
-          auto &face   = faces[key];
-          face         = {{face[0] + 1, p, c}};
+          const Seed<dim> &seed = seeds[parts[p].seed];
+          std::vector<std::pair<unsigned int, bool>> corners;
+          for (unsigned int i = 0; i <= dim; ++i)
+            if (const unsigned int v = parts[p].corners[i]; i != c)
+              corners.emplace_back(v,
+                                   is_inside(parts[p], i) &&
+                                     !vertices[v].touches);
+          std::sort(corners.begin(), corners.end());
+          std::array<unsigned int, dim + 3> key{};
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              key[i] = corners[i].first;
+              key[dim + 2] |= (corners[i].second ? 1u : 0u) << i;
+            }
+          key[dim]         = seed.material;
+          key[dim + 1]     = seed.zone;
+          const auto found = faces.insert({key, {{p, c, 0}}});
+          if (!found.second)
+            found.first->second[2] = 1;
         }
     for (const auto &[key, face] : faces)
       {
-        const auto &[n, p, c] = face;
+        const auto &[p, c, is_between] = face;
         // of what is dropped no face is fixed
-        bool stays = keep_outside;
-        for (unsigned int i = 0; i <= dim; ++i)
-          stays = stays || (i != c && is_inside(parts[p], i) &&
-                            !vertices[parts[p].corners[i]].touches);
-        for (unsigned int i = 0; i < dim && n == 1 && stays; ++i)
+        const bool stays = keep_outside || key[dim + 2] != 0;
+        for (unsigned int i = 0; i < dim && is_between == 0 && stays; ++i)
           vertices[key[i]].normals.push_back(
             normal<dim>(seeds[parts[p].seed].domain, c));
       }
@@ -253,18 +258,15 @@ namespace isochor
   void
   RegionCut<dim>::move_vertices()
   {
-    // share of the edge, vertex to be moved, crossing
-    std::vector<std::tuple<double, unsigned int, unsigned int>> candidates;
+    // by how far (rounded, so that axes can be exchanged): vertex, crossing
+    std::vector<std::tuple<float, unsigned int, unsigned int>> candidates;
     for (unsigned int i = 0; i < crossings.size(); ++i)
-      {
-        const Crossing &crossing = crossings[i];
-        if (crossing.share < near)
-          candidates.emplace_back(crossing.share, crossing.inside, i);
-        if (1 - crossing.share < near)
-          candidates.emplace_back(1 - crossing.share, crossing.outside, i);
-      }
+      for (const auto &[v, share] : crossings[i].ends())
+        if (share < near + rounding::places)
+          candidates.emplace_back(
+            crossings[i].place.distance(vertices[v].place), v, i);
     std::sort(candidates.begin(), candidates.end());
-    for (const auto &[share, v, i] : candidates)
+    for (const auto &[distance, v, i] : candidates)
       {
         const Crossing &crossing = crossings[i];
         if (vertices[crossing.inside].is_on_border ||
@@ -288,6 +290,12 @@ namespace isochor
     for (const Tensor<1, dim> &n : vertex.normals)
       if (std::abs(n * step) > rounding::places * step.norm())
         return false;
+    // not across a gap, or a body, in which there is no other vertex
+    for (const unsigned int v : vertex.beyond)
+      if (const Tensor<1, dim> edge = vertices[v].place - vertex.place;
+          !vertices[v].is_on_border &&
+          edge * step < -rounding::places * edge.norm() * step.norm())
+        return false;
     // not beyond a face, where domains have other shapes than a grid's
     for (const unsigned int p : vertex.parts)
       {
@@ -309,14 +317,14 @@ namespace isochor
   void
   RegionCut<dim>::number_crossings()
   {
-    std::vector<std::pair<float, unsigned int>> order;
+    std::vector<std::tuple<float, float, unsigned int>> order;
     for (unsigned int i = 0; i < crossings.size(); ++i)
       {
         const Crossing &crossing = crossings[i];
         const Vertex   &in       = vertices[crossing.inside],
                      &out        = vertices[crossing.outside];
         if (!in.is_on_border && !out.is_on_border)
-          order.emplace_back(-(out.place - in.place).norm(), i);
+          order.emplace_back(-(out.place - in.place).norm(), crossing.share, i);
         else
           crossing_of_edge.erase(
             std::minmax(crossing.inside, crossing.outside));
@@ -324,7 +332,7 @@ namespace isochor
     std::sort(order.begin(), order.end());
     for (unsigned int rank = 0; rank < order.size(); ++rank)
       {
-        Crossing &crossing = crossings[order[rank].second];
+        Crossing &crossing = crossings[std::get<2>(order[rank])];
         crossing.rank      = rank;
         crossing.vertex    = vertices.size();
         vertices.emplace_back();

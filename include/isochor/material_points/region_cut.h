@@ -72,6 +72,7 @@ namespace isochor
       bool                        touches  = false; ///< nearly on the border
       bool                        is_moved = false;
       std::vector<unsigned int>   parts;   ///< around it
+      std::vector<unsigned int>   beyond;  ///< vertices across the border
       std::vector<Tensor<1, dim>> normals; ///< of faces that it must not leave
     };
     /** Where the border crosses the edge between two vertices. */
@@ -82,6 +83,13 @@ namespace isochor
       double       share; ///< of the edge, from the vertex inside
       unsigned int rank   = 0;
       unsigned int vertex = 0; ///< there, if the edge is cut
+
+      /** Both vertices, and the share of the edge from each. */
+      std::array<std::pair<unsigned int, double>, 2>
+      ends() const
+      {
+        return {{{inside, share}, {outside, 1 - share}}};
+      }
     };
 
     const Expression<dim> &condition;
