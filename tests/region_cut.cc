@@ -114,10 +114,6 @@ namespace
                      in_surface = std::abs(cut.surface / surface - 1) * n * n;
         errors[0]               = std::max(errors[0], in_volume);
         errors[1]               = std::max(errors[1], in_surface);
-        std::clog << what << ' ' << n << ": volume " << in_volume / n / n
-                  << ", surface " << in_surface / n / n << ", smallest "
-                  << cut.smallest * std::pow(n, dim) << ", gap " << cut.gap
-                  << ", " << cut.seeds.size() << " points\n";
         test::check_error(what + ", " + N + " cells: faces enclose the volume",
                           cut.gap,
                           1e-11);
@@ -159,23 +155,23 @@ main(int argc, char **argv)
                       {10, 20, 40, 80, 160},
                       numbers::PI,
                       2 * numbers::PI,
-                      1,
-                      1);
+                      0.22,
+                      0.06);
   test_convergence<2>("ring",
                       box + p +
                         "Region = x*x + y*y < 1 && (x - 0.1)^2 + y^2 > 0.25\n",
                       {20, 40, 80, 160},
                       0.75 * numbers::PI,
                       3 * numbers::PI,
-                      1,
-                      1);
+                      0.06,
+                      0.11);
   test_convergence<3>("octant of a ball",
                       one + p + "Region = x*x + y*y + z*z < 1\n",
                       {6, 12, 24},
                       numbers::PI / 6,
                       1.25 * numbers::PI,
-                      1,
-                      1);
+                      0.1,
+                      0.045);
   test_exact<2>("box between lines",
                 "Grid/Subdivisions = 10, 10\n" + p +
                   "Region = y > 0.0125 && y < 0.5125\n",
@@ -191,5 +187,48 @@ main(int argc, char **argv)
                   "Region = x + 0.3*y + 0.2*z < 0.71\n",
                 0.71 - 0.25,
                 1 + 4 * (0.71 - 0.25) + std::sqrt(1.13));
+  test_exact<2>("gap from a line on",
+                "Grid/Subdivisions = 10, 10\n" + p +
+                  "Region = y < 0.5 || y > 0.505\n",
+                0.995,
+                5.99);
+  test_exact<2>("gap on vertices",
+                "Grid/Subdivisions = 10, 10\n" + p +
+                  "Region = abs(y - 0.5) > 0.005\n",
+                0.99,
+                5.98);
+  test_exact<2>("strip on vertices",
+                "Grid/Subdivisions = 10, 10\n" + p +
+                  "Region = abs(y - 0.5) < 0.005\n",
+                0.01,
+                2.02);
+  test_exact<2>("sides on lines",
+                "Grid/Subdivisions = 10, 10\n" + p +
+                  "Region = x >= 0.2 && x < 0.7 && y > 0.05 && y <= 0.6\n",
+                0.275,
+                2.1);
+  // a face between materials or bodies is on the surface of both
+  test_exact<2>("a material above a slanted line",
+                "Grid/Subdivisions = 10, 10\n" + p +
+                  "Materials in zones = 2: y > 0.21 + 0.3*x\n",
+                1,
+                4 + 2 * std::sqrt(1.09));
+  test_exact<3>("bodies above and below a plane",
+                "Grid/Subdivisions = 4, 4, 4\n",
+                1,
+                6 + 2 * std::sqrt(1.13),
+                {"y > 0.21 + 0.3*x + 0.2*z"});
+  {
+    const Cut<2> cut("Grid/Subdivisions = 10, 10\n" + p +
+                       "Region = x < 0.87\n" + p +
+                       "Materials in zones = 2: y < 0.333; 3: y < 0.123\n",
+                     {"x > 0.444"});
+    test::check_error("materials and bodies: volumes",
+                      std::max({std::abs(cut.of_material.at(0) - 0.667 * 0.87),
+                                std::abs(cut.of_material.at(1) - 0.21 * 0.87),
+                                std::abs(cut.of_material.at(2) - 0.123 * 0.87),
+                                std::abs(cut.of_zone.at(1) - 0.426)}),
+                      1e-11);
+  }
   return 0;
 }

@@ -22,9 +22,9 @@ namespace
   test_volume()
   {
     const auto problem = test::run_scene<3>(
-      "Grid/Upper corner = 1.6, 1.2, 1\nGrid/Subdivisions = 10, 8, 6\n"
+      "Grid/Upper corner = 1.6, 1.2, 1.5\nGrid/Subdivisions = 10, 8, 9\n"
       "Material points/Points per cell = 4\n"
-      "Material points/Region = x < 0.49 && y < 0.47\n"
+      "Material points/Region = x < 0.49 && y < 0.47 && z < 1\n"
       "Quadrature/Type = cell-filled + boundary\nFormulation/Type = u-p\n"
       "Material/Model = J2\nMaterial/Young modulus = 1000\n"
       "Material/Poisson ratio = 0.49\nMaterial/Density = 1\n"
