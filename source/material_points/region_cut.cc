@@ -81,6 +81,11 @@ namespace isochor
   RegionCut<dim>::cut(std::vector<bool> &is_inside)
   {
     find_parts();
+    if (parts.empty() && !keep_outside)
+      {
+        is_inside.assign(seeds.size(), true);
+        return std::move(seeds);
+      }
     find_crossings();
     find_fixed_faces();
     move_vertices();
@@ -195,14 +200,14 @@ namespace isochor
   {
     const Point<dim> from = vertices[inside].place,
                      to   = vertices[outside].place;
-    // an edge on the border of the region has to be seen from within
-    const bool on_edge = is_in(from) && !is_in(to);
+    // what is on the border elsewhere, too, has to be seen from within
+    const bool is_plain = is_in(from) && !is_in(to);
     double     lower = 0, upper = 1;
     while (upper - lower > rounding::numbers)
       {
         const double     middle = (lower + upper) / 2;
         const Point<dim> x      = from + middle * (to - from);
-        ((on_edge ? is_in(x) : is_in_from(seed, x)) ? lower : upper) = middle;
+        ((is_plain ? is_in(x) : is_in_from(seed, x)) ? lower : upper) = middle;
       }
     const double share = (lower + upper) / 2;
     return {inside, outside, from + share * (to - from), share};

@@ -47,10 +47,10 @@ namespace isochor
     add(const Seed<dim> &seed);
 
     /**
-     * Cut what was taken. Returns the points left, each at the centroid of its
-     * domain, in the order in which they were taken; @p is_inside says which of
-     * them are in the region. Parts have the cell of the whole, but a domain of
-     * which a vertex was moved need not lie in it.
+     * Cut what was taken, once. Returns the points left, each at the centroid
+     * of its domain, in the order in which they were taken; @p is_inside says
+     * which of them are in the region. Parts have the cell of the whole, but a
+     * domain of which a vertex was moved need not lie in it.
      */
     std::vector<Seed<dim>>
     cut(std::vector<bool> &is_inside);
