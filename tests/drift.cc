@@ -28,7 +28,7 @@ namespace
   const std::string clamp = "Boundary conditions/Displacement = "
                             "left: x=0, y=0\n",
                     up_and_down =
-                      "Boundary conditions/Gravity = 0, 2*sin(2*pi*t)\n";
+                      "Boundary conditions/Gravity = 0, 3*sin(2*pi*t)\n";
 } // namespace
 
 

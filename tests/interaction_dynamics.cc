@@ -119,7 +119,7 @@ test_two_blocks(const std::string &form, const std::string &scheme)
     "Grid/Lower corner = -0.5, -1.5\nGrid/Upper corner = 1.5, 1.5\n"
     "Grid/Subdivisions = 12, 18\nGrid/Diagonals = alternating\n"
     "Material points/Region = x > 0 && x < 1 && "
-    "((y > 0.16666 && y < 0.66667) || (y < 0.00001 && y > -0.500001))\n"
+    "((y > 1/6 && y < 2/3) || (y < 0 && y > -0.5))\n"
     "Material points/Bodies = auto\n"
     "Material/Young modulus = 100\nMaterial/Density = 1\n"
     "Material/Poisson ratio = 0.3\nFormulation/Type = " +

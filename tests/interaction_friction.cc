@@ -56,8 +56,8 @@ namespace
                         in = x + ">0 && " + x + "<1 && " + y + ">0 && " + y +
                              "<0.5";
       return "Quadrature/Type = CPDI\nGrid/Lower corner = " +
-             pair(X - 0.33 * L, Y - 0.21 * L) +
-             "\nGrid/Upper corner = " + pair(X + 2.07 * L, Y + 0.79 * L) +
+             pair(X - 0.32 * L, Y - 0.23 * L) +
+             "\nGrid/Upper corner = " + pair(X + 2.08 * L, Y + 0.77 * L) +
              "\nGrid/Subdivisions = " + (swap ? "10, 24" : "24, 10") +
              "\nMaterial points/Region = " + in +
              "\nMaterial points/Points per cell = 4\n"

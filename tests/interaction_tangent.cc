@@ -220,7 +220,7 @@ main(int argc, char **argv)
                       shape + "Motion = y=-0.3*t\n" + shape + "Free = x, ",
                     inertia = shape + "Mass = 1\n" + shape +
                               "Moment of inertia = 0.3\n",
-                    solid_plane = plane + "Point = 0, 1, 0\n" + shape +
+                    solid_plane = plane + "Point = 0, 0.99, 0\n" + shape +
                                   "Normal = 0.01, -1, 0.02\n",
                     sphere = circle + "Centre = 0.4, 1.48, 0.3\n";
   const std::string free   = " that turns freely";

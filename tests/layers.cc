@@ -156,7 +156,7 @@ namespace
     test_soft_layer("2: y < 0.4375 || y > 0.5625", "u-p", 0.01);
     // one that fills a quarter of them
     const std::string thin =
-      "Material points/Materials in zones = 2: y > 0.53 && y < 0.56\n";
+      "Material points/Materials in zones = 2: y > 0.47 && y < 0.53\n";
     const std::string told = settle_under(2000, 4, thin).told;
     test::check("not told of a thin layer", told.empty(), told);
     const auto test_silence = [&](const std::string &settings) {

@@ -45,8 +45,11 @@ main(int argc, char **argv)
                                  left_out = {"holds in places of",
                                              "a part of the body is left out"};
   const std::vector<std::string> no_message;
-  test_region<2>("y < 0.5 || y > 0.505", 20, filled);
-  test_region<2>("abs(y - x) > 0.0025", 20, filled);
+  // domains are cut by a gap with corners in it or at it, but not between them
+  test_region<2>("y < 0.5 || y > 0.505", 20, no_message);
+  test_region<2>("abs(y - x) > 0.0025", 20, no_message);
+  test_region<2>("y < 0.51 || y > 0.515", 20, filled);
+  test_region<2>("abs(y - x - 0.0125) > 0.0025", 20, filled);
   test_region<2>("y < 0.45 || abs(y - 0.77) < 0.0015", 20, left_out);
   for (const unsigned int n : {8, 21})
     for (const std::string region : {"(x - 0.5)^2 + (y - 0.5)^2 < 0.3^2",
@@ -57,7 +60,7 @@ main(int argc, char **argv)
                                      "y < 0.993",
                                      "y < 0.5 || y > 0.55"})
       test_region<2>(region, n, no_message);
-  test_region<3>("y < 0.5 || y > 0.51", 6, filled);
+  test_region<3>("y < 0.54 || y > 0.55", 6, filled);
   test_region<3>("x^2 + y^2 + z^2 < 1", 6, no_message);
   test_region<3>("(x - 0.5)^2 + y^2 + z^2 > 0.2", 6, no_message);
 }

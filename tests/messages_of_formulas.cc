@@ -53,15 +53,21 @@ namespace
                messages<2>(region + slip[0] + '\n'),
                words);
       }
-    const std::string inside = region + "x < 0.509\n";
+    const std::string inside     = region + "x < 0.509\n";
+    const std::string no_domains = "Quadrature/Type = cell-filled\n"
+                                   "Material points/Points per cell = 4\n";
     expect("a region that is a little larger than the points' cells",
-           messages<2>(inside),
+           messages<2>(inside + no_domains),
            {}); // 1.8 %
     expect("the same of a body of revolution",
-           messages<2>(inside + "Formulation/Geometry = axisymmetric\n"),
+           messages<2>(inside + no_domains +
+                       "Formulation/Geometry = axisymmetric\n"),
            {"WARNING rounded to the points",
             "stand for 0.7854 m^3, 3.", // 3.5, by samples of the cells
             "less"});
+    expect("... whose domains are cut",
+           messages<2>(inside + "Formulation/Geometry = axisymmetric\n"),
+           {});
     expect("a region that compares nothing",
            messages<2>(region + "y\n"),
            {"WARNING a condition that compares nothing",

@@ -113,14 +113,18 @@ namespace
         true,
         2);
     };
-    expect("a layer that is rounded to domains",
-           zone("y < 0.515", ""),
+    const std::string no_domains = "Quadrature/Type = points\nMaterial "
+                                   "points/Points per cell = 4\n";
+    expect("a layer that is cut", zone("y < 0.515", ""), {});
+    expect("a layer that is rounded to points",
+           zone("y < 0.515", no_domains),
            {"WARNING rounded to the points",
             "material 1 stand for 0.5 m^2, 3.0"});
-    expect("... on a side of domains", zone("y < 0.5625", ""), {});
-    expect("... by little", zone("y < 0.505", ""), {});
+    expect("... on a line between points", zone("y < 0.5625", no_domains), {});
+    expect("... by little", zone("y < 0.505", no_domains), {});
     expect("... with more points",
-           zone("y < 0.515", "Material points/Points per cell = 1024\n"),
+           zone("y < 0.515",
+                no_domains + "Material points/Points per cell = 1024\n"),
            {});
   }
 } // namespace

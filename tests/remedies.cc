@@ -207,8 +207,9 @@ namespace
      "Dynamics/Inertia = true\n",
      true},
     {"rounded to the points",
-     good + "Material points/Region = y < 0.6\n",
-     "Material points/Region = y < 0.5\n",
+     good + "Material points/Region = y < 0.6\n"
+            "Quadrature/Type = cell-filled\n",
+     "Quadrature/Type = CPDI\n",
      true},
     {"surface in part off the body",
      "Grid/Subdivisions = 8, 8\n"

@@ -150,6 +150,7 @@ test_free_nodes()
                  "Grid/Upper corner = 4, 2\nGrid/Subdivisions = 16, 8\n"
                  "Material points/Region = "
                  "(x-0.8)*(x-0.8)+(y-0.3)*(y-0.3) < 0.3\n"
+                 "Material points/Points per cell = 9\n"
                  "Material/Young modulus = 1e10\n"
                  "Boundary conditions/Displacement = bottom: y=0\n"
                  "Boundary conditions/Gravity = 0, -10" +

@@ -38,7 +38,7 @@ namespace isochor
       MaterialVolumes(const BodySeeding<dim> &seeding,
                       const PointLayout      &layout)
         : zones(seeding.create_material_zones())
-        , rules(seeding.create_zones(layout.with_domains))
+        , rules(seeding.create_zones(false))
         , in_body(seeding.parameters_read().region, "Material points/Region")
         , axisymmetric(layout.axisymmetric)
       {
@@ -152,9 +152,10 @@ namespace isochor
       const BodySeeding<dim> &seeding    = scene.points.body_seeding();
       const auto             &parameters = seeding.parameters_read();
       const PointLayout      &layout     = scene.points.layout();
+      // domains are cut by the borders of region and zones
       if ((parameters.material_zones.empty() &&
            names_in_formula(parameters.region).empty()) ||
-          parameters.lattice_spacing > 0)
+          parameters.lattice_spacing > 0 || layout.with_domains)
         return;
       const MPI_Comm       comm = scene.grid.communicator();
       MaterialVolumes<dim> found(seeding, layout);
@@ -205,9 +206,9 @@ namespace isochor
                    " stand for " + rounded(of_points) + " m^" +
                    std::to_string(dim_of_volume) + ", " + rounded(100 * most) +
                    " % " + (sign > 0 ? "more" : "less") +
-                   " than its region and zones. Let their sides lie on "
-                   "lines of cells, use smaller cells or more points, or "
-                   "<Material points/Body mesh>.");
+                   " than its region and zones. Use <Quadrature/Type = CPDI>, "
+                   "smaller cells or more points, or let their sides lie on "
+                   "lines of cells.");
     }
   };
 
@@ -215,11 +216,10 @@ namespace isochor
     RoundedZones,
     "rounded to the points",
     ISOCHOR_ESSENTIAL,
-    "the points that `Region` and, by material, `Materials in zones` hold "
-    "stand for a volume that differs by more than 2 % from theirs: a point "
-    "belongs to the body, and to a material, as a whole, so that sides lie "
-    "on lines of cells, or of the parts of them that points stand for (two "
-    "layers with their interface at 1.03 m on cells of 0.25 m met at 1 m, "
-    "and settled by 2.5 % too much)",
-    "sides on such lines, smaller cells, more points, or `Body mesh`")
+    "where points have no domains (`points`, `cell-filled`), the points that "
+    "`Region` and, by material, `Materials in zones` hold stand for a volume "
+    "that differs by more than 2 % from theirs: a point belongs to the body, "
+    "and to a material, as a whole",
+    "`Quadrature/Type = CPDI`, whose domains are cut by the borders; sides on "
+    "lines of cells, smaller cells, more points, or `Body mesh`")
 } // namespace isochor

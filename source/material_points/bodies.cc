@@ -123,25 +123,29 @@ namespace isochor
 
 
   template <int dim>
+  std::vector<Expression<dim>>
+  Bodies<dim>::zones() const
+  {
+    std::vector<Expression<dim>> zones;
+    if (are_named())
+      for (const auto &zone : split_named_list(parameter, parameter_name))
+        zones.emplace_back(zone.second,
+                           parameter_name,
+                           FormulaVariables::space);
+    return zones;
+  }
+
+
+
+  template <int dim>
   std::vector<std::string>
   Bodies<dim>::names_by_zones(const std::vector<Seed<dim>> &seeds) const
   {
-    std::vector<std::pair<std::string, Expression<dim>>> zones;
-    for (const auto &zone : split_named_list(parameter, parameter_name))
-      zones.emplace_back(zone.first,
-                         Expression<dim>(zone.second,
-                                         parameter_name,
-                                         FormulaVariables::space));
+    const auto zones = split_named_list(parameter, parameter_name);
     std::vector<std::string> names;
     names.reserve(seeds.size());
     for (const Seed<dim> &seed : seeds)
-      {
-        const auto last =
-          std::find_if(zones.rbegin(), zones.rend(), [&](const auto &zone) {
-            return zone.second(seed.location, 0.) > 0;
-          });
-        names.push_back(last == zones.rend() ? unnamed : last->first);
-      }
+      names.push_back(seed.zone == 0 ? unnamed : zones[seed.zone - 1].first);
     for (const auto &zone : zones)
       AssertThrow(std::find(names.begin(), names.end(), zone.first) !=
                     names.end(),

@@ -8,10 +8,12 @@
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/body_seeding.h>
 #include <isochor/material_points/point_locator.h>
+#include <isochor/material_points/region_seeds.h>
 
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <sstream>
 
@@ -43,9 +45,10 @@ namespace isochor
                       "1",
                       Patterns::Anything(),
                       "The body: a condition in x, y(, z). Points are seeded "
-                      "where it holds. Parts and gaps that are narrower than "
-                      "the distance of points are lost; a warning tells, but "
-                      "not with <Lattice spacing>.");
+                      "where it holds; those with domains ('Points per cell') "
+                      "have them cut by its border. Parts and gaps that are "
+                      "narrower than the distance of points are lost; a "
+                      "warning tells, but not with <Lattice spacing>.");
     prm.declare_entry("Physical groups",
                       "",
                       Patterns::List(Patterns::Anything()),
@@ -72,7 +75,8 @@ namespace isochor
       "Material 1 is the subsection 'Material', k > 1 the "
       "subsection 'Material k', whose defaults are those of the "
       "program, not the entries of 'Material'. The last "
-      "condition that holds counts; 1 elsewhere.");
+      "condition that holds counts; 1 elsewhere. Domains of points are cut "
+      "by the borders of the zones.");
     prm.leave_subsection();
   }
 
@@ -130,9 +134,10 @@ namespace isochor
 
   template <int dim>
   std::vector<Seed<dim>>
-  BodySeeding<dim>::seeds(const BackgroundGrid<dim> &grid,
-                          const bool                 with_domains,
-                          const unsigned int         n_materials) const
+  BodySeeding<dim>::seeds(const BackgroundGrid<dim>          &grid,
+                          const bool                          with_domains,
+                          const unsigned int                  n_materials,
+                          const std::vector<Expression<dim>> &zones) const
   {
     std::vector<Seed<dim>> seeds =
       !parameters.body_mesh.empty() ?
@@ -144,7 +149,11 @@ namespace isochor
                 ExcMessage("No material point lies in the grid. Check the "
                            "parameters of <Material points>, which describe "
                            "the body, against those of <Grid>."));
-    choose_materials(n_materials, seeds);
+    choose_materials(n_materials, with_domains, seeds);
+    for (unsigned int z = 0; z < zones.size(); ++z)
+      assign_zone(zones[z], with_domains, &Seed<dim>::zone, z + 1, seeds);
+    if (with_domains)
+      relocate(grid.geometry(), seeds);
     return seeds;
   }
 
@@ -182,6 +191,7 @@ namespace isochor
   template <int dim>
   void
   BodySeeding<dim>::choose_materials(const unsigned int      n_materials,
+                                     const bool              with_domains,
                                      std::vector<Seed<dim>> &seeds) const
   {
     const MaterialZones zones = create_material_zones();
@@ -191,8 +201,30 @@ namespace isochor
                              "zones> names material " +
                              std::to_string(zone.first) + ", but there are " +
                              std::to_string(n_materials) + "."));
+    for (const auto &zone : zones)
+      assign_zone(
+        zone.second, with_domains, &Seed<dim>::material, zone.first - 1, seeds);
+  }
+
+
+
+  template <int dim>
+  void
+  BodySeeding<dim>::relocate(const SimplexGeometry<dim> &geometry,
+                             std::vector<Seed<dim>>     &seeds)
+  {
+    std::unique_ptr<PointLocator<dim>> locator;
     for (Seed<dim> &seed : seeds)
-      seed.material = material_at(zones, seed.location);
+      {
+        const auto lambda = geometry.barycentric(seed.cell, seed.location);
+        if (*std::min_element(lambda.begin(), lambda.end()) >= 0)
+          continue;
+        if (!locator)
+          locator = std::make_unique<PointLocator<dim>>(geometry);
+        const auto place = locator->locate(seed.location, seed.cell);
+        if (place.found)
+          seed.cell = place.cell;
+      }
   }
 
 
@@ -253,13 +285,7 @@ namespace isochor
     const bool                                       with_domains) const
   {
     const std::vector<Zone> zones = create_zones(with_domains);
-    const Expression<dim>  in_body(parameters.region, "Material points/Region");
-    std::vector<Seed<dim>> seeds;
-    // not more: the body may be a small part of a large grid
-    constexpr std::size_t most = 1u << 20;
-    seeds.reserve(std::min<std::size_t>(most,
-                                        geometry.n_cells() *
-                                          std::size_t(zones[0].rule.size())));
+    SeedsInRegion<dim>      seeds(parameters.region, with_domains);
     for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
       {
         if (!in_groups(geometry.cell_iterator(cell)->material_id(),
@@ -287,12 +313,10 @@ namespace isochor
                 for (unsigned int c = 0; c <= dim && with_domains; ++c)
                   seed.domain[c] += zones[zone].domains[q][c][d] * edge;
               }
-            // at once: those of a large empty grid would fill the memory
-            if (in_body(seed.location, 0.) > 0)
-              seeds.push_back(seed);
+            seeds.add(seed);
           }
       }
-    return seeds;
+    return seeds.all();
   }
 
 
@@ -396,9 +420,8 @@ namespace isochor
     const auto         n = count_boxes(extent, h);
     const unsigned int n_points =
       std::accumulate(n.begin(), n.end(), 1u, std::multiplies<unsigned int>());
-    const BoxParts<dim>    parts = divide_box<dim>(h, with_domains);
-    const Expression<dim>  in_body(parameters.region, "Material points/Region");
-    std::vector<Seed<dim>> seeds;
+    const BoxParts<dim> parts = divide_box<dim>(h, with_domains);
+    SeedsInRegion<dim>  in_region(parameters.region, with_domains);
     for (unsigned int i = 0; i < n_points; ++i)
       for (unsigned int s = 0; s < parts.places.size(); ++s)
         {
@@ -408,9 +431,9 @@ namespace isochor
           for (unsigned int d = 0; d < dim; ++d, rest /= n[d - 1])
             seed.location[d] =
               extent.lower[d] + (rest % n[d] + parts.places[s][d]) * h;
-          if (in_body(seed.location, 0.) > 0)
-            seeds.push_back(seed);
+          in_region.add(seed);
         }
+    std::vector<Seed<dim>> seeds = in_region.all();
     locate(grid, seeds);
     seeds.erase(std::remove_if(seeds.begin(),
                                seeds.end(),

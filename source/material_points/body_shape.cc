@@ -95,7 +95,7 @@ namespace isochor
       {
         const Point<dim> point = lattice_point(x);
         const auto       place = locator->locate(point, cell);
-        return (*in_region)(point, 0.) > 0 && place.found &&
+        return (*in_region)(with_domains ? x : point, 0.) > 0 && place.found &&
                belongs(grid->geometry(), place.cell, grid->group_ids());
       }
     return belongs(grid->geometry(), cell, grid->group_ids()) &&

@@ -60,7 +60,11 @@ namespace isochor
     for (const auto &material : materials)
       n_history =
         std::max<unsigned int>(n_history, material->history_names().size());
-    auto seeds = seeding.seeds(grid, with_domains, materials.size());
+    auto                            seeds = seeding.seeds(grid,
+                               with_domains,
+                               materials.size(),
+                               has_one_field ? std::vector<Expression<dim>>() :
+                                                                          all_bodies.zones());
     const std::vector<unsigned int> body_of_seed =
       divide_into_bodies(make_layers, seeds);
     const bool with_surface =

@@ -5,6 +5,7 @@
 #ifndef isochor_seeded_cells_h
 #define isochor_seeded_cells_h
 
+#include <isochor/base/rounding.h>
 #include <isochor/grid/mesh_reader.h>
 #include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/body_seeding.h>
@@ -53,7 +54,9 @@ namespace isochor
     return x;
   }
 
-  /** The places of the points that are seeded in a cell, with @p zones. */
+  /** The places that say which part of a cell is body, with @p zones: those of
+   * the points that are seeded in it or, where these have domains, the corners
+   * of these, as seen from within. */
   template <int dim>
   std::vector<Point<dim>>
   places_in_cell(const SimplexGeometry<dim>                         &geometry,
@@ -63,14 +66,19 @@ namespace isochor
     auto                    corners = corners_of(geometry, cell);
     std::vector<Point<dim>> places;
     order_for_subdivision<dim>(corners);
-    const Point<dim> centroid = cell_centroid(geometry, cell);
-    for (const Point<dim> &x :
-         zones[BodySeeding<dim>::find_zone(zones, centroid)].rule.get_points())
-      {
-        places.push_back(corners[0]);
-        for (unsigned int d = 0; d < dim; ++d)
-          places.back() += x[d] * (corners[d + 1] - corners[0]);
-      }
+    const auto add = [&](const Point<dim> &x) {
+      places.push_back(corners[0]);
+      for (unsigned int d = 0; d < dim; ++d)
+        places.back() += x[d] * (corners[d + 1] - corners[0]);
+    };
+    const auto &zone =
+      zones[BodySeeding<dim>::find_zone(zones, cell_centroid(geometry, cell))];
+    for (unsigned int q = 0; q < zone.rule.size(); ++q)
+      if (zone.domains.empty())
+        add(zone.rule.point(q));
+      else
+        for (const Tensor<1, dim> &corner : zone.domains[q])
+          add(zone.rule.point(q) + (1 - rounding::accumulated) * corner);
     return places;
   }
 

@@ -36,8 +36,8 @@ namespace isochor
     parse_parameters(ParameterHandler &prm);
 
     /**
-     * Divide @p seeds into bodies. Returns the body of each seed, empty if
-     * there is one only.
+     * Divide @p seeds, with their zones, into bodies. Returns the body of each
+     * seed, empty if there is one only.
      * @throws ExcMessage if the parameter names a body without points.
      */
     std::vector<unsigned int>
@@ -46,6 +46,11 @@ namespace isochor
     /** Whether the parameter names bodies. */
     bool
     are_named() const;
+
+    /** Where the bodies are that the parameter names; the last that holds
+     * counts. */
+    std::vector<Expression<dim>>
+    zones() const;
 
     /** The names, by number; one or more, all different. */
     const std::vector<std::string> &

@@ -29,6 +29,8 @@ namespace isochor
     unsigned int       material = 0;
     /** See PointArrays::outer_faces. */
     unsigned int outer_faces = 0;
+    /** Of <Material points/Bodies>, from 1 on; 0 outside of all. */
+    unsigned int zone = 0;
   };
 
   /**
@@ -52,11 +54,14 @@ namespace isochor
     check_numbers(const bool with_domains) const;
 
     /** All points of the body, the same on all ranks, with simplex domains if
-     * @p with_domains. Throws if none lies in the @p grid. */
+     * @p with_domains. These are cut by the borders of the region, of the zones
+     * of materials, and of @p zones, of which the last one that holds is the
+     * seed's. Throws if no point lies in the @p grid. */
     std::vector<Seed<dim>>
-    seeds(const BackgroundGrid<dim> &grid,
-          const bool                 with_domains,
-          const unsigned int         n_materials) const;
+    seeds(const BackgroundGrid<dim>          &grid,
+          const bool                          with_domains,
+          const unsigned int                  n_materials,
+          const std::vector<Expression<dim>> &zones) const;
 
     /** What of the body the parameters say. */
     struct Parameters
@@ -120,7 +125,12 @@ namespace isochor
            std::vector<Seed<dim>>    &seeds) const;
     void
     choose_materials(const unsigned int      n_materials,
+                     const bool              with_domains,
                      std::vector<Seed<dim>> &seeds) const;
+    /** Find the cells of those that the cut has moved out of theirs. */
+    static void
+    relocate(const SimplexGeometry<dim> &geometry,
+             std::vector<Seed<dim>>     &seeds);
   };
 } // namespace isochor
 
