@@ -40,10 +40,7 @@ namespace
       grid.parse_parameters(prm);
       seeding.parse_parameters(prm);
       grid.create();
-      std::vector<Expression<dim>> conditions;
-      for (const std::string &zone : zones)
-        conditions.emplace_back(zone, "zone");
-      seeds = seeding.seeds(grid, true, n_materials, conditions);
+      seeds = seeding.seeds(grid, true, n_materials, zones);
       std::vector<unsigned int> body;
       for (const Seed<dim> &seed : seeds)
         {
@@ -207,12 +204,42 @@ main(int argc, char **argv)
                   "Region = x >= 0.2 && x < 0.7 && y > 0.05 && y <= 0.6\n",
                 0.275,
                 2.1);
+  // one condition after the other: edges and corners are where they should be
+  test_exact<2>("rectangle between lines",
+                "Grid/Subdivisions = 10, 10\n" + p +
+                  "Region = y < 0.7321 && (x > 0.0777 && x < 0.8777)\n",
+                0.7321 * 0.8,
+                2 * (0.7321 + 0.8));
+  test_exact<2>("square turned by 30 degrees",
+                box + "Grid/Subdivisions = 24, 24\n" + p +
+                  "Region = abs(x*cos(pi/6) + y*sin(pi/6)) < 0.5 && "
+                  "abs(y*cos(pi/6) - x*sin(pi/6)) < 0.5\n",
+                1,
+                4);
+  test_exact<2>("borders close to lines",
+                "Grid/Subdivisions = 6, 6\n" + p +
+                  "Region = x > 0.33334 && x < 0.66666 && y > 0.33334 && "
+                  "y < 0.66666\n",
+                0.33332 * 0.33332,
+                4 * 0.33332);
+  test_exact<3>("brick between planes",
+                "Grid/Subdivisions = 5, 5, 5\n" + p +
+                  "Region = x > 0.0777 && x < 0.8777 && y < 0.7321 && "
+                  "z > 0.11 && z < 0.93\n",
+                0.8 * 0.7321 * 0.82,
+                2 * (0.8 * 0.7321 + 0.8 * 0.82 + 0.7321 * 0.82));
   // a face between materials or bodies is on the surface of both
   test_exact<2>("a material above a slanted line",
                 "Grid/Subdivisions = 10, 10\n" + p +
                   "Materials in zones = 2: y > 0.21 + 0.3*x\n",
                 1,
                 4 + 2 * std::sqrt(1.09));
+  test_exact<2>("a rectangle of another material",
+                "Grid/Subdivisions = 10, 10\n" + p +
+                  "Materials in zones = 2: x > 0.211 && x < 0.677 && "
+                  "y < 0.533\n",
+                1,
+                4 + 2 * (0.466 + 2 * 0.533));
   test_exact<3>("bodies above and below a plane",
                 "Grid/Subdivisions = 4, 4, 4\n",
                 1,

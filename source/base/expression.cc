@@ -283,6 +283,50 @@ namespace isochor
 
 
   std::vector<std::string>
+  conditions_joined(const std::string &formula)
+  {
+    const std::string        text = Utilities::trim(formula);
+    std::vector<std::size_t> ands;
+    int                      depth        = 0;
+    std::size_t              end_of_first = std::string::npos; // parenthesis
+    for (std::size_t i = 0; i < text.size(); ++i)
+      {
+        depth += (text[i] == '(') - (text[i] == ')');
+        if (depth > 0)
+          continue;
+        if (end_of_first == std::string::npos)
+          end_of_first = i;
+        if (text[i] == '|' || text[i] == '?')
+          return {text};
+        if (text.compare(i, 2, "&&") == 0)
+          ands.push_back(i++);
+      }
+    if (ands.empty() && text.size() > 1 && text[0] == '(' &&
+        end_of_first + 1 == text.size())
+      return conditions_joined(text.substr(1, text.size() - 2));
+    std::vector<std::string> conditions;
+    std::size_t              begin = 0;
+    for (const std::size_t end : ands)
+      {
+        for (auto &condition :
+             conditions_joined(text.substr(begin, end - begin)))
+          conditions.push_back(condition);
+        begin = end + 2;
+      }
+    if (ands.empty())
+      return {text};
+    for (auto &condition : conditions_joined(text.substr(begin)))
+      conditions.push_back(condition);
+    // numbers count as conditions, too, but not only if they are positive
+    for (const std::string &condition : conditions)
+      if (condition.find_first_of("<>=") == std::string::npos)
+        return {text};
+    return conditions;
+  }
+
+
+
+  std::vector<std::string>
   names_in_formula(const std::string &formula)
   {
     const auto is_letter = [](const char c) {

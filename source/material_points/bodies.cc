@@ -123,15 +123,13 @@ namespace isochor
 
 
   template <int dim>
-  std::vector<Expression<dim>>
+  std::vector<std::string>
   Bodies<dim>::zones() const
   {
-    std::vector<Expression<dim>> zones;
+    std::vector<std::string> zones;
     if (are_named())
       for (const auto &zone : split_named_list(parameter, parameter_name))
-        zones.emplace_back(zone.second,
-                           parameter_name,
-                           FormulaVariables::space);
+        zones.push_back(zone.second);
     return zones;
   }
 

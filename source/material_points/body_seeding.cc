@@ -46,7 +46,8 @@ namespace isochor
                       Patterns::Anything(),
                       "The body: a condition in x, y(, z). Points are seeded "
                       "where it holds; those with domains ('Points per cell') "
-                      "have them cut by its border. Parts and gaps that are "
+                      "have them cut by its border, of conditions joined by "
+                      "'&&' one after the other. Parts and gaps that are "
                       "narrower than the distance of points are lost; a "
                       "warning tells, but not with <Lattice spacing>.");
     prm.declare_entry("Physical groups",
@@ -134,10 +135,10 @@ namespace isochor
 
   template <int dim>
   std::vector<Seed<dim>>
-  BodySeeding<dim>::seeds(const BackgroundGrid<dim>          &grid,
-                          const bool                          with_domains,
-                          const unsigned int                  n_materials,
-                          const std::vector<Expression<dim>> &zones) const
+  BodySeeding<dim>::seeds(const BackgroundGrid<dim>      &grid,
+                          const bool                      with_domains,
+                          const unsigned int              n_materials,
+                          const std::vector<std::string> &zones) const
   {
     std::vector<Seed<dim>> seeds =
       !parameters.body_mesh.empty() ?
@@ -151,7 +152,12 @@ namespace isochor
                            "the body, against those of <Grid>."));
     choose_materials(n_materials, with_domains, seeds);
     for (unsigned int z = 0; z < zones.size(); ++z)
-      assign_zone(zones[z], with_domains, &Seed<dim>::zone, z + 1, seeds);
+      assign_zone(zones[z],
+                  "Material points/Bodies",
+                  with_domains,
+                  &Seed<dim>::zone,
+                  z + 1,
+                  seeds);
     if (with_domains)
       relocate(grid.geometry(), seeds);
     return seeds;
@@ -194,16 +200,19 @@ namespace isochor
                                      const bool              with_domains,
                                      std::vector<Seed<dim>> &seeds) const
   {
-    const MaterialZones zones = create_material_zones();
-    for (const auto &zone : zones)
-      AssertThrow(zone.first >= 1 && zone.first <= int(n_materials),
-                  ExcMessage("The parameter <Material points/Materials in "
-                             "zones> names material " +
-                             std::to_string(zone.first) + ", but there are " +
-                             std::to_string(n_materials) + "."));
-    for (const auto &zone : zones)
-      assign_zone(
-        zone.second, with_domains, &Seed<dim>::material, zone.first - 1, seeds);
+    const char *name = "Material points/Materials in zones";
+    for (const auto &[number, zone] :
+         split_named_list(parameters.material_zones, name))
+      {
+        const int material = Utilities::string_to_int(number);
+        AssertThrow(material >= 1 && material <= int(n_materials),
+                    ExcMessage("The parameter <" + std::string(name) +
+                               "> names material " + number +
+                               ", but there are " +
+                               std::to_string(n_materials) + "."));
+        assign_zone(
+          zone, name, with_domains, &Seed<dim>::material, material - 1, seeds);
+      }
   }
 
 

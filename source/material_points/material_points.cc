@@ -63,7 +63,7 @@ namespace isochor
     auto                            seeds = seeding.seeds(grid,
                                with_domains,
                                materials.size(),
-                               has_one_field ? std::vector<Expression<dim>>() :
+                               has_one_field ? std::vector<std::string>() :
                                                                           all_bodies.zones());
     const std::vector<unsigned int> body_of_seed =
       divide_into_bodies(make_layers, seeds);

@@ -92,6 +92,11 @@ namespace isochor
   std::vector<std::string>
   names_in_formula(const std::string &formula);
 
+  /** The comparisons that a @p formula asks for all at once, joined by '&&',
+   * also in parentheses; else the formula itself. */
+  std::vector<std::string>
+  conditions_joined(const std::string &formula);
+
   /**
    * The items of a list of formulas, trimmed. Separators in parentheses belong
    * to a formula, as the commas of `if(x > 1, 2, 3)`. An empty list has no

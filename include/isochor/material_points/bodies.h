@@ -49,7 +49,7 @@ namespace isochor
 
     /** Where the bodies are that the parameter names; the last that holds
      * counts. */
-    std::vector<Expression<dim>>
+    std::vector<std::string>
     zones() const;
 
     /** The names, by number; one or more, all different. */

@@ -58,10 +58,10 @@ namespace isochor
      * of materials, and of @p zones, of which the last one that holds is the
      * seed's. Throws if no point lies in the @p grid. */
     std::vector<Seed<dim>>
-    seeds(const BackgroundGrid<dim>          &grid,
-          const bool                          with_domains,
-          const unsigned int                  n_materials,
-          const std::vector<Expression<dim>> &zones) const;
+    seeds(const BackgroundGrid<dim>      &grid,
+          const bool                      with_domains,
+          const unsigned int              n_materials,
+          const std::vector<std::string> &zones) const;
 
     /** What of the body the parameters say. */
     struct Parameters

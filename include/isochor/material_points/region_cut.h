@@ -32,7 +32,8 @@ namespace isochor
    * Corners are looked at from within each domain, so that a border on faces of
    * domains cuts none. A domain with all its corners on one side belongs, as a
    * whole, to the side of its centroid. An edge or a corner of the region
-   * inside of a domain becomes a chamfer.
+   * inside of a domain becomes a chamfer, unless its sides are cut one after
+   * the other (SeedsInRegion).
    */
   template <int dim>
   class RegionCut
