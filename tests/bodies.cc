@@ -129,7 +129,6 @@ namespace
     const auto run = [&](const std::string &more) {
       return points_of<dim>(*test::run_scene<dim>(common + more));
     };
-    // one condition, as for both: it has no edges to be cut one by one
     const auto a = run("Material points/Region = (" + first + ") || 0 > 1\n");
     const auto b = run("Material points/Region = (" + second + ") || 0 > 1\n");
     const auto both = run("Material points/Region = (" + first + ") || (" +
