@@ -282,45 +282,41 @@ namespace isochor
 
 
 
+  namespace
+  {
+    /** Whether the first parenthesis ends with @p text. */
+    bool
+    is_in_parentheses(const std::string &text)
+    {
+      int depth = 0;
+      for (std::size_t i = 0; i < text.size(); ++i)
+        {
+          depth += (text[i] == '(') - (text[i] == ')');
+          if (depth == 0)
+            return i > 0 && i + 1 == text.size();
+        }
+      return false;
+    }
+  } // namespace
+
+
+
   std::vector<std::string>
   conditions_joined(const std::string &formula)
   {
-    const std::string        text = Utilities::trim(formula);
-    std::vector<std::size_t> ands;
-    int                      depth        = 0;
-    std::size_t              end_of_first = std::string::npos; // parenthesis
-    for (std::size_t i = 0; i < text.size(); ++i)
-      {
-        depth += (text[i] == '(') - (text[i] == ')');
-        if (depth > 0)
-          continue;
-        if (end_of_first == std::string::npos)
-          end_of_first = i;
-        if (text[i] == '|' || text[i] == '?')
-          return {text};
-        if (text.compare(i, 2, "&&") == 0)
-          ands.push_back(i++);
-      }
-    if (ands.empty() && text.size() > 1 && text[0] == '(' &&
-        end_of_first + 1 == text.size())
-      return conditions_joined(text.substr(1, text.size() - 2));
+    if (is_in_parentheses(formula))
+      return conditions_joined(
+        Utilities::trim(formula.substr(1, formula.size() - 2)));
+    const auto items = split_formulas(formula, "", '&');
+    if (items.size() == 1 || split_formulas(formula, "", '|').size() > 1 ||
+        split_formulas(formula, "", '?').size() > 1)
+      return {formula};
     std::vector<std::string> conditions;
-    std::size_t              begin = 0;
-    for (const std::size_t end : ands)
-      {
-        for (auto &condition :
-             conditions_joined(text.substr(begin, end - begin)))
-          conditions.push_back(condition);
-        begin = end + 2;
-      }
-    if (ands.empty())
-      return {text};
-    for (auto &condition : conditions_joined(text.substr(begin)))
-      conditions.push_back(condition);
-    // numbers count as conditions, too, but not only if they are positive
-    for (const std::string &condition : conditions)
-      if (condition.find_first_of("<>=") == std::string::npos)
-        return {text};
+    for (const std::string &item : items)
+      if (!item.empty()) // between the signs of &&
+        for (const std::string &condition : conditions_joined(item))
+          // as what is joined by it, any number but zero holds
+          conditions.push_back("(" + condition + ") && 1");
     return conditions;
   }
 

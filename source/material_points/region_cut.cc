@@ -59,8 +59,8 @@ namespace isochor
 
 
   template <int dim>
-  void
-  RegionCut<dim>::add(const Seed<dim> &seed)
+  unsigned char
+  RegionCut<dim>::corners_inside(const Seed<dim> &seed) const
   {
     Assert(seed.domain[0].norm_square() > 0,
            ExcMessage("The point has no domain."));
@@ -68,18 +68,24 @@ namespace isochor
     for (unsigned int c = 0; c <= dim; ++c)
       if (is_in_from(seed, seed.location + seed.domain[c]))
         corners |= 1u << c;
-    if (corners == 0 && !keep_outside)
-      return;
-    seeds.push_back(seed);
-    sides.push_back(corners);
+    return corners;
   }
 
 
 
   template <int dim>
   std::vector<Seed<dim>>
-  RegionCut<dim>::cut(std::vector<bool> &is_inside)
+  RegionCut<dim>::cut(const std::vector<Seed<dim>> &all,
+                      std::vector<bool>            &is_inside)
   {
+    Assert(seeds.empty(), ExcMessage("An object cuts once."));
+    for (const Seed<dim> &seed : all)
+      if (const unsigned char corners = corners_inside(seed);
+          corners != 0 || keep_outside)
+        {
+          seeds.push_back(seed);
+          sides.push_back(corners);
+        }
     find_parts();
     if (parts.empty() && !keep_outside)
       {

@@ -92,8 +92,8 @@ namespace isochor
   std::vector<std::string>
   names_in_formula(const std::string &formula);
 
-  /** The comparisons that a @p formula asks for all at once, joined by '&&',
-   * also in parentheses; else the formula itself. */
+  /** The conditions that a @p formula asks for all at once, joined by '&&',
+   * also in parentheses; else the formula itself. Its parentheses match. */
   std::vector<std::string>
   conditions_joined(const std::string &formula);
 

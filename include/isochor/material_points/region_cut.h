@@ -43,18 +43,19 @@ namespace isochor
      * dropped, or kept. The condition must outlive this object. */
     RegionCut(const Expression<dim> &condition, const bool keep_outside);
 
-    /** Take a point with its domain. */
-    void
-    add(const Seed<dim> &seed);
+    /** Bit c: corner c of the domain of @p seed is inside of the region, as
+     * seen from within the domain. */
+    unsigned char
+    corners_inside(const Seed<dim> &seed) const;
 
     /**
-     * Cut what was taken, once. Returns the points left, each at the centroid
-     * of its domain, in the order in which they were taken; @p is_inside says
-     * which of them are in the region. Parts have the cell of the whole, but a
-     * domain of which a vertex was moved need not lie in it.
+     * Cut the domains of points, once. Returns the points left, each at the
+     * centroid of its domain, in the order of @p all; @p is_inside says which
+     * of them are in the region. Parts have the cell of the whole, but a domain
+     * of which a vertex was moved need not lie in it.
      */
     std::vector<Seed<dim>>
-    cut(std::vector<bool> &is_inside);
+    cut(const std::vector<Seed<dim>> &all, std::vector<bool> &is_inside);
 
   private:
     using Corners = std::array<unsigned int, dim + 1>;

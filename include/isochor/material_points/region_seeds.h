@@ -7,8 +7,9 @@
 
 #include <isochor/material_points/region_cut.h>
 
-#include <memory>
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace isochor
@@ -26,7 +27,8 @@ namespace isochor
     {
       for (const std::string &condition : conditions_joined(region))
         conditions.emplace_back(condition, "Material points/Region");
-      cut = std::make_unique<RegionCut<dim>>(conditions[0], false);
+      for (const Expression<dim> &condition : conditions)
+        cuts.emplace_back(condition, false);
     }
 
     /** What is outside is dropped at once: seeds of a large empty grid would
@@ -34,34 +36,34 @@ namespace isochor
     void
     add(const Seed<dim> &seed)
     {
-      if (with_domains)
-        cut->add(seed);
-      else if (in_body(seed.location, 0.) > 0)
+      if (!with_domains)
+        {
+          if (in_body(seed.location, 0.) > 0)
+            seeds.push_back(seed);
+        }
+      else if (std::all_of(cuts.begin(), cuts.end(), [&](const auto &cut) {
+                 return cut.corners_inside(seed) != 0;
+               }))
         seeds.push_back(seed);
     }
 
-    /** Those that were added, or their parts, in this order. */
+    /** Those that were added, or their parts, in this order. Once. */
     std::vector<Seed<dim>>
     all()
     {
       std::vector<bool> is_inside; // all
-      for (unsigned int i = 0; i < conditions.size() && with_domains; ++i)
-        {
-          if (i > 0)
-            cut = std::make_unique<RegionCut<dim>>(conditions[i], false);
-          for (const Seed<dim> &seed : seeds)
-            cut->add(seed);
-          seeds = cut->cut(is_inside);
-        }
-      return seeds;
+      for (RegionCut<dim> &cut : cuts)
+        if (with_domains)
+          seeds = cut.cut(seeds, is_inside);
+      return std::move(seeds);
     }
 
   private:
-    const Expression<dim>           in_body;
-    std::vector<Expression<dim>>    conditions;
-    std::unique_ptr<RegionCut<dim>> cut; ///< by the first of them
-    const bool                      with_domains;
-    std::vector<Seed<dim>>          seeds;
+    const Expression<dim>        in_body;
+    std::vector<Expression<dim>> conditions;
+    std::vector<RegionCut<dim>>  cuts; ///< by these
+    const bool                   with_domains;
+    std::vector<Seed<dim>>       seeds;
   };
 
 
@@ -84,10 +86,7 @@ namespace isochor
     for (unsigned int i = 0; i < conditions.size() && with_domains; ++i)
       {
         const Expression<dim> condition(conditions[i], name);
-        RegionCut<dim>        cut(condition, true);
-        for (const Seed<dim> &seed : seeds)
-          cut.add(seed);
-        seeds = cut.cut(is_inside);
+        seeds = RegionCut<dim>(condition, true).cut(seeds, is_inside);
       }
     // between the borders of several conditions places say what is inside
     if (!with_domains || conditions.size() > 1)
