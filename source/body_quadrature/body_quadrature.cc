@@ -123,11 +123,11 @@ namespace isochor
         points.domain.clear(); // they are there for splitting only
       }
     if (by_functions)
-      {
-        add_stencils(grid.shape_functions(), points); // of massless points
-        if (kernel.ppp_coefficient > 0)
-          stabilise_elements(grid, kernel, points);
-      }
+      add_stencils(grid.shape_functions(), points); // of massless points
+    if (kernel.has_orthogonal_subscales ?
+          !is_linear_on_domains() :
+          by_functions && kernel.ppp_coefficient > 0)
+      stabilise_elements(grid, kernel, points);
   }
 
 

@@ -108,7 +108,7 @@ namespace isochor
                assemble_cells<dim>(
                  step, unknowns, pending, first_element, with_matrix, system);
 
-    if (step.mixed() && step.kernel.ppp_coefficient > 0)
+    if (step.mixed() && step.kernel.projects_pressures())
       assemble_overlapped_cells(step,
                                 unknowns,
                                 pending,
@@ -268,7 +268,7 @@ namespace isochor
         if (status != EvaluationStatus::success)
           return status;
         if constexpr (n_components == dim + 1)
-          if (kernel.ppp_coefficient > 0)
+          if (kernel.projects_pressures())
             kernel.add_pressure_projection(element,
                                            element.compliance,
                                            points.corners(geometry, k),

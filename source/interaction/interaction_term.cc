@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
 namespace isochor
@@ -342,18 +341,12 @@ namespace isochor
   {
     update_partners(step, unknowns);
     InteractionKernel<dim> kernel;
-    std::vector<Action>    actions;
-    acting = Tensor<1, dim>();
     for (unsigned int e = 0; e < faces.size(); ++e)
       {
-        actions.clear();
-        const EvaluationStatus status = evaluate_face(
-          step, unknowns, faces[e], with_matrix, kernel, &actions);
+        const EvaluationStatus status =
+          evaluate_face(step, unknowns, faces[e], with_matrix, kernel, nullptr);
         if (status != EvaluationStatus::success)
           return status;
-        for (const Action &action : actions)
-          if (step.has_inertia)
-            acting += action.force;
         system.add_element(first_element + e,
                            kernel.residual.data(),
                            with_matrix ? kernel.matrix.data() : nullptr,
@@ -463,13 +456,9 @@ namespace isochor
   std::string
   InteractionTerm<dim>::save_state() const
   {
-    const MPI_Comm     comm  = grid->communicator();
-    const std::string  first = slips.save(comm);
-    std::ostringstream text;
-    text.precision(std::numeric_limits<double>::max_digits10);
-    text << Utilities::MPI::sum(acting, comm) << ' ' << first.size() << '\n'
-         << first << forces.save(comm);
-    return text.str();
+    const MPI_Comm    comm  = grid->communicator();
+    const std::string first = slips.save(comm);
+    return std::to_string(first.size()) + '\n' + first + forces.save(comm);
   }
 
 
@@ -481,11 +470,7 @@ namespace isochor
     const std::size_t line = state.find('\n');
     if (line == std::string::npos)
       return;
-    std::istringstream text(state);
-    std::size_t        size = 0;
-    for (unsigned int d = 0; d < dim; ++d)
-      text >> acting[d];
-    text >> size;
+    const std::size_t size = std::stoul(state);
     slips.load(state.substr(line + 1, size));
     forces.load(state.substr(line + 1 + size));
   }

@@ -85,13 +85,15 @@ namespace isochor
       stabilisation.advance(result.step, result.unknowns, old_weight(result));
       if (result.time.step == 0)
         initial_energy = sums[old_strain] + sums[old_kinetic];
-      strain_energy = sums[strain] + stabilisation.stored;
+      const double stabilisation_energy =
+        stabilisation.stored + result.subscale_energy;
+      strain_energy = sums[strain] + stabilisation_energy;
       stiffness     = sums[shear_modulus];
       external_sum += sums[external];
       stress_work += sums[plastic];
       // p θ' of the points lacks what the stabilisation stores
       plastic_sum =
-        stress_work - (any_dissipates(result.step) ? stabilisation.stored : 0.);
+        stress_work - (any_dissipates(result.step) ? stabilisation_energy : 0.);
     }
 
     void

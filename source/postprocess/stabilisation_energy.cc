@@ -18,7 +18,7 @@ namespace isochor
                                     const NodalField       &unknowns,
                                     const Tensor<1, dim>   &old_weight)
   {
-    if (!step.mixed() || !(step.kernel.ppp_coefficient > 0))
+    if (!step.mixed() || !step.kernel.projects_pressures())
       return;
     if (!any)
       {

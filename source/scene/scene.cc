@@ -257,7 +257,8 @@ namespace isochor
                                0.;
     leaves_out_weight =
       prm.get_bool("PPP leaves out weight") && kernel.ppp_coefficient > 0;
-    kernel.axisymmetric = prm.get("Geometry") == "axisymmetric";
+    kernel.has_orthogonal_subscales = leaves_out_weight && has_inertia();
+    kernel.axisymmetric             = prm.get("Geometry") == "axisymmetric";
     prm.leave_subsection();
     AssertThrow(dim == 2 || !kernel.axisymmetric,
                 ExcMessage("The parameter <Formulation/Geometry = "

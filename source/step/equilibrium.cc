@@ -23,6 +23,7 @@ namespace isochor
     , setup(setup)
     , terminal(terminal)
     , body(scene.grid, setup.point_arrays())
+    , subscales(scene.grid, setup.point_arrays(), scene.kernel)
     , system(setup.active_nodes())
     , residual(scene, setup, constraints, system)
     , linear_step(system, terminal.timer())
@@ -54,7 +55,7 @@ namespace isochor
   void
   Equilibrium<dim>::initialize()
   {
-    residual.terms = {&body, &scene.inertia};
+    residual.terms = {&body, &subscales, &scene.inertia};
     for (auto &condition : scene.boundary_conditions)
       residual.terms.push_back(condition.get());
   }
@@ -88,6 +89,22 @@ namespace isochor
     start_conditions(setup.nodes_have_changed());
     set_weight();
     residual.compute_floor();
+  }
+
+
+
+  template <int dim>
+  void
+  Equilibrium<dim>::set_weight()
+  {
+    if (!scene.leaves_out_weight || scene.has_inertia())
+      return;
+    Tensor<1, dim> &weight = scene.kernel.hydrostatic_acceleration;
+    weight                 = Tensor<1, dim>();
+    for (const auto &condition : scene.boundary_conditions)
+      weight += condition->body_acceleration(setup.context().time);
+    if (scene.kernel.axisymmetric)
+      weight[0] = 0.; // radial accelerations add up to none
   }
 
 
@@ -337,8 +354,6 @@ namespace isochor
     start_again();
     at_start            = true;
     NewtonReport report = trial.size < 0 ? find_root() : solve_from_start();
-    if (report.converged && trial.size > 0 && !trial.is_past)
-      settle_weight(report);
     if (report.converged)
       inertia.finish_trial(setup.context(), unknowns, setup.point_arrays());
     inertia.end_trial(step, conditions);
@@ -379,25 +394,7 @@ namespace isochor
                              scene.points,
                              carries_acceleration());
     start_again();
-    set_weight();
     return report;
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::settle_weight(NewtonReport &report)
-  {
-    constexpr unsigned int max_repetitions = 3;
-    for (unsigned int n = 0; n < max_repetitions && report.converged; ++n)
-      {
-        const Tensor<1, dim> before = scene.kernel.hydrostatic_acceleration;
-        set_weight();
-        if (scene.kernel.hydrostatic_acceleration == before)
-          return;
-        report.continue_with(find_root());
-      }
   }
 
 

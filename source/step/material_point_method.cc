@@ -141,7 +141,8 @@ namespace isochor
                                  scene.inertia.work_of_jump(step,
                                                             scene.points,
                                                             scene.time),
-                                 scene.inertia.unknowns_at_start()};
+                                 scene.inertia.unknowns_at_start(),
+                                 equilibrium.subscale_energy()};
     evaluate_nodes(result);
     const ConvergedStep<dim> converged{scene,
                                        result,

@@ -35,6 +35,12 @@ namespace isochor
       volume += V_over_G;
       mass += density * V_over_G;
     }
+    void
+    add(const CellCompliance &other)
+    {
+      volume += other.volume;
+      mass += other.mass;
+    }
 
     template <class Archive>
     void

@@ -40,6 +40,8 @@ namespace isochor
     /** The unknowns at the start of the step that its first forces were those
      * of; null in statics and where forces are carried. */
     const NodalField *start = nullptr;
+    /** What the stabilisation stores in dynamics (J), of all ranks. */
+    const double subscale_energy = 0;
   };
 
   /**

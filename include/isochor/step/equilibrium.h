@@ -7,8 +7,8 @@
 
 #include <isochor/base/terminal.h>
 #include <isochor/equations/body_term.h>
+#include <isochor/equations/orthogonal_subscales.h>
 #include <isochor/nonlinear_solver/newton_solver.h>
-#include <isochor/step/left_out_weight.h>
 #include <isochor/step/linear_step.h>
 #include <isochor/step/residual.h>
 #include <isochor/transfer/last_motion.h>
@@ -122,6 +122,12 @@ namespace isochor
     {
       return unknowns;
     }
+    /** Of the stabilisation in dynamics (J). Collective. */
+    double
+    subscale_energy() const
+    {
+      return subscales.energy(setup.context(), unknowns);
+    }
     const MixedSystem<dim> &
     mixed_system() const
     {
@@ -157,11 +163,9 @@ namespace isochor
     /** The first step from its start, with other equations. */
     void
     start_again();
+    /** In statics, the weight whose pressure the stabilisation leaves out. */
     void
-    set_weight()
-    {
-      weight.set(scene, setup, constraints, last_motion.bodies_were_apart);
-    }
+    set_weight();
     /** Whether the step starts with the acceleration that the points carry: the
      * first one, and where stresses made on another grid would excite what the
      * step does not resolve. Collective. */
@@ -170,11 +174,6 @@ namespace isochor
     /** One trial step of find_initial_acceleration(). */
     NewtonReport
     try_step(const typename InertiaTerm<dim>::TrialStep &trial);
-    /** The trial has converged: repeat it if it has found that the body is
-     * supported, or isn't, until that is what it was made with. */
-    void
-    settle_weight(NewtonReport &report);
-
     /** Constrain the nodes for the step, and lay out the system for it. */
     void
     start_conditions(const bool with_other_nodes);
@@ -197,14 +196,14 @@ namespace isochor
     StepSetup<dim> &setup;
     Terminal       &terminal;
 
-    BodyTerm<dim>      body;
-    MixedSystem<dim>   system;
-    NodalConstraints   constraints;
-    Residual<dim>      residual;
-    LeftOutWeight<dim> weight;
-    LinearStep<dim>    linear_step;
-    NewtonSolver       newton_solver;
-    LastMotion         last_motion;
+    BodyTerm<dim>            body;
+    OrthogonalSubscales<dim> subscales;
+    MixedSystem<dim>         system;
+    NodalConstraints         constraints;
+    Residual<dim>            residual;
+    LinearStep<dim>          linear_step;
+    NewtonSolver             newton_solver;
+    LastMotion               last_motion;
 
     NodalField unknowns;
     /** Whether the iterate is where the step starts. */

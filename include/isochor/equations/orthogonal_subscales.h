@@ -1,0 +1,97 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#ifndef isochor_orthogonal_subscales_h
+#define isochor_orthogonal_subscales_h
+
+#include <isochor/equations/equation_term.h>
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace isochor
+{
+  /**
+   * The stabilisation of the pressure in dynamics. Polynomial pressure
+   * projection (P(26)) stores ½ g_e·T_e g_e in cell e, with the gradient g_e of
+   * the pressure and T_e = α V/G Cov(x), Cov(x) the covariance of places in the
+   * cell. A pressure that drives accelerations has a gradient, ρ a, which is no
+   * oscillation: so only what is left of g_e without a field ρ c that the nodes
+   * can have is stored, as by orthogonal subscales (Codina, Comput. Methods
+   * Appl. Mech. Eng. 191 (2002) 4295-4321),
+   *   Φ = min over c of Σ_I Σ_{e at I} (g_e - ρ_e c_I)·T_e (g_e - ρ_e
+   * c_I)/(2(d+1)), with a vector c_I of its own for each node I: symmetric, not
+   * negative, and zero for a pressure that is linear around the node, or bends
+   * as ρ jumps. Each node and the cells around it, a patch, are an element.
+   */
+  template <int dim>
+  class OrthogonalSubscales : public EquationTerm<dim>
+  {
+  public:
+    OrthogonalSubscales(const BackgroundGrid<dim> &grid,
+                        const PointArrays<dim>    &points,
+                        const MixedKernel<dim>    &kernel);
+
+    /** Collective. */
+    void
+    touch_vertices(std::vector<unsigned int> &vertices) override;
+
+    /** Collective. */
+    void
+    collect_elements(const StepContext<dim> &step,
+                     ElementNodes           &elements) override;
+
+    EvaluationStatus
+    assemble(const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             const NodalField       &pending,
+             const unsigned int      first_element,
+             const bool              with_matrix,
+             MixedSystem<dim>       &system) override;
+
+    /** Φ of the pressures among @p unknowns, of all ranks (J; in plane strain
+     * per metre). Zero in statics. Collective. */
+    double
+    energy(const StepContext<dim> &step, const NodalField &unknowns) const;
+
+  private:
+    /** What a cell brings into a patch. */
+    struct Part
+    {
+      unsigned int                        cell;
+      std::array<Tensor<1, dim>, dim + 1> gradient; ///< ∇N_I (1/m)
+      Tensor<2, dim>                      T;        ///< T_e/(d+1)
+      double                              density;  ///< ρ_e (kg/m³)
+    };
+
+    /** The cells around the nodes of this rank, with the points of all ranks in
+     * them. Collective. */
+    std::map<unsigned int, OverlappedCell<dim>>
+    cells_at_owned_nodes() const;
+    Part
+    part_of(const OverlappedCell<dim> &cell) const;
+    /** Append a patch of @p parts. */
+    void
+    add_patch(const std::vector<const Part *> &parts);
+    /** -S p of patch @p k. */
+    void
+    evaluate(const unsigned int      k,
+             const StepContext<dim> &step,
+             const NodalField       &unknowns,
+             std::vector<double>    &volume) const;
+
+    const BackgroundGrid<dim> &grid;
+    const PointArrays<dim>    &points;
+    const MixedKernel<dim>    &kernel;
+
+    /** The vertices of each patch, and its S by rows, one after the other. */
+    ElementNodes        patches;
+    std::vector<double> entries;
+    /** Where the S of each patch begins. */
+    std::vector<std::size_t> first_entry;
+  };
+} // namespace isochor
+
+#endif

@@ -1,0 +1,288 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <deal.II/base/mpi.h>
+
+#include <isochor/base/rounding.h>
+#include <isochor/equations/nodal_unknowns.h>
+#include <isochor/equations/orthogonal_subscales.h>
+
+#include <algorithm>
+#include <set>
+
+namespace isochor
+{
+  namespace
+  {
+    /** The part of Φ with c = 0 that is added: a pressure that is linear all
+     * over the body does no work where nodes are held along its gradient, as in
+     * a column one cell wide between walls. At ν = 1/2 nothing would determine
+     * it, and rounding would. */
+    constexpr double part_without_c = rounding::accumulated;
+  } // namespace
+
+
+
+  template <int dim>
+  OrthogonalSubscales<dim>::OrthogonalSubscales(const BackgroundGrid<dim> &grid,
+                                                const PointArrays<dim> &points,
+                                                const MixedKernel<dim> &kernel)
+    : grid(grid)
+    , points(points)
+    , kernel(kernel)
+  {}
+
+
+
+  template <int dim>
+  void
+  OrthogonalSubscales<dim>::touch_vertices(std::vector<unsigned int> &vertices)
+  {
+    if (kernel.has_orthogonal_subscales)
+      for (const auto &cell : cells_at_owned_nodes())
+        for (const unsigned int v : grid.geometry().vertex_indices(cell.first))
+          vertices.push_back(v);
+  }
+
+
+
+  template <int dim>
+  std::map<unsigned int, OverlappedCell<dim>>
+  OrthogonalSubscales<dim>::cells_at_owned_nodes() const
+  {
+    const MPI_Comm     comm = grid.communicator();
+    const unsigned int rank = Utilities::MPI::this_mpi_process(comm);
+    std::map<unsigned int, OverlappedCell<dim>>              cells;
+    std::map<unsigned int, std::vector<OverlappedCell<dim>>> messages;
+    for (const OverlappedCell<dim> &cell : points.overlapped_cells)
+      {
+        std::set<unsigned int> owners;
+        for (const unsigned int v : grid.geometry().vertex_indices(cell.cell))
+          owners.insert(grid.vertex_owner(v));
+        for (const unsigned int owner : owners)
+          if (owner == rank)
+            cells.emplace(cell.cell, cell);
+          else
+            messages[owner].push_back(cell);
+      }
+    if (Utilities::MPI::n_mpi_processes(comm) > 1)
+      for (const auto &received : Utilities::MPI::some_to_some(comm, messages))
+        for (const OverlappedCell<dim> &cell : received.second)
+          {
+            const auto [place, is_new] = cells.emplace(cell.cell, cell);
+            if (!is_new)
+              place->second.compliance.add(cell.compliance);
+          }
+    return cells;
+  }
+
+
+
+  template <int dim>
+  typename OrthogonalSubscales<dim>::Part
+  OrthogonalSubscales<dim>::part_of(const OverlappedCell<dim> &cell) const
+  {
+    Assert(cell.compliance.volume > 0,
+           ExcMessage("No points are in the cell."));
+    const auto    &x = cell.corners;
+    Tensor<2, dim> edges; // by columns
+    for (unsigned int v = 1; v <= dim; ++v)
+      for (unsigned int d = 0; d < dim; ++d)
+        edges[d][v - 1] = x[v][d] - x[0][d];
+    const Tensor<2, dim> barycentric = invert(edges);
+
+    Part part;
+    part.cell    = cell.cell;
+    part.density = cell.compliance.mass / cell.compliance.volume;
+    Tensor<1, dim> centre;
+    for (unsigned int v = 1; v <= dim; ++v)
+      {
+        part.gradient[v] = barycentric[v - 1];
+        part.gradient[0] -= part.gradient[v];
+        centre += (x[v] - x[0]) / (dim + 1);
+      }
+    for (unsigned int v = 0; v <= dim; ++v)
+      {
+        const Tensor<1, dim> y = x[v] - x[0] - centre;
+        part.T += outer_product(y, y);
+      }
+    // V Cov(x) = V/((d+1)(d+2)) Σ y y
+    part.T *= kernel.ppp_coefficient * cell.compliance.volume /
+              ((dim + 1) * (dim + 1) * (dim + 2));
+    return part;
+  }
+
+
+
+  template <int dim>
+  void
+  OrthogonalSubscales<dim>::add_patch(const std::vector<const Part *> &parts)
+  {
+    std::vector<unsigned int> patch;
+    double                    mean_density = 0;
+    for (const Part *part : parts)
+      {
+        const auto &vertices = grid.geometry().vertex_indices(part->cell);
+        patch.insert(patch.end(), vertices.begin(), vertices.end());
+        mean_density += part->density / parts.size();
+      }
+    std::sort(patch.begin(), patch.end());
+    patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
+    patches.add(patch.begin(), patch.end());
+
+    // Φ = ½ p·S p with S = Σ G·T G - D·W⁻¹ D, D = Σ ρ T G, W = Σ ρ² T, where
+    // only the ratios of densities matter
+    const unsigned int          n = patch.size();
+    Tensor<2, dim>              W;
+    std::vector<Tensor<1, dim>> D(n);
+    first_entry.push_back(entries.size());
+    entries.resize(entries.size() + n * n);
+    double *const S = entries.data() + first_entry.back();
+    for (const Part *part : parts)
+      {
+        const double density =
+          mean_density > 0 ? part->density / mean_density : 1.;
+        W += density * density * part->T;
+        std::array<unsigned int, dim + 1> place;
+        for (unsigned int v = 0; v <= dim; ++v)
+          place[v] =
+            std::lower_bound(patch.begin(),
+                             patch.end(),
+                             grid.geometry().vertex_indices(part->cell)[v]) -
+            patch.begin();
+        for (unsigned int v = 0; v <= dim; ++v)
+          {
+            const Tensor<1, dim> Tg = part->T * part->gradient[v];
+            D[place[v]] += density * Tg;
+            for (unsigned int w = 0; w <= dim; ++w)
+              S[place[v] * n + place[w]] += Tg * part->gradient[w];
+          }
+      }
+    const Tensor<2, dim> inverse = invert(W) / (1 + part_without_c);
+    for (unsigned int I = 0; I < n; ++I)
+      {
+        const Tensor<1, dim> c = inverse * D[I];
+        for (unsigned int J = 0; J < n; ++J)
+          S[I * n + J] -= c * D[J];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  OrthogonalSubscales<dim>::collect_elements(const StepContext<dim> &step,
+                                             ElementNodes           &elements)
+  {
+    patches.clear();
+    entries.clear();
+    first_entry.clear();
+    if (!kernel.has_orthogonal_subscales)
+      return;
+    const unsigned int rank =
+      Utilities::MPI::this_mpi_process(grid.communicator());
+    std::vector<Part> parts;
+    for (const auto &cell : cells_at_owned_nodes())
+      parts.push_back(part_of(cell.second));
+    std::map<unsigned int, std::vector<const Part *>> at_node;
+    for (const Part &part : parts)
+      for (const unsigned int v : grid.geometry().vertex_indices(part.cell))
+        if (grid.vertex_owner(v) == rank)
+          at_node[v].push_back(&part);
+    for (const auto &node : at_node)
+      add_patch(node.second);
+
+    std::vector<unsigned int> nodes;
+    for (unsigned int k = 0; k < patches.size(); ++k)
+      {
+        nodes.clear();
+        for (std::size_t i = patches.start[k]; i < patches.start[k + 1]; ++i)
+          nodes.push_back(step.nodes.node(patches.node[i]));
+        elements.add(nodes.begin(), nodes.end());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  OrthogonalSubscales<dim>::evaluate(const unsigned int      k,
+                                     const StepContext<dim> &step,
+                                     const NodalField       &unknowns,
+                                     std::vector<double>    &volume) const
+  {
+    const NodalUnknowns<dim>  nodal(step, unknowns);
+    const unsigned int *const vertex = patches.node.data() + patches.start[k];
+    const unsigned int        n      = patches.start[k + 1] - patches.start[k];
+    const double             *S      = entries.data() + first_entry[k];
+    volume.assign(n, 0.);
+    for (unsigned int J = 0; J < n; ++J)
+      {
+        const double p = nodal.pressure(vertex[J]);
+        for (unsigned int I = 0; I < n; ++I)
+          volume[I] -= S[J * n + I] * p;
+      }
+  }
+
+
+
+  template <int dim>
+  EvaluationStatus
+  OrthogonalSubscales<dim>::assemble(const StepContext<dim> &step,
+                                     const NodalField       &unknowns,
+                                     const NodalField       &pending,
+                                     const unsigned int      first_element,
+                                     const bool              with_matrix,
+                                     MixedSystem<dim>       &system)
+  {
+    constexpr unsigned int nc = dim + 1;
+    std::vector<double>    volume, residual, matrix;
+    for (unsigned int k = 0; k < patches.size(); ++k)
+      {
+        const unsigned int n = patches.start[k + 1] - patches.start[k];
+        evaluate(k, step, unknowns, volume);
+        residual.assign(n * nc, 0.);
+        for (unsigned int I = 0; I < n; ++I)
+          residual[I * nc + dim] = volume[I];
+        if (with_matrix)
+          {
+            matrix.assign(n * nc * n * nc, 0.);
+            const double *S = entries.data() + first_entry[k];
+            for (unsigned int I = 0; I < n; ++I)
+              for (unsigned int J = 0; J < n; ++J)
+                matrix[(I * nc + dim) * n * nc + J * nc + dim] = -S[I * n + J];
+          }
+        system.add_element(first_element + k,
+                           residual.data(),
+                           with_matrix ? matrix.data() : nullptr,
+                           pending);
+      }
+    return EvaluationStatus::success;
+  }
+
+
+
+  template <int dim>
+  double
+  OrthogonalSubscales<dim>::energy(const StepContext<dim> &step,
+                                   const NodalField       &unknowns) const
+  {
+    const NodalUnknowns<dim> nodal(step, unknowns);
+    std::vector<double>      volume;
+    double                   sum = 0;
+    for (unsigned int k = 0; k < patches.size(); ++k)
+      {
+        evaluate(k, step, unknowns, volume);
+        for (unsigned int I = 0; I < volume.size(); ++I)
+          sum -=
+            nodal.pressure(patches.node[patches.start[k] + I]) * volume[I] / 2;
+      }
+    return Utilities::MPI::sum(sum, grid.communicator());
+  }
+
+
+
+  template class OrthogonalSubscales<2>;
+  template class OrthogonalSubscales<3>;
+} // namespace isochor
