@@ -354,6 +354,25 @@ main(int argc, char **argv)
               << uniform << std::endl;
   finds_condition_number = false;
 
+  // Orthogonal subscales: dynamics in a step that is so large that masses don't
+  // count.
+  const std::string dynamics = "Quadrature/Type = points\n"
+                               "Dynamics/Inertia = true\n"
+                               "Time/End time = 1e7\nTime/Step size = 1e7\n";
+  for (const std::string kind : {"/", "alternating", "criss-cross", "jittered"})
+    {
+      std::vector<double> beta;
+      for (unsigned int n = 4; n <= 16; n *= 2)
+        beta.push_back(inf_sup_constant(dynamics + grid(kind, n), 1));
+      const double slope = std::log2(beta[1] / beta[2]);
+      test::check("in dynamics, beta > 0.4 and does not fall with h, " + kind,
+                  beta[2] > 0.4 && slope < 0.1,
+                  std::to_string(beta[2]) + ", slope " + std::to_string(slope));
+      if (print)
+        std::cout << "dynamics, " << kind << ": " << beta[0] << ' ' << beta[1]
+                  << ' ' << beta[2] << std::endl;
+    }
+
   // The uppermost row of cells is cut at the fraction f of its height.
   double smallest = 1e9, whole = 0;
   for (const double f : {1., 0.8, 0.3, 0.1, 1e-2, 1e-4, 1e-6, 1e-8})

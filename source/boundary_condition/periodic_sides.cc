@@ -104,6 +104,15 @@ namespace isochor
       return vertices.all();
     }
 
+    std::vector<std::pair<unsigned int, unsigned int>>
+    periodic_images() const override
+    {
+      std::vector<std::pair<unsigned int, unsigned int>> images;
+      for (const auto &image : vertices.images())
+        images.emplace_back(image.vertex, image.root);
+      return images;
+    }
+
     void
     grid_changed(const BackgroundGrid<dim> &grid,
                  const bool /*at_start*/) override

@@ -19,7 +19,7 @@ namespace isochor
      * over the body does no work where nodes are held along its gradient, as in
      * a column one cell wide between walls. At ν = 1/2 nothing would determine
      * it, and rounding would. */
-    constexpr double part_without_c = rounding::accumulated;
+    constexpr double part_without_c = rounding::numbers;
   } // namespace
 
 
@@ -27,10 +27,12 @@ namespace isochor
   template <int dim>
   OrthogonalSubscales<dim>::OrthogonalSubscales(const BackgroundGrid<dim> &grid,
                                                 const PointArrays<dim> &points,
-                                                const MixedKernel<dim> &kernel)
+                                                const MixedKernel<dim> &kernel,
+                                                const Images &periodic_images)
     : grid(grid)
     , points(points)
     , kernel(kernel)
+    , periodic_images(periodic_images)
   {}
 
 
@@ -39,10 +41,37 @@ namespace isochor
   void
   OrthogonalSubscales<dim>::touch_vertices(std::vector<unsigned int> &vertices)
   {
-    if (kernel.has_orthogonal_subscales)
-      for (const auto &cell : cells_at_owned_nodes())
-        for (const unsigned int v : grid.geometry().vertex_indices(cell.first))
-          vertices.push_back(v);
+    if (!kernel.has_orthogonal_subscales)
+      return;
+    find_roots();
+    for (const auto &cell : cells_at_owned_nodes())
+      for (const unsigned int v : grid.geometry().vertex_indices(cell.first))
+        vertices.push_back(v);
+  }
+
+
+
+  template <int dim>
+  void
+  OrthogonalSubscales<dim>::find_roots()
+  {
+    const auto images = periodic_images();
+    root_of           = {images.begin(), images.end()};
+  }
+
+
+
+  template <int dim>
+  std::array<unsigned int, dim + 1>
+  OrthogonalSubscales<dim>::roots(const unsigned int cell) const
+  {
+    std::array<unsigned int, dim + 1> vertices =
+      grid.geometry().vertex_indices(cell);
+    if (!root_of.empty())
+      for (unsigned int &v : vertices)
+        if (const auto root = root_of.find(v); root != root_of.end())
+          v = root->second;
+    return vertices;
   }
 
 
@@ -58,7 +87,7 @@ namespace isochor
     for (const OverlappedCell<dim> &cell : points.overlapped_cells)
       {
         std::set<unsigned int> owners;
-        for (const unsigned int v : grid.geometry().vertex_indices(cell.cell))
+        for (const unsigned int v : roots(cell.cell))
           owners.insert(grid.vertex_owner(v));
         for (const unsigned int owner : owners)
           if (owner == rank)
@@ -172,14 +201,14 @@ namespace isochor
 
   template <int dim>
   void
-  OrthogonalSubscales<dim>::collect_elements(const StepContext<dim> &step,
-                                             ElementNodes           &elements)
+  OrthogonalSubscales<dim>::start_step()
   {
     patches.clear();
     entries.clear();
     first_entry.clear();
     if (!kernel.has_orthogonal_subscales)
       return;
+    find_roots(); // a run that is resumed touches no vertices
     const unsigned int rank =
       Utilities::MPI::this_mpi_process(grid.communicator());
     std::vector<Part> parts;
@@ -187,12 +216,20 @@ namespace isochor
       parts.push_back(part_of(cell.second));
     std::map<unsigned int, std::vector<const Part *>> at_node;
     for (const Part &part : parts)
-      for (const unsigned int v : grid.geometry().vertex_indices(part.cell))
+      for (const unsigned int v : roots(part.cell))
         if (grid.vertex_owner(v) == rank)
           at_node[v].push_back(&part);
     for (const auto &node : at_node)
       add_patch(node.second);
+  }
 
+
+
+  template <int dim>
+  void
+  OrthogonalSubscales<dim>::collect_elements(const StepContext<dim> &step,
+                                             ElementNodes           &elements)
+  {
     std::vector<unsigned int> nodes;
     for (unsigned int k = 0; k < patches.size(); ++k)
       {

@@ -67,12 +67,11 @@ namespace isochor
         "PPP leaves out weight",
         "true",
         Patterns::Bool(),
-        "Whether the stabilisation acts on what is left of the "
-        "pressure without the part that is in equilibrium with "
-        "the body's weight under <Boundary conditions/Gravity> "
-        "(in dynamics: if something holds it up). It changes "
-        "with the depth, which is no oscillation. false: on all "
-        "of the pressure, as in the paper.");
+        "Whether the stabilisation acts on what is left of the pressure without "
+        "the part that is in equilibrium with the body's weight (<Boundary "
+        "conditions/Gravity>) or, in dynamics, with any weight and acceleration "
+        "of the nodes: it changes within a cell, but is no oscillation. false: "
+        "on all of the pressure, as in the paper.");
       prm.leave_subsection();
     }
 

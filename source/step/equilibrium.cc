@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/boundary_condition/periodic_vertices.h>
 #include <isochor/equations/constraint_conflicts.h>
 #include <isochor/equations/invariants.h>
 #include <isochor/equations/pressure_mapping.h>
@@ -23,7 +24,12 @@ namespace isochor
     , setup(setup)
     , terminal(terminal)
     , body(scene.grid, setup.point_arrays())
-    , subscales(scene.grid, setup.point_arrays(), scene.kernel)
+    , subscales(scene.grid,
+                setup.point_arrays(),
+                scene.kernel,
+                [&scene] {
+                  return find_periodic_images(scene.boundary_conditions);
+                })
     , system(setup.active_nodes())
     , residual(scene, setup, constraints, system)
     , linear_step(system, terminal.timer())
@@ -84,6 +90,7 @@ namespace isochor
                              scene.boundary_conditions,
                              scene.points,
                              carries_acceleration());
+    subscales.start_step();
     setup.collect_elements(residual.terms);
     residual.set_loads();
     start_conditions(setup.nodes_have_changed());

@@ -25,6 +25,11 @@ namespace isochor
     virtual std::vector<unsigned int>
     periodic_vertices() const = 0;
 
+    /** Each vertex that is the same place as another one, and its root
+     * (PeriodicVertices). */
+    virtual std::vector<std::pair<unsigned int, unsigned int>>
+    periodic_images() const = 0;
+
     /** What ConstrainsNodes::held_vertices() of all conditions name, sorted:
      * once they are initialised, and when the grid has changed. */
     virtual void
@@ -47,6 +52,18 @@ namespace isochor
       for (const unsigned int v : condition->periodic_vertices())
         vertices.push_back(v);
     return vertices;
+  }
+
+  /** The images of all @p conditions and their roots. */
+  template <typename Conditions>
+  std::vector<std::pair<unsigned int, unsigned int>>
+  find_periodic_images(const Conditions &conditions)
+  {
+    std::vector<std::pair<unsigned int, unsigned int>> images;
+    for (const auto *const condition : with_role<const HasPeriods>(conditions))
+      for (const auto &image : condition->periodic_images())
+        images.push_back(image);
+    return images;
   }
 
   /**

@@ -8,7 +8,10 @@
 #include <isochor/equations/equation_term.h>
 
 #include <array>
+#include <functional>
 #include <map>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace isochor
@@ -30,15 +33,25 @@ namespace isochor
   class OrthogonalSubscales : public EquationTerm<dim>
   {
   public:
+    /** Vertices that are the same place as others, with these, which have no
+     * root themselves: of the grid as it is when asked. */
+    using Images =
+      std::function<std::vector<std::pair<unsigned int, unsigned int>>()>;
+
     OrthogonalSubscales(const BackgroundGrid<dim> &grid,
                         const PointArrays<dim>    &points,
-                        const MixedKernel<dim>    &kernel);
+                        const MixedKernel<dim>    &kernel,
+                        const Images              &periodic_images);
 
     /** Collective. */
     void
     touch_vertices(std::vector<unsigned int> &vertices) override;
 
-    /** Collective. */
+    /** Find the patches of the grid as it is deformed now, and their S, which
+     * are those of the coming step. Collective. */
+    void
+    start_step();
+
     void
     collect_elements(const StepContext<dim> &step,
                      ElementNodes           &elements) override;
@@ -66,6 +79,11 @@ namespace isochor
       double                              density;  ///< ρ_e (kg/m³)
     };
 
+    void
+    find_roots();
+    /** The vertices of @p cell, or of what they are the images of. */
+    std::array<unsigned int, dim + 1>
+    roots(const unsigned int cell) const;
     /** The cells around the nodes of this rank, with the points of all ranks in
      * them. Collective. */
     std::map<unsigned int, OverlappedCell<dim>>
@@ -85,6 +103,9 @@ namespace isochor
     const BackgroundGrid<dim> &grid;
     const PointArrays<dim>    &points;
     const MixedKernel<dim>    &kernel;
+    const Images               periodic_images;
+    /** By image. */
+    std::unordered_map<unsigned int, unsigned int> root_of;
 
     /** The vertices of each patch, and its S by rows, one after the other. */
     ElementNodes        patches;
