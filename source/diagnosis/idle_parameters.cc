@@ -165,6 +165,10 @@ namespace isochor
         for (const char *name : {"PPP coefficient", "PPP leaves out weight"})
           inspect.idle({"Formulation", name},
                        "with <Formulation/Stabilisation = none>");
+      else if (inspect.value({"Formulation", "Stabilisation"}) == "OSS")
+        inspect.idle({"Formulation", "PPP leaves out weight"},
+                     "with <Formulation/Stabilisation = OSS>, which always "
+                     "does");
       if (!has_inertia)
         inspect.idle({"Time", "Tolerated error"},
                      "without inertia: it is about steps in dynamics");

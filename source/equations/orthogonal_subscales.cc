@@ -305,6 +305,8 @@ namespace isochor
   OrthogonalSubscales<dim>::energy(const StepContext<dim> &step,
                                    const NodalField       &unknowns) const
   {
+    if (!kernel.has_orthogonal_subscales)
+      return 0;
     const NodalUnknowns<dim> nodal(step, unknowns);
     std::vector<double>      volume;
     double                   sum = 0;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <sstream>
 #include <utility>
 
 namespace isochor
@@ -341,12 +342,18 @@ namespace isochor
   {
     update_partners(step, unknowns);
     InteractionKernel<dim> kernel;
+    std::vector<Action>    actions;
+    acting = Tensor<1, dim>();
     for (unsigned int e = 0; e < faces.size(); ++e)
       {
-        const EvaluationStatus status =
-          evaluate_face(step, unknowns, faces[e], with_matrix, kernel, nullptr);
+        actions.clear();
+        const EvaluationStatus status = evaluate_face(
+          step, unknowns, faces[e], with_matrix, kernel, &actions);
         if (status != EvaluationStatus::success)
           return status;
+        for (const Action &action : actions)
+          if (step.has_inertia)
+            acting += action.force;
         system.add_element(first_element + e,
                            kernel.residual.data(),
                            with_matrix ? kernel.matrix.data() : nullptr,
@@ -456,9 +463,13 @@ namespace isochor
   std::string
   InteractionTerm<dim>::save_state() const
   {
-    const MPI_Comm    comm  = grid->communicator();
-    const std::string first = slips.save(comm);
-    return std::to_string(first.size()) + '\n' + first + forces.save(comm);
+    const MPI_Comm     comm  = grid->communicator();
+    const std::string  first = slips.save(comm);
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    text << Utilities::MPI::sum(acting, comm) << ' ' << first.size() << '\n'
+         << first << forces.save(comm);
+    return text.str();
   }
 
 
@@ -470,7 +481,11 @@ namespace isochor
     const std::size_t line = state.find('\n');
     if (line == std::string::npos)
       return;
-    const std::size_t size = std::stoul(state);
+    std::istringstream text(state);
+    std::size_t        size = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      text >> acting[d];
+    text >> size;
     slips.load(state.substr(line + 1, size));
     forces.load(state.substr(line + 1 + size));
   }

@@ -49,8 +49,12 @@ namespace isochor
       prm.declare_entry(
         "Stabilisation",
         "PPP",
-        Patterns::Selection("none|PPP"),
-        "Of u-p: none, or Polynomial Pressure Projection. Without it the "
+        Patterns::Selection("none|PPP|OSS"),
+        "Of u-p: none, Polynomial Pressure Projection, or orthogonal subscales, "
+        "which leave out all pressures that weights and accelerations of nodes "
+        "can balance: waves of pressure in nearly incompressible bodies have "
+        "their speed. Bodies that hit each other gain energy with it in steps "
+        "that don't resolve these waves. Without any the "
         "pressure oscillates from node to node, and bodies that yield and are "
         "unloaded may end in wrong states.");
       prm.declare_entry(
@@ -67,11 +71,12 @@ namespace isochor
         "PPP leaves out weight",
         "true",
         Patterns::Bool(),
-        "Whether the stabilisation acts on what is left of the pressure without "
-        "the part that is in equilibrium with the body's weight (<Boundary "
-        "conditions/Gravity>) or, in dynamics, with any weight and acceleration "
-        "of the nodes: it changes within a cell, but is no oscillation. false: "
-        "on all of the pressure, as in the paper.");
+        "Whether the stabilisation acts on what is left of the "
+        "pressure without the part that is in equilibrium with "
+        "the body's weight under <Boundary conditions/Gravity> "
+        "(in dynamics: if something holds it up). It changes "
+        "with the depth, which is no oscillation. false: on all "
+        "of the pressure, as in the paper.");
       prm.leave_subsection();
     }
 
@@ -249,15 +254,17 @@ namespace isochor
   Scene<dim>::parse_formulation(ParameterHandler &prm)
   {
     prm.enter_subsection("Formulation");
-    n_components           = prm.get("Type") == "u-p" ? dim + 1 : dim;
-    kernel.has_pressures   = mixed();
-    kernel.ppp_coefficient = mixed() && prm.get("Stabilisation") == "PPP" ?
-                               prm.get_double("PPP coefficient") :
-                               0.;
+    n_components                    = prm.get("Type") == "u-p" ? dim + 1 : dim;
+    kernel.has_pressures            = mixed();
+    const std::string stabilisation = prm.get("Stabilisation");
+    kernel.ppp_coefficient          = mixed() && stabilisation != "none" ?
+                                        prm.get_double("PPP coefficient") :
+                                        0.;
+    kernel.has_orthogonal_subscales =
+      stabilisation == "OSS" && kernel.ppp_coefficient > 0;
     leaves_out_weight =
-      prm.get_bool("PPP leaves out weight") && kernel.ppp_coefficient > 0;
-    kernel.has_orthogonal_subscales = leaves_out_weight && has_inertia();
-    kernel.axisymmetric             = prm.get("Geometry") == "axisymmetric";
+      prm.get_bool("PPP leaves out weight") && kernel.projects_pressures();
+    kernel.axisymmetric = prm.get("Geometry") == "axisymmetric";
     prm.leave_subsection();
     AssertThrow(dim == 2 || !kernel.axisymmetric,
                 ExcMessage("The parameter <Formulation/Geometry = "

@@ -131,6 +131,14 @@ namespace isochor
       return false;
     }
 
+    /** Whether assemble() can hold the body up against @p gravity; the same on
+     * all ranks. Collective. */
+    virtual bool
+    supports_body(const Tensor<1, dim> & /*gravity*/) const
+    {
+      return false;
+    }
+
     /** Whether assemble() sets this rank's part of the body in motion over the
      * step. The first residual of such a step is no measure of forces. */
     virtual bool

@@ -109,8 +109,9 @@ namespace isochor
       return ppp_coefficient > 0 && !has_orthogonal_subscales;
     }
 
-    /** Gravity in statics (m/s²): the stabilisation leaves out the pressure that
-     * is in equilibrium with it. Zero: as it stands in the paper. */
+    /** g - ā (m/s²), gravity against the mean acceleration of the body: the
+     * stabilisation leaves out the pressure that is in equilibrium with it.
+     * Zero: the stabilisation as it stands in the paper. */
     Tensor<1, dim> hydrostatic_acceleration;
 
     /** Add point @p q, which integrates @p V of the cell, to what the cell's
@@ -203,7 +204,7 @@ namespace isochor
      * the P1 mass matrix of unit measure and d_I = p_I - h_I. In closed form:
      * with a point at the centroid only, integration by points would give zero.
      *
-     * h_I = - ρ g·x_I is the pressure at rest under the body's weight
+     * h_I = - ρ (g - ā)·x_I is the pressure at rest under the body's weight
      * (hydrostatic_acceleration), with x_I the vertices at the end of the step:
      * @p corners and the increments. P(26), which has h = 0, would take it for
      * an oscillation and answer with a change of volume. Without weight only

@@ -240,7 +240,7 @@ namespace isochor
     const unsigned int     n_dofs = element.n_dofs();
     const Tensor<1, dim>   weight =
       weight_density(compliance, hydrostatic_acceleration);
-    // derivatives of d_I: 1 by p_I, ρ g by the displacement
+    // derivatives of d_I: 1 by p_I, ρ (g - ā) by the displacement
     std::array<double, nc> derivative;
     for (unsigned int a = 0; a < dim; ++a)
       derivative[a] = weight[a];

@@ -17,17 +17,17 @@
 namespace isochor
 {
   /**
-   * The stabilisation of the pressure in dynamics. Polynomial pressure
-   * projection (P(26)) stores ½ g_e·T_e g_e in cell e, with the gradient g_e of
-   * the pressure and T_e = α V/G Cov(x), Cov(x) the covariance of places in the
-   * cell. A pressure that drives accelerations has a gradient, ρ a, which is no
-   * oscillation: so only what is left of g_e without a field ρ c that the nodes
-   * can have is stored, as by orthogonal subscales (Codina, Comput. Methods
-   * Appl. Mech. Eng. 191 (2002) 4295-4321),
-   *   Φ = min over c of Σ_I Σ_{e at I} (g_e - ρ_e c_I)·T_e (g_e - ρ_e
-   * c_I)/(2(d+1)), with a vector c_I of its own for each node I: symmetric, not
-   * negative, and zero for a pressure that is linear around the node, or bends
-   * as ρ jumps. Each node and the cells around it, a patch, are an element.
+   * The stabilisation of the pressure by orthogonal subscales (OSS). Polynomial
+   * pressure projection (P(26)) stores ½ g_e·T_e g_e in cell e, with the
+   * gradient g_e of the pressure and T_e = α V/G Cov(x), Cov(x) the covariance
+   * of places in the cell. A pressure that drives accelerations has a gradient,
+   * ρ a, which is no oscillation: so only what is left of g_e without a field ρ
+   * c that the nodes can have is stored, as by orthogonal subscales (Codina,
+   * Comput. Methods Appl. Mech. Eng. 191 (2002) 4295-4321), Φ = min over c of
+   * Σ_I Σ_{e at I} (g_e - ρ_e c_I)·T_e (g_e - ρ_e c_I)/(2(d+1)), with a vector
+   * c_I of its own for each node I: symmetric, not negative, and zero for a
+   * pressure that is linear around the node, or bends as ρ jumps. Each node and
+   * the cells around it, a patch, are an element.
    */
   template <int dim>
   class OrthogonalSubscales : public EquationTerm<dim>
@@ -65,7 +65,7 @@ namespace isochor
              MixedSystem<dim>       &system) override;
 
     /** Φ of the pressures among @p unknowns, of all ranks (J; in plane strain
-     * per metre). Zero in statics. Collective. */
+     * per metre). Collective. */
     double
     energy(const StepContext<dim> &step, const NodalField &unknowns) const;
 
