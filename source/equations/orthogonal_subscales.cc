@@ -13,17 +13,6 @@
 
 namespace isochor
 {
-  namespace
-  {
-    /** The part of Φ with c = 0 that is added: a pressure that is linear all
-     * over the body does no work where nodes are held along its gradient, as in
-     * a column one cell wide between walls. At ν = 1/2 nothing would determine
-     * it, and rounding would. */
-    constexpr double part_without_c = rounding::numbers;
-  } // namespace
-
-
-
   template <int dim>
   OrthogonalSubscales<dim>::OrthogonalSubscales(const BackgroundGrid<dim> &grid,
                                                 const PointArrays<dim> &points,
@@ -188,7 +177,10 @@ namespace isochor
               S[place[v] * n + place[w]] += Tg * part->gradient[w];
           }
       }
-    const Tensor<2, dim> inverse = invert(W) / (1 + part_without_c);
+    // A hair of Φ with c = 0: a pressure that is linear all over the body does
+    // no work where nodes are held along its gradient, as in a column one cell
+    // wide between walls, and at ν = 1/2 nothing else would determine it.
+    const Tensor<2, dim> inverse = invert(W) / (1 + rounding::numbers);
     for (unsigned int I = 0; I < n; ++I)
       {
         const Tensor<1, dim> c = inverse * D[I];
