@@ -76,11 +76,11 @@ namespace
         0. :
         2 * (crossings.back() - crossings.front()) / (crossings.size() - 1.);
     test::check_error("period, " + what, std::abs(found / T - 1), tolerance);
-    // Newmark's scheme and the stabilisation together keep the energy
+    // the scheme loses 2.8e-4 of the energy, the stabilisation nothing
     const double lost = test::get(*problem, "Energy lost by the scheme (J)"),
                  E    = test::get(*problem, "Kinetic energy (J)") +
                      test::get(*problem, "Strain energy (J)");
-    test::check_error("energy, " + what, std::abs(lost) / E, 0.02);
+    test::check_error("energy, " + what, std::abs(lost) / E, 4e-4);
   }
 
   /** Two liquids of which one is three times as heavy, one on the other in the

@@ -98,88 +98,59 @@ namespace isochor
 
 
   template <int dim>
-  typename OrthogonalSubscales<dim>::Part
-  OrthogonalSubscales<dim>::part_of(const OverlappedCell<dim> &cell) const
-  {
-    Assert(cell.compliance.volume > 0,
-           ExcMessage("No points are in the cell."));
-    const auto    &x = cell.corners;
-    Tensor<2, dim> edges; // by columns
-    for (unsigned int v = 1; v <= dim; ++v)
-      for (unsigned int d = 0; d < dim; ++d)
-        edges[d][v - 1] = x[v][d] - x[0][d];
-    const Tensor<2, dim> barycentric = invert(edges);
-
-    Part part;
-    part.cell    = cell.cell;
-    part.density = cell.compliance.mass / cell.compliance.volume;
-    Tensor<1, dim> centre;
-    for (unsigned int v = 1; v <= dim; ++v)
-      {
-        part.gradient[v] = barycentric[v - 1];
-        part.gradient[0] -= part.gradient[v];
-        centre += (x[v] - x[0]) / (dim + 1);
-      }
-    for (unsigned int v = 0; v <= dim; ++v)
-      {
-        const Tensor<1, dim> y = x[v] - x[0] - centre;
-        part.T += outer_product(y, y);
-      }
-    // V Cov(x) = V/((d+1)(d+2)) Σ y y
-    part.T *= kernel.ppp_coefficient * cell.compliance.volume /
-              ((dim + 1) * (dim + 1) * (dim + 2));
-    return part;
-  }
-
-
-
-  template <int dim>
   void
-  OrthogonalSubscales<dim>::add_patch(const std::vector<const Part *> &parts)
+  OrthogonalSubscales<dim>::add_patch(
+    const std::vector<const OverlappedCell<dim> *> &cells)
   {
     std::vector<unsigned int> patch;
     double                    mean_density = 0;
-    for (const Part *part : parts)
+    const auto                density_of = [](const OverlappedCell<dim> &cell) {
+      return cell.compliance.mass / cell.compliance.volume;
+    };
+    for (const OverlappedCell<dim> *cell : cells)
       {
-        const auto &vertices = grid.geometry().vertex_indices(part->cell);
+        const auto &vertices = grid.geometry().vertex_indices(cell->cell);
         patch.insert(patch.end(), vertices.begin(), vertices.end());
-        mean_density += part->density / parts.size();
+        mean_density += density_of(*cell) / cells.size();
       }
     std::sort(patch.begin(), patch.end());
     patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
     patches.add(patch.begin(), patch.end());
 
-    // Φ = ½ p·S p with S = Σ G·T G - D·W⁻¹ D, D = Σ ρ T G, W = Σ ρ² T, where
-    // only the ratios of densities matter
+    // S - D·W⁻¹ D, where only the ratios of densities matter
     const unsigned int          n = patch.size();
     Tensor<2, dim>              W;
     std::vector<Tensor<1, dim>> D(n);
     first_entry.push_back(entries.size());
     entries.resize(entries.size() + n * n);
     double *const S = entries.data() + first_entry.back();
-    for (const Part *part : parts)
+    for (const OverlappedCell<dim> *cell : cells)
       {
         const double density =
-          mean_density > 0 ? part->density / mean_density : 1.;
-        W += density * density * part->T;
+          mean_density > 0 ? density_of(*cell) / mean_density : 1.;
         std::array<unsigned int, dim + 1> place;
         for (unsigned int v = 0; v <= dim; ++v)
           place[v] =
             std::lower_bound(patch.begin(),
                              patch.end(),
-                             grid.geometry().vertex_indices(part->cell)[v]) -
+                             grid.geometry().vertex_indices(cell->cell)[v]) -
             patch.begin();
-        for (unsigned int v = 0; v <= dim; ++v)
-          {
-            const Tensor<1, dim> Tg = part->T * part->gradient[v];
-            D[place[v]] += density * Tg;
-            for (unsigned int w = 0; w <= dim; ++w)
-              S[place[v] * n + place[w]] += Tg * part->gradient[w];
-          }
+        for (unsigned int I = 0; I <= dim; ++I)
+          for (unsigned int J = 0; J <= dim; ++J)
+            {
+              const double entry =
+                kernel.projection_entry(cell->compliance, I, J) / (dim + 1);
+              const Tensor<1, dim> x_I = cell->corners[I] - cell->corners[0],
+                                   x_J = cell->corners[J] - cell->corners[0];
+              S[place[I] * n + place[J]] += entry;
+              D[place[J]] += density * entry * x_I;
+              W += density * density * entry * outer_product(x_I, x_J);
+            }
       }
-    // A hair of Φ with c = 0: a pressure that is linear all over the body does
-    // no work where nodes are held along its gradient, as in a column one cell
-    // wide between walls, and at ν = 1/2 nothing else would determine it.
+    // A hair of what there is with c = 0: a pressure that is linear all over
+    // the body does no work where nodes are held along its gradient, as in a
+    // column one cell wide between walls, and at ν = 1/2 nothing else would
+    // determine it.
     const Tensor<2, dim> inverse = invert(W) / (1 + rounding::numbers);
     for (unsigned int I = 0; I < n; ++I)
       {
@@ -203,14 +174,12 @@ namespace isochor
     find_roots(); // a run that is resumed touches no vertices
     const unsigned int rank =
       Utilities::MPI::this_mpi_process(grid.communicator());
-    std::vector<Part> parts;
-    for (const auto &cell : cells_at_owned_nodes())
-      parts.push_back(part_of(cell.second));
-    std::map<unsigned int, std::vector<const Part *>> at_node;
-    for (const Part &part : parts)
-      for (const unsigned int v : roots(part.cell))
+    const auto cells = cells_at_owned_nodes();
+    std::map<unsigned int, std::vector<const OverlappedCell<dim> *>> at_node;
+    for (const auto &cell : cells)
+      for (const unsigned int v : roots(cell.first))
         if (grid.vertex_owner(v) == rank)
-          at_node[v].push_back(&part);
+          at_node[v].push_back(&cell.second);
     for (const auto &node : at_node)
       add_patch(node.second);
   }

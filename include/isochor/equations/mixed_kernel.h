@@ -281,8 +281,7 @@ namespace isochor
       return axisymmetric ? history[0] : 1.;
     }
 
-  private:
-    /** α/G V (M_IJ - 1/(d+1)²) of a cell. */
+    /** S_e,IJ = α/G V (M_IJ - 1/(d+1)²) of a cell. */
     double
     projection_entry(const CellCompliance &compliance,
                      const unsigned int    I,
@@ -293,6 +292,7 @@ namespace isochor
               1. / ((dim + 1) * (dim + 1)));
     }
 
+  private:
     /** ρ g of a cell (N/m³). */
     static Tensor<1, dim>
     weight_density(const CellCompliance &compliance, const Tensor<1, dim> &g)

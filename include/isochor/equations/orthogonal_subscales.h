@@ -17,17 +17,16 @@
 namespace isochor
 {
   /**
-   * The stabilisation of the pressure by orthogonal subscales (OSS). Polynomial
-   * pressure projection (P(26)) stores ½ g_e·T_e g_e in cell e, with the
-   * gradient g_e of the pressure and T_e = α V/G Cov(x), Cov(x) the covariance
-   * of places in the cell. A pressure that drives accelerations has a gradient,
-   * ρ a, which is no oscillation: so only what is left of g_e without a field ρ
-   * c that the nodes can have is stored, as by orthogonal subscales (Codina,
-   * Comput. Methods Appl. Mech. Eng. 191 (2002) 4295-4321), Φ = min over c of
-   * Σ_I Σ_{e at I} (g_e - ρ_e c_I)·T_e (g_e - ρ_e c_I)/(2(d+1)), with a vector
-   * c_I of its own for each node I: symmetric, not negative, and zero for a
-   * pressure that is linear around the node, or bends as ρ jumps. Each node and
-   * the cells around it, a patch, are an element.
+   * The stabilisation of the pressure by orthogonal subscales (OSS; Codina,
+   * Comput. Methods Appl. Mech. Eng. 191 (2002) 4295-4321). A pressure that
+   * drives an acceleration or carries a weight changes within a cell, but is no
+   * oscillation. So PPP, ½ p·S_e p in cell e, is applied to what is left of the
+   * pressure without one that nodes can balance,
+   *   Φ = Σ_I min over c_I of Σ_{e at I} d·S_e d / (2(d+1)),
+   *   d_J = p_J - ρ_e c_I·x_J at the vertices x_J,
+   * with a vector c_I of its own for each node I: symmetric, not negative, and
+   * zero for a pressure that is linear around the node, or bends as ρ jumps.
+   * Each node and the cells around it, a patch, are an element.
    */
   template <int dim>
   class OrthogonalSubscales : public EquationTerm<dim>
@@ -70,15 +69,6 @@ namespace isochor
     energy(const StepContext<dim> &step, const NodalField &unknowns) const;
 
   private:
-    /** What a cell brings into a patch. */
-    struct Part
-    {
-      unsigned int                        cell;
-      std::array<Tensor<1, dim>, dim + 1> gradient; ///< ∇N_I (1/m)
-      Tensor<2, dim>                      T;        ///< T_e/(d+1)
-      double                              density;  ///< ρ_e (kg/m³)
-    };
-
     void
     find_roots();
     /** The vertices of @p cell, or of what they are the images of. */
@@ -88,11 +78,9 @@ namespace isochor
      * them. Collective. */
     std::map<unsigned int, OverlappedCell<dim>>
     cells_at_owned_nodes() const;
-    Part
-    part_of(const OverlappedCell<dim> &cell) const;
-    /** Append a patch of @p parts. */
+    /** Append a patch of @p cells. */
     void
-    add_patch(const std::vector<const Part *> &parts);
+    add_patch(const std::vector<const OverlappedCell<dim> *> &cells);
     /** -S p of patch @p k. */
     void
     evaluate(const unsigned int      k,
