@@ -38,6 +38,7 @@ test_materials(const std::vector<std::pair<std::string, std::string>> &laws,
                                 kernel,
                                 n_tested);
     }
+  test_matrix<dim, dim + 1>(label + ", mean pressure", kernel, n_tested, 0.4);
 }
 
 /** R = ∂Π/∂(u, p) with Π = Σ V [ G/2 (tr b̄ - 3) + p (J - 1) - p²/(2K) ] minus
@@ -100,6 +101,60 @@ test_potential()
                1e-8);
 }
 
+/** The pressures of a step that takes their mean do the work Σ V p̄ ΔJ, whatever
+ * they are at its ends, exactly where J is quadratic in the displacement. */
+void
+test_work_of_mean_pressure()
+{
+  constexpr int    dim = 2;
+  test::Random     random;
+  test::WorstError error;
+  MixedKernel<dim> kernel;
+  kernel.materials.push_back(test::make_material<dim>("Neo-Hookean"));
+  for (unsigned int n = 0; n < 20; ++n)
+    {
+      RandomElement<dim, dim + 1> e(kernel, 1 + n % 4, 0.3, random);
+      e.general_way          = n % 2;
+      e.element.start_weight = 0.5;
+      // the work of the force at the end, of deviatoric stresses or all
+      const auto work = [&]() {
+        double sum = 0;
+        e.evaluate(false);
+        for (unsigned int I = 0; I <= dim; ++I)
+          for (unsigned int a = 0; a < dim; ++a)
+            sum +=
+              e.element.residual[I * (dim + 1) + a] * e.element.increment[I][a];
+        return sum;
+      };
+      Tensor<2, dim> gradient;
+      for (unsigned int I = 0; I <= dim; ++I)
+        gradient +=
+          outer_product(e.element.increment[I], e.element.gradient[I]);
+      const double dJ =
+        determinant(Tensor<2, dim>(unit_symmetric_tensor<dim>()) + gradient) -
+        1;
+      double at_both = work(), expected = 0;
+      for (unsigned int q = 0; q < e.points.weight.size(); ++q)
+        {
+          const double V_J = e.points.weight[q] * determinant(e.points.F[q]);
+          double       p = 0, p_n = 0;
+          for (unsigned int I = 0; I <= dim; ++I)
+            {
+              p += e.points.shape[q][I] * e.element.pressure[I];
+              p_n += e.points.shape[q][I] * e.element.pressure_at_start[I];
+            }
+          at_both += V_J * p_n * trace(gradient);
+          expected += V_J * (p + p_n) * dJ;
+        }
+      e.element.pressure.fill(0.);
+      e.element.pressure_at_start.fill(0.);
+      at_both -= work();
+      error.add((at_both - expected) / (e.G * e.volume),
+                "element " + std::to_string(n));
+    }
+  error.report("work of the mean pressure", 1e-13);
+}
+
 template <int dim>
 void
 test_all()
@@ -130,7 +185,7 @@ test_all()
         Laws{{"Neo-Hookean", ""}, {"Mohr-Coulomb", angles}, {"J2", soft}}})
     test_materials<dim>(laws, n_tested);
   test::report("further parameters and mixtures, dim " + std::to_string(dim),
-               all_passed && n_tested == 20,
+               all_passed && n_tested == 28,
                std::to_string(n_tested) + " cases, see above");
   test_potential<dim>();
 }
@@ -140,4 +195,5 @@ main()
 {
   test_all<2>();
   test_all<3>();
+  test_work_of_mean_pressure();
 }

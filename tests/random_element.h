@@ -80,7 +80,8 @@ struct RandomElement
       {
         for (unsigned int a = 0; a < dim; ++a)
           element.increment[I][a] = amplitude * random();
-        element.pressure[I] = 0.3 * G * random();
+        element.pressure[I]          = 0.3 * G * random();
+        element.pressure_at_start[I] = 0.3 * G * random();
         // Tension may lie beyond the apex of a cone, where the matrix is not
         // the derivative on purpose: MohrCoulombReturn::stiffness_at_apex.
         if (depends_on_pressure)
@@ -284,13 +285,15 @@ template <int dim, int n_components>
 void
 test_matrix(const std::string      &label,
             const MixedKernel<dim> &kernel,
-            unsigned int           &n_tested)
+            unsigned int           &n_tested,
+            const double            start_weight = 0)
 {
   constexpr int    n_dofs = RandomElement<dim, n_components>::n_dofs;
   test::Random     random;
   test::WorstError tangent, unsymmetric;
   unsigned int     n_kinks = 0;
   const bool       symmetric =
+    start_weight == 0 &&
     std::all_of(kernel.materials.begin(),
                 kernel.materials.end(),
                 [](const auto &m) { return m->has_symmetric_tangent(); });
@@ -302,6 +305,7 @@ test_matrix(const std::string      &label,
                                          0.15 * std::abs(random()),
                                          random);
       const std::string                where = "element " + std::to_string(n);
+      e.element.start_weight                 = start_weight;
       if (e.evaluate(true) != EvaluationStatus::success)
         {
           tangent.add(1e300, where + ", evaluation");

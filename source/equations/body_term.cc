@@ -12,6 +12,29 @@
 
 namespace isochor
 {
+  namespace
+  {
+    /** Set the pressures that @p element has started the step with, if that
+     * takes the mean of pressures. */
+    template <int dim, int n_components, std::size_t max_nodes>
+    void
+    gather_start(const StepContext<dim>                &step,
+                 const unsigned int                     n_nodes,
+                 const unsigned int *const              vertices,
+                 Element<dim, n_components, max_nodes> &element)
+    {
+      element.start_weight = 0;
+      if (!element.mixed || step.unknowns_at_start == nullptr)
+        return;
+      element.start_weight = 1 - step.end_weight;
+      const NodalUnknowns<dim> at_start(step, *step.unknowns_at_start);
+      for (unsigned int I = 0; I < n_nodes; ++I)
+        element.pressure_at_start[I] = at_start.pressure(vertices[I]);
+    }
+  } // namespace
+
+
+
   template <int dim>
   BodyTerm<dim>::BodyTerm(const BackgroundGrid<dim> &grid,
                           const PointArrays<dim>    &points)
@@ -161,6 +184,7 @@ namespace isochor
         for (unsigned int I = 0; I < stencil.n_nodes; ++I)
           element.gradient[I] = stencil.gradient[I];
         nodal.gather(stencil.n_nodes, stencil.vertex, element);
+        gather_start(step, stencil.n_nodes, stencil.vertex, element);
         const EvaluationStatus status =
           step.kernel.has_constant_gradients() ?
             step.kernel.evaluate(
@@ -250,6 +274,10 @@ namespace isochor
         const unsigned int cell = points.cell[k];
         element.gradient        = points.gradients(geometry, k);
         nodal.gather(dim + 1, geometry.vertex_indices(cell).data(), element);
+        gather_start(step,
+                     dim + 1,
+                     geometry.vertex_indices(cell).data(),
+                     element);
 
         const unsigned int begin = points.cell_start[k],
                            end   = points.cell_start[k + 1];

@@ -194,7 +194,9 @@ namespace isochor
             scene.time.time,
             scene.inertia.in_trial() ? scene.time.time : scene.time.next_time(),
             !grid_reset.due(),
-            scene.has_inertia()};
+            scene.has_inertia(),
+            scene.inertia.unknowns_at_start(),
+            scene.inertia.end_weight()};
   }
 
 

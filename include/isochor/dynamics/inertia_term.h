@@ -73,6 +73,12 @@ namespace isochor
     {
       return is_active() ? start.unknowns_at_start() : nullptr;
     }
+    /** TimeIntegrator::end_weight() of a step that starts from stresses. */
+    double
+    end_weight() const
+    {
+      return unknowns_at_start() != nullptr ? integrator->end_weight() : 0.5;
+    }
     /** Take the points as they are at the start of the step. If it @p carries
      * accelerations, as the first one does, those of the points count in any
      * case. Collective. */

@@ -81,6 +81,15 @@ namespace isochor
     virtual double
     stiffness(const double dt) const = 0;
 
+    /** The share m of the forces at the end of a step in its change of
+     * velocity, if it has started with the acceleration of those at its start.
+     */
+    virtual double
+    end_weight() const
+    {
+      return 0.5;
+    }
+
     /** What to start with for the scheme, in steps of size @p dt, to follow a
      * motion u(t) whose jerk is constant without error in the inertial
      * acceleration. */
@@ -138,6 +147,14 @@ namespace isochor
     stiffness(const double dt) const override
     {
       return (1 - alpha) / (beta * dt * dt);
+    }
+
+    /** By the last two relations, v_{n+1} - v_n = Δt ((1 - m) a_n + m M^{-1}
+     * (f_ext - f_int)). */
+    double
+    end_weight() const override
+    {
+      return gamma / (1 - alpha);
     }
 
     /** By the relations above, a_n = ü + k Δt J and v_n = u̇ + m Δt² J for a

@@ -100,11 +100,11 @@ namespace isochor
 
   /**
    * γ of a subdomain (Pa/m): |N·A·N| times @p area_per_volume, the constant of
-   * the trace inequality. In u-p, where A are the deviatoric moduli, pressures
-   * that a contact's beginning changes do work on gaps of the size p/γ in
-   * dynamics, energy that nothing accounts for. There the bulk modulus is
-   * added as far as the @p step resolves it, min(K, ρ (2 d/Δt)²) with
-   * d = 1/area_per_volume: ω Δt = 2 for what vibrates in the subdomain.
+   * the trace inequality. In u-p A are the deviatoric moduli, and contact that
+   * begins with a pressure p loses the energy p²/(2γ) in dynamics
+   * (InteractionKernel::add()). There the bulk modulus is added as far as the
+   * @p step resolves it, min(K, ρ (2 d/Δt)²) with d = 1/area_per_volume:
+   * ω Δt = 2 for what vibrates in the subdomain.
    */
   template <int dim>
   double

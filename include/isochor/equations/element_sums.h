@@ -90,6 +90,11 @@ namespace isochor
       /** Σ V N_I N_J (1/K - ∂θ^e/∂p), J >= I. */
       std::array<double, max_nodes * max_nodes> compressibility{};
 
+      /** Of Element::start_weight: Σ V s_n (1 - m) (p - p_n) and
+       * Σ V N_I s_n. */
+      double                        at_start = 0;
+      std::array<double, max_nodes> s_at_start{};
+
       /** Σ V N_I ∂(dev τ)/∂p, of laws that depend on p. */
       bool                              pressure_dependent = false;
       std::array<Components, max_nodes> pressure_tangent{};
@@ -162,6 +167,19 @@ namespace isochor
                 pressure_tangent[I][i] +=
                   VN * response.deviatoric_pressure_tangent.access_raw_entry(i);
           }
+      }
+
+      /** What pressures that change add at the start of a step. */
+      template <typename Shape>
+      void
+      add_at_start(const double       V_s_n,
+                   const double       pressure_change,
+                   const unsigned int n_nodes,
+                   const Shape       &N)
+      {
+        at_start += V_s_n * pressure_change;
+        for (unsigned int I = 0; I < n_nodes; ++I)
+          s_at_start[I] += V_s_n * N(I);
       }
 
       /** Add p's parts to stress and modulus. */

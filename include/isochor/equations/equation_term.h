@@ -29,6 +29,12 @@ namespace isochor
     bool grid_is_kept = false;
     /** Dynamics, not statics. */
     bool has_inertia = false;
+    /** Of a step that starts with the forces of stresses, and takes the mean of
+     * those and the ones at its end: what they come from. Else null. */
+    const NodalField *unknowns_at_start = nullptr;
+    /** The share m that forces at the end of the step have in it, those at its
+     * start having 1 - m. */
+    double end_weight = 0.5;
 
     bool
     mixed() const

@@ -45,10 +45,26 @@ namespace isochor
     std::array<Tensor<1, dim>, max_nodes> gradient;  ///< ∇_n N_I
     std::array<Tensor<1, dim>, max_nodes> increment; ///< Δu_I
     std::array<double, max_nodes>         pressure;  ///< p_I
-    std::array<double, n_max>             residual;
-    std::array<double, n_max * n_max>     matrix; ///< row-major, n_dofs wide
+    /** p_I at the start of the step, and the share 1 - m that they have in the
+     * mean of the step; 0: the pressures at its end count. */
+    std::array<double, max_nodes>     pressure_at_start;
+    double                            start_weight = 0;
+    std::array<double, n_max>         residual;
+    std::array<double, n_max * n_max> matrix; ///< row-major, n_dofs wide
     /** Of the points that it has been summed over. */
     CellCompliance compliance;
+
+    /** (1 - m) (p - p_n) at a point with the shape values @p N. */
+    template <typename Shape>
+    double
+    pressure_change(const Shape &N) const
+    {
+      double sum = 0;
+      if (start_weight > 0)
+        for (unsigned int I = 0; I < nodes(); ++I)
+          sum += start_weight * N(I) * (pressure[I] - pressure_at_start[I]);
+      return sum;
+    }
 
     constexpr unsigned int
     nodes() const
@@ -73,6 +89,16 @@ namespace isochor
    * u: p = K θ^e at the point. u-p: p = Σ_I N_I p_I. Tension is positive.
    * b is what earlier steps have left in the volume of the point that no node
    * has seen (VolumeOffset), a constant of the step.
+   * In dynamics a step takes a mean of the forces at its start and its end,
+   * with the weights 1 - m and m (TimeIntegrator::end_weight()). Of pressures
+   * that is to be p̄ times the mean of ∇θ, with the mean p̄ of p: their part of
+   * R_u is then
+   *   Σ_p V_p [ p̄ s g_I + (1 - m) (p_{n+1} - p_n) s_n ∇_n N_I ],
+   * as p_n s_n ∇_n N_I has acted at the start. With m = 1/2 they do the work
+   * p̄ Δθ, up to third order in Δu however much p changes; the mean of p ∇θ
+   * would add Δp Δu·∇²θ Δu/4. Where the matrix is symmetric otherwise, its
+   * block ∂R_u/∂p stays that without (upper_blocks_only): what is left out is
+   * of the order of a step's strain.
    * In u-p a law whose strength depends on p is evaluated at that p, so that τ
    * is on its yield surface. Without such laws both are the derivatives of
    *   Π = Σ_p V_p [ W_dev(ΔF F_n) + p (θ - b) - p²/(2K) ],
@@ -109,9 +135,8 @@ namespace isochor
       return ppp_coefficient > 0 && !has_orthogonal_subscales;
     }
 
-    /** g - ā (m/s²), gravity against the mean acceleration of the body: the
-     * stabilisation leaves out the pressure that is in equilibrium with it.
-     * Zero: the stabilisation as it stands in the paper. */
+    /** Gravity in statics (m/s²): the stabilisation leaves out the pressure
+     * that is in equilibrium with it. Zero: as it stands in the paper. */
     Tensor<1, dim> hydrostatic_acceleration;
 
     /** Add point @p q, which integrates @p V of the cell, to what the cell's
@@ -204,7 +229,7 @@ namespace isochor
      * the P1 mass matrix of unit measure and d_I = p_I - h_I. In closed form:
      * with a point at the centroid only, integration by points would give zero.
      *
-     * h_I = - ρ (g - ā)·x_I is the pressure at rest under the body's weight
+     * h_I = - ρ g·x_I is the pressure at rest under the body's weight
      * (hydrostatic_acceleration), with x_I the vertices at the end of the step:
      * @p corners and the increments. P(26), which has h = 0, would take it for
      * an oscillation and answer with a change of volume. Without weight only
@@ -280,6 +305,11 @@ namespace isochor
     {
       return axisymmetric ? history[0] : 1.;
     }
+
+    /** s_n, that of the start of the step. */
+    double
+    pressure_factor_at_start(const PointArrays<dim> &points,
+                             const unsigned int      q) const;
 
     /** S_e,IJ = α/G V (M_IJ - 1/(d+1)²) of a cell. */
     double

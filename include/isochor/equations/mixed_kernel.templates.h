@@ -16,6 +16,25 @@ namespace isochor
 {
   namespace internal
   {
+    /** Σ V τ g_I with the part of the start of the step, and R_p. */
+    template <int dim, int n_components, std::size_t max_nodes>
+    void
+    set_residual(Element<dim, n_components, max_nodes>       &element,
+                 const std::array<Tensor<1, dim>, max_nodes> &g,
+                 const ElementSums<dim, max_nodes>           &sums)
+    {
+      for (unsigned int I = 0; I < element.nodes(); ++I)
+        {
+          const Tensor<1, dim> force =
+            times(sums.stress, g[I]) + sums.at_start * element.gradient[I];
+          for (unsigned int a = 0; a < dim; ++a)
+            element.residual[I * n_components + a] = force[a];
+          if (element.mixed)
+            element.residual[I * n_components + n_components - 1] =
+              sums.constraint[I];
+        }
+    }
+
     /** Matrix block of displacements: material part sym(e_a ⊗ g_I) : c :
      * sym(e_b ⊗ g_J) and geometric part δ_ab g_I · τ g_J. @p upper_blocks_only:
      * see MixedKernel. */
@@ -65,7 +84,8 @@ namespace isochor
     }
 
     /** Matrix blocks of u-p: Σ V (s 1 + ∂(dev τ)/∂p) g_I N_J, Σ V N_I ∂θ^e/∂d
-     * g_J, Σ V N_I N_J (∂θ^e/∂p - 1/K). */
+     * g_J, Σ V N_I N_J (∂θ^e/∂p - 1/K). Of the first, s g_I
+     * is m s g_I + (1 - m) s_n ∇_n N_I with Element::start_weight = 1 - m. */
     template <int dim, std::size_t max_nodes>
     void
     add_coupling(Element<dim, dim + 1, max_nodes>            &element,
@@ -75,12 +95,16 @@ namespace isochor
     {
       const unsigned int     n = element.nodes(), n_dofs = element.n_dofs();
       constexpr unsigned int nc = dim + 1;
+      const double w = (upper_blocks_only ? 0. : element.start_weight);
       for (unsigned int I = 0; I < n; ++I)
         for (unsigned int J = (upper_blocks_only ? I : 0); J < n; ++J)
           {
             const Tensor<1, dim> theta_g =
               times(sums.volumetric_tangent[I], g[J]);
             Tensor<1, dim> force = sums.s[J] * g[I];
+            if (w > 0)
+              force =
+                (1 - w) * force + w * sums.s_at_start[J] * element.gradient[I];
             if (sums.pressure_dependent)
               force += times(sums.pressure_tangent[J], g[I]);
             for (unsigned int a = 0; a < dim; ++a)
@@ -140,7 +164,8 @@ namespace isochor
     for (unsigned int q = begin; q < end; ++q)
       {
         law.set(points.material[q]);
-        if (law.evaluates_packs && end - q >= enough_for_packs)
+        if (law.evaluates_packs && end - q >= enough_for_packs &&
+            element.start_weight == 0)
           {
             // at once, all that follow and have the same law
             unsigned int last = q + 1;
@@ -186,35 +211,33 @@ namespace isochor
         const internal::PressureFactor factor(law.measure, kinematics.J);
         if (!mixed)
           p = response.volumetric_strain / inverse_K;
-        sums.add_stress(response, V, p, factor, with_matrix);
+        const auto   N      = [&](const unsigned int I) { return shape(q, I); };
+        const double change = element.pressure_change(N);
+        if (element.start_weight > 0)
+          sums.add_at_start(V * pressure_factor_at_start(points, q),
+                            change,
+                            n,
+                            N);
+        sums.add_stress(response, V, p - change, factor, with_matrix);
         if (!mixed && with_matrix)
           sums.add_bulk_stiffness(response, V * factor.s / inverse_K);
         if (mixed)
-          sums.add_constraint(
-            response,
-            V,
-            p,
-            points.volume_offset[q],
-            inverse_K,
-            factor,
-            law.depends_on_pressure,
-            n,
-            [&](const unsigned int I) { return shape(q, I); },
-            with_matrix);
+          sums.add_constraint(response,
+                              V,
+                              p,
+                              points.volume_offset[q],
+                              inverse_K,
+                              factor,
+                              law.depends_on_pressure,
+                              n,
+                              N,
+                              with_matrix);
       }
     if (packs)
       packs->add_to(sums, n);
     sums.complete(with_matrix);
 
-    for (unsigned int I = 0; I < n; ++I)
-      {
-        const Tensor<1, dim> force = internal::times(sums.stress, g[I]);
-        for (unsigned int a = 0; a < dim; ++a)
-          element.residual[I * n_components + a] = force[a];
-        if (mixed)
-          element.residual[I * n_components + n_components - 1] =
-            sums.constraint[I];
-      }
+    internal::set_residual(element, g, sums);
     if (with_matrix)
       {
         internal::add_stiffness(element, g, sums, upper_blocks_only);
@@ -222,6 +245,21 @@ namespace isochor
           internal::add_coupling(element, g, sums, upper_blocks_only);
       }
     return EvaluationStatus::success;
+  }
+
+
+
+  template <int dim>
+  double
+  MixedKernel<dim>::pressure_factor_at_start(const PointArrays<dim> &points,
+                                             const unsigned int      q) const
+  {
+    const double *const history =
+      points.history.data() + q * std::size_t(points.n_history);
+    return internal::PressureFactor(
+             materials[points.material[q]]->volumetric_measure(),
+             determinant(points.F[q]) * hoop_stretch(history))
+      .s;
   }
 
 
@@ -240,7 +278,7 @@ namespace isochor
     const unsigned int     n_dofs = element.n_dofs();
     const Tensor<1, dim>   weight =
       weight_density(compliance, hydrostatic_acceleration);
-    // derivatives of d_I: 1 by p_I, ρ (g - ā) by the displacement
+    // derivatives of d_I: 1 by p_I, ρ g by the displacement
     std::array<double, nc> derivative;
     for (unsigned int a = 0; a < dim; ++a)
       derivative[a] = weight[a];

@@ -118,13 +118,25 @@ namespace isochor
           }
       }
 
-      /** @p force: V (s 1 + ∂(dev τ)/∂p), @p volume: V ∂θ^e/∂d,
-       * @p compressibility: V (1/K - ∂θ^e/∂p). */
+      /** V (s 1 + ∂(dev τ)/∂p), V ∂θ^e/∂d and V (1/K - ∂θ^e/∂p) between
+       * unknowns; @p pressure_dependent: whether there are derivatives by p. */
       void
-      add_coupling(const SymmetricTensor<2, strain_dim> &force,
-                   const SymmetricTensor<2, strain_dim> &volume,
-                   const double                          compressibility)
+      add_coupling(const StressResponse<strain_dim> &response,
+                   const double                      V,
+                   const double                      s,
+                   const double                      inverse_K,
+                   const bool                        pressure_dependent)
       {
+        SymmetricTensor<2, strain_dim> force =
+          (V * s) * unit_symmetric_tensor<strain_dim>();
+        const SymmetricTensor<2, strain_dim> volume =
+          V * response.volumetric_tangent;
+        double compressibility = V * inverse_K;
+        if (pressure_dependent)
+          {
+            force += V * response.deviatoric_pressure_tangent;
+            compressibility -= V * response.volumetric_pressure_tangent;
+          }
         const unsigned int n_dofs = element.n_dofs();
         for (unsigned int I = 0; I < element.nodes(); ++I)
           for (unsigned int J = 0; J < element.nodes(); ++J)
@@ -140,6 +152,35 @@ namespace isochor
                 }
               element.matrix[p_I * n_dofs + p_J] -=
                 N[I] * N[J] * compressibility;
+            }
+      }
+
+      /** Of Element::start_weight, @p V_s = V s at the end,
+       * @p V_s_n at the start: there u_I,a changes θ by G_I,a (+ N_I/r_n). */
+      void
+      add_at_start(const Tensor<1, dim> *const G,
+                   const double                r_n,
+                   const double                V_s,
+                   const double                V_s_n,
+                   const double                pressure_change,
+                   const bool                  in_matrix)
+      {
+        const unsigned int n_dofs = element.n_dofs();
+        for (unsigned int I = 0; I < element.nodes(); ++I)
+          for (unsigned int a = 0; a < dim; ++a)
+            {
+              const double at_start =
+                V_s_n *
+                (G[I][a] + (strain_dim > dim && a == 0 ? N[I] / r_n : 0.));
+              const unsigned int i = I * n_components + a;
+              element.residual[i] += pressure_change * at_start;
+              if (!in_matrix)
+                continue;
+              const double change =
+                element.start_weight * (at_start - V_s * trace(B[I * dim + a]));
+              for (unsigned int J = 0; J < element.nodes(); ++J)
+                element.matrix[i * n_dofs + J * n_components + dim] +=
+                  change * N[J];
             }
       }
 
@@ -242,8 +283,12 @@ namespace isochor
             }
           sum.set_strains();
 
-          const auto one = unit_symmetric_tensor<strain_dim>();
-          SymmetricTensor<2, strain_dim> stress = (V * p * factor.s) * one;
+          const auto   one = unit_symmetric_tensor<strain_dim>();
+          const double p_force =
+            p - element.pressure_change(
+                  [&](const unsigned int I) { return stencil.shape[I]; });
+          SymmetricTensor<2, strain_dim> stress =
+            (V * p_force * factor.s) * one;
           for (unsigned int i = 0; i < strain_dim; ++i)
             for (unsigned int j = i; j < strain_dim; ++j)
               stress[i][j] += V * response.deviatoric_stress[i][j];
@@ -252,29 +297,26 @@ namespace isochor
                              V * (response.volumetric_strain -
                                   points.volume_offset[q] - p * inverse_K) :
                              0.);
+          if (element.start_weight > 0)
+            sum.add_at_start(stencil.gradient,
+                             hoop ? points.radius[q] : 1.,
+                             V * factor.s,
+                             V * kernel.pressure_factor_at_start(points, q),
+                             p - p_force,
+                             with_matrix && !kernel.upper_blocks_only);
           if (!with_matrix)
             continue;
           SymmetricTensor<4, strain_dim> modulus =
             V * response.tangent +
-            (V * p * factor.Js_prime) * outer_product(one, one) -
-            (2 * V * p * factor.s) * identity_tensor<strain_dim>();
+            (V * p_force * factor.Js_prime) * outer_product(one, one) -
+            (2 * V * p_force * factor.s) * identity_tensor<strain_dim>();
           if (!mixed) // p = K θ^e changes with the displacement
             modulus += outer_product((V * factor.s / inverse_K) * one,
                                      response.volumetric_tangent);
           sum.add_stiffness(stress, modulus);
           if constexpr (mixed)
-            {
-              SymmetricTensor<2, strain_dim> force = (V * factor.s) * one;
-              double                         compressibility = V * inverse_K;
-              if (pressure_dependent)
-                {
-                  force += V * response.deviatoric_pressure_tangent;
-                  compressibility -= V * response.volumetric_pressure_tangent;
-                }
-              sum.add_coupling(force,
-                               V * response.volumetric_tangent,
-                               compressibility);
-            }
+            sum.add_coupling(
+              response, V, factor.s, inverse_K, pressure_dependent);
         }
       return EvaluationStatus::success;
     }
