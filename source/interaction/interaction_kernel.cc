@@ -30,6 +30,8 @@ namespace isochor
   {
     for (auto *field : {&trace, &t_by, &turn_of_normal, &turn_of_gap, &adjoint})
       field->assign(n_dofs, Tensor<1, dim>());
+    for (auto &field : pressure_by)
+      field.assign(n_dofs, 0.);
     t = Tensor<1, dim>();
     sides.clear();
     turns.clear();
@@ -42,6 +44,8 @@ namespace isochor
   void
   InteractionKernel<dim>::add_side(const Side &side)
   {
+    AssertIndexRange(sides.size(), pressure_by.size());
+    std::vector<double> &p_by = pressure_by[sides.size()];
     sides.push_back(side);
     const SurfaceStress<dim> &stress = *side.stress;
     t += side.weight * stress.traction(side.pressure);
@@ -59,9 +63,12 @@ namespace isochor
               adjoint[first + b] += side.weight * side.adjoint[J * dim + b];
           }
         if (with_matrix && stress.mixed)
-          t_by[first + dim] +=
-            side.weight * (side.shape[J] * stress.volume +
-                           side.point_shape[J] * stress.deviatoric_by_p);
+          {
+            p_by[first + dim] = side.shape[J];
+            t_by[first + dim] +=
+              side.weight * (side.shape[J] * stress.volume +
+                             side.point_shape[J] * stress.deviatoric_by_p);
+          }
       }
   }
 
@@ -79,34 +86,101 @@ namespace isochor
     const Side &side = sides.back();
     if (side.stress->mixed)
       for (unsigned int j = 0; j < n_dofs; ++j)
-        t_by[j] +=
-          side.weight * (pressure_by_xi * xi_by[j]) * side.stress->volume;
+        {
+          const double dp = pressure_by_xi * xi_by[j];
+          pressure_by[sides.size() - 1][j] += dp;
+          t_by[j] += side.weight * dp * side.stress->volume;
+        }
   }
 
 
 
   template <int dim>
   typename InteractionKernel<dim>::Projection
-  InteractionKernel<dim>::in_step(const Projection       &at_end,
-                                  const StartOfStep<dim> &start,
-                                  const Tensor<1, dim>   &w_vector,
-                                  const Tensor<1, dim>   &n)
+  InteractionKernel<dim>::project(const InteractionLaw<dim> &law,
+                                  const Tensor<1, dim>      &w,
+                                  const Tensor<1, dim>      &n,
+                                  const PartnerPlace<dim>   &place,
+                                  const Measure             &measure)
   {
-    const double w = w_vector * n, w_0 = start.w;
-    if (!(w * w_0 < 0))
-      return at_end;
-    // f times a factor or f_0 times one, and its derivative
-    const bool   begins = w > 0;
-    const double change = std::abs(w - w_0), factor = w / change,
-                 by_w            = std::abs(w_0) / (change * change);
-    const Tensor<1, dim> &f      = begins ? at_end.f : start.f;
-    Projection            result = at_end;
-    result.f                     = factor * f;
-    result.f_by_w *= begins ? factor : 0.;
-    result.f_by_n *= begins ? factor : 0.;
-    result.f_by_w += by_w * outer_product(f, n);
-    result.f_by_n += by_w * outer_product(f, w_vector);
+    const double pull    = law.is_unilateral() ? -(w * n) : 0.;
+    const bool   touches = pull > 0 && pull < measure.rounding;
+    Projection   result =
+      law.project(touches ? w + pull * n : w, n, measure.area_ratio);
+    if (touches)
+      result.f -= pull * n;
+    result.f      = place.mask * result.f;
+    result.f_by_w = place.mask * result.f_by_w;
+    result.f_by_n = place.mask * result.f_by_n;
     return result;
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionKernel<dim>::set_mean_pressures(const Measure &measure)
+  {
+    const StartOfStep<dim> &start = *measure.start;
+    const double            m     = measure.end_weight;
+    w_0                           = start.w;
+    if (with_matrix)
+      w_0_by.assign(n_dofs, Tensor<1, dim>());
+    for (unsigned int s = 0; s < sides.size(); ++s)
+      {
+        const Side &side = sides[s];
+        if (!side.stress->mixed)
+          continue;
+        const double         change = side.pressure - start.pressure[s];
+        const Tensor<1, dim> t_by_p = side.weight * side.stress->volume;
+        t_end -= (1 - m) * change * t_by_p;
+        w_0 += m * change * start.t_by_pressure[s];
+        if (!with_matrix)
+          continue;
+        for (unsigned int j = 0; j < n_dofs; ++j)
+          {
+            t_end_by[j] -= (1 - m) * pressure_by[s][j] * t_by_p;
+            w_0_by[j] += m * pressure_by[s][j] * start.t_by_pressure[s];
+          }
+        for (unsigned int J = 0; J < side.n_nodes; ++J)
+          for (unsigned int b = 0; b < dim; ++b)
+            t_end_by[side.node[J] * n_components + b] -=
+              (1 - m) * change * side.weight *
+              side.stress->volume_by_u[J * dim + b];
+      }
+  }
+
+
+
+  template <int dim>
+  typename InteractionKernel<dim>::Acting
+  InteractionKernel<dim>::in_step(const Projection     &f_1,
+                                  const Tensor<1, dim> &w_1,
+                                  const Tensor<1, dim> &n_1,
+                                  const Projection     &f_0,
+                                  const Tensor<1, dim> &w_0,
+                                  const Measure        &measure,
+                                  const bool            is_unilateral)
+  {
+    const Tensor<1, dim> &n_0   = measure.start->normal;
+    const double          start = 1 / measure.end_weight - 1; // (1 - m)/m
+    const Tensor<1, dim>  sum   = start * f_0.f + f_1.f;
+    const double          a = w_0 * n_0, b = w_1 * n_1, change = b - a;
+    Acting                acting{sum - start * measure.start->f,
+                  f_1.f_by_w,
+                  f_1.f_by_n,
+                  start * f_0.f_by_w};
+    if (!is_unilateral || !(a * b < 0))
+      return acting;
+    // contact begins or ends: ρ, and its derivatives with respect to a and b
+    const double sign = b > 0 ? 1 : -1, rho = (b > 0 ? b : -a) / change,
+                 by_a = sign * b / (change * change),
+                 by_b = -sign * a / (change * change);
+    acting.f          = rho * sum - start * measure.start->f;
+    acting.by_w       = rho * acting.by_w + by_b * outer_product(sum, n_1);
+    acting.by_n       = rho * acting.by_n + by_b * outer_product(sum, w_1);
+    acting.by_start   = rho * acting.by_start + by_a * outer_product(sum, n_0);
+    return acting;
   }
 
 
@@ -117,102 +191,127 @@ namespace isochor
                               const PartnerPlace<dim>   &place,
                               const Measure             &measure)
   {
-    const Tensor<1, dim> w    = t - measure.gamma * place.gap;
-    const double         pull = law.is_unilateral() ? -(w * place.normal) : 0.;
-    const bool           touches = pull > 0 && pull < measure.rounding;
-    Projection at_end = law.project(touches ? w + pull * place.normal : w,
-                                    place.normal,
-                                    measure.area_ratio);
-    if (touches)
-      at_end.f -= pull * place.normal;
-    at_end.f      = place.mask * at_end.f;
-    at_end.f_by_w = place.mask * at_end.f_by_w;
-    at_end.f_by_n = place.mask * at_end.f_by_n;
-    const Projection acting =
-      measure.start != nullptr && law.is_unilateral() ?
-        in_step(at_end, *measure.start, w, place.normal) :
-        at_end;
-    end = {w * place.normal, at_end.f};
-    mean =
-      measure.start != nullptr ? (measure.start->f + acting.f) / 2 : at_end.f;
+    const Tensor<1, dim> &n     = place.normal;
+    const auto           *start = measure.start;
+    t_end                       = t;
+    if (with_matrix)
+      t_end_by = t_by;
+    if (start != nullptr)
+      set_mean_pressures(measure);
+    const Tensor<1, dim> w   = t_end - measure.gamma * place.gap;
+    const Projection     f_1 = project(law, w, n, place, measure);
+    Acting               acting{f_1.f, f_1.f_by_w, f_1.f_by_n, {}};
+    if (start != nullptr)
+      acting = in_step(f_1,
+                       w,
+                       n,
+                       project(law, w_0, start->normal, place, measure),
+                       w_0,
+                       measure,
+                       law.is_unilateral());
+    mean = f_1.f;
+    if (start != nullptr)
+      mean =
+        (1 - measure.end_weight) * start->f + measure.end_weight * acting.f;
+
+    end        = StartOfStep<dim>();
+    end.w      = t - measure.gamma * place.gap;
+    end.f      = project(law, end.w, n, place, measure).f;
+    end.normal = n;
+    for (unsigned int s = 0; s < sides.size(); ++s)
+      if (sides[s].stress->mixed)
+        {
+          end.pressure[s]      = sides[s].pressure;
+          end.t_by_pressure[s] = sides[s].weight * sides[s].stress->volume;
+        }
     to_remember = Tensor<1, dim>();
     if (law.is_unilateral() && law.constrains_tangent() &&
-        at_end.state != SurfaceState::open)
-      to_remember = (t - at_end.f) / measure.gamma;
-    to_remember -= (to_remember * place.normal) * place.normal;
-    // (f - M t) / γ
-    const Tensor<1, dim> constrained = law.constrains_tangent() ?
-                                         place.mask * t :
-                                         (t * place.normal) * place.normal;
-    const Tensor<1, dim> mismatch    = (acting.f - constrained) / measure.gamma,
-                         mismatch_at_end =
-                           (at_end.f - constrained) / measure.gamma;
-    add_to_residual(acting, measure, mismatch, mismatch_at_end);
+        f_1.state != SurfaceState::open)
+      to_remember = (t_end - f_1.f) / measure.gamma;
+    to_remember -= (to_remember * n) * n;
+
+    const Tensor<1, dim> in_pressure_equation =
+                           (f_1.f - constrained(law, place, t_end)) /
+                           measure.gamma,
+                         adjoint_to = (acting.f - constrained(law, place, t)) /
+                                      measure.gamma;
+    add_to_residual(acting, measure, in_pressure_equation, adjoint_to);
     if (with_matrix)
       {
-        add_to_matrix(law, place, acting, at_end, measure, mismatch_at_end);
+        add_to_matrix(law, place, acting, f_1, measure, in_pressure_equation);
         add_turns_to_matrix(law, place, acting, measure);
         if (!xi_by.empty())
-          add_sliding_to_matrix(acting, measure, mismatch_at_end);
+          add_sliding_to_matrix(acting, measure, in_pressure_equation);
       }
-    return at_end;
+    return f_1;
   }
 
 
 
   template <int dim>
   void
-  InteractionKernel<dim>::add_to_residual(const Projection     &projection,
-                                          const Measure        &measure,
-                                          const Tensor<1, dim> &mismatch,
-                                          const Tensor<1, dim> &at_end)
+  InteractionKernel<dim>::add_to_residual(
+    const Acting         &acting,
+    const Measure        &measure,
+    const Tensor<1, dim> &in_pressure_equation,
+    const Tensor<1, dim> &adjoint_to)
   {
     const double W = measure.weight;
     for (unsigned int i = 0; i < n_dofs; ++i)
       residual[i] +=
-        W * (measure.theta * (mismatch * adjoint[i]) - projection.f * trace[i]);
+        W * (measure.theta * (adjoint_to * adjoint[i]) - acting.f * trace[i]);
     for (const Side &side : sides)
       for (unsigned int I = 0; I < side.n_nodes && side.stress->mixed; ++I)
         residual[side.node[I] * n_components + dim] +=
-          W * side.weight * side.shape[I] * (at_end * side.stress->volume);
+          W * side.weight * side.shape[I] *
+          (in_pressure_equation * side.stress->volume);
   }
 
 
 
   template <int dim>
   void
-  InteractionKernel<dim>::add_to_matrix(const InteractionLaw<dim> &law,
-                                        const PartnerPlace<dim>   &place,
-                                        const Projection          &projection,
-                                        const Projection          &at_end,
-                                        const Measure             &measure,
-                                        const Tensor<1, dim> &mismatch_at_end)
+  InteractionKernel<dim>::add_to_matrix(
+    const InteractionLaw<dim> &law,
+    const PartnerPlace<dim>   &place,
+    const Acting              &acting,
+    const Projection          &f_1,
+    const Measure             &measure,
+    const Tensor<1, dim>      &in_pressure_equation)
   {
     const double          W = measure.weight;
     const Tensor<1, dim> &n = place.normal;
+    // of M t
+    const auto change_of = [&](const Tensor<1, dim> &of,
+                               const Tensor<1, dim> &by,
+                               const Tensor<1, dim> &dn) {
+      return law.constrains_tangent() ?
+               Tensor<1, dim>(place.mask * by) :
+               Tensor<1, dim>((by * n + of * dn) * n + (of * n) * dn);
+    };
     for (unsigned int j = 0; j < n_dofs; ++j)
       {
         const Tensor<1, dim> dn =
           place.normal_by_x * trace[j] + turn_of_normal[j];
         const Tensor<1, dim> dg = place.gap_by_x * trace[j] + turn_of_gap[j],
-                             dw = t_by[j] - measure.gamma * dg;
-        const Tensor<1, dim> df =
-          projection.f_by_w * dw + projection.f_by_n * dn;
-        const Tensor<1, dim> constrained =
-          law.constrains_tangent() ? place.mask * t_by[j] :
-                                     (t_by[j] * n + t * dn) * n + (t * n) * dn;
-        const Tensor<1, dim> d_mismatch = (df - constrained) / measure.gamma,
-                             d_at_end   = (at_end.f_by_w * dw +
-                                         at_end.f_by_n * dn - constrained) /
-                                        measure.gamma;
+                             dw = t_end_by[j] - measure.gamma * dg;
+        Tensor<1, dim> df       = acting.by_w * dw + acting.by_n * dn;
+        if (measure.start != nullptr)
+          df += acting.by_start * w_0_by[j];
+        const Tensor<1, dim> d_adjoint =
+                               (df - change_of(t, t_by[j], dn)) / measure.gamma,
+                             d_in_pressure =
+                               (f_1.f_by_w * dw + f_1.f_by_n * dn -
+                                change_of(t_end, t_end_by[j], dn)) /
+                               measure.gamma;
         for (unsigned int i = 0; i < n_dofs; ++i)
           matrix[i * n_dofs + j] +=
-            W * (measure.theta * (d_mismatch * adjoint[i]) - df * trace[i]);
+            W * (measure.theta * (d_adjoint * adjoint[i]) - df * trace[i]);
         for (const Side &side : sides)
           {
             if (!side.stress->mixed)
               continue;
-            const double change = d_at_end * side.stress->volume;
+            const double change = d_in_pressure * side.stress->volume;
             for (unsigned int I = 0; I < side.n_nodes; ++I)
               matrix[(side.node[I] * n_components + dim) * n_dofs + j] +=
                 W * side.weight * side.shape[I] * change;
@@ -224,7 +323,7 @@ namespace isochor
           {
             const double change =
               W * side.weight *
-              (mismatch_at_end * side.stress->volume_by_u[J * dim + b]);
+              (in_pressure_equation * side.stress->volume_by_u[J * dim + b]);
             for (unsigned int I = 0; I < side.n_nodes; ++I)
               matrix[(side.node[I] * n_components + dim) * n_dofs +
                      side.node[J] * n_components + b] += side.shape[I] * change;
@@ -237,10 +336,10 @@ namespace isochor
   void
   InteractionKernel<dim>::add_turns_to_matrix(const InteractionLaw<dim> &law,
                                               const PartnerPlace<dim>   &place,
-                                              const Projection &projection,
-                                              const Measure    &measure)
+                                              const Acting              &acting,
+                                              const Measure &measure)
   {
-    const Tensor<1, dim>  f = measure.weight * projection.f;
+    const Tensor<1, dim>  f = measure.weight * acting.f;
     const Tensor<1, dim> &n = place.normal;
     for (const Turn &turn : turns)
       {
@@ -261,9 +360,10 @@ namespace isochor
 
   template <int dim>
   void
-  InteractionKernel<dim>::add_sliding_to_matrix(const Projection &projection,
-                                                const Measure    &measure,
-                                                const Tensor<1, dim> &mismatch)
+  InteractionKernel<dim>::add_sliding_to_matrix(
+    const Acting         &acting,
+    const Measure        &measure,
+    const Tensor<1, dim> &in_pressure_equation)
   {
     const Side &side = sides.back();
     for (unsigned int I = 0; I < side.n_nodes; ++I)
@@ -272,10 +372,10 @@ namespace isochor
           const double       dN  = measure.weight * (shape_by_xi[I] * xi_by[j]);
           const unsigned int row = side.node[I] * n_components;
           for (unsigned int b = 0; b < dim; ++b)
-            matrix[(row + b) * n_dofs + j] -= side.sign * dN * projection.f[b];
+            matrix[(row + b) * n_dofs + j] -= side.sign * dN * acting.f[b];
           if (side.stress->mixed)
             matrix[(row + dim) * n_dofs + j] +=
-              side.weight * dN * (mismatch * side.stress->volume);
+              side.weight * dN * (in_pressure_equation * side.stress->volume);
         }
   }
 

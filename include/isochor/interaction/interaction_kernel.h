@@ -50,12 +50,16 @@ namespace isochor
     return 1e-10 * gamma / area_per_volume;
   }
 
-  /** What acts at a place at the start of a step. */
+  /** What there is at a place at the start of a step. */
   template <int dim>
   struct StartOfStep
   {
-    double         w = 0; ///< w·n (Pa), see InteractionLaw
-    Tensor<1, dim> f;     ///< Pa
+    Tensor<1, dim> w, f;   ///< Pa, see InteractionLaw
+    Tensor<1, dim> normal; ///< n
+    /** Of each side its pressure (Pa) and ∂t/∂p, if the body's equations have
+     * pressures. */
+    std::array<double, 2>         pressure{};
+    std::array<Tensor<1, dim>, 2> t_by_pressure{};
   };
 
   /** For EquationTerm::add_unit_residual(): of places at a distance @p r from
@@ -121,7 +125,8 @@ namespace isochor
       double rounding = 0;
       /** What there was at the start of the step, see add(); null if that
        * doesn't matter. */
-      const StartOfStep<dim> *start = nullptr;
+      const StartOfStep<dim> *start      = nullptr;
+      double                  end_weight = 0.5; ///< m
     };
 
     /** Begin with an element of @p n_nodes nodes with @p n_components unknowns.
@@ -175,16 +180,20 @@ namespace isochor
       return trace[i];
     }
     /**
-     * Add what acts at the place by @p law. In dynamics a step takes the mean
-     * of the forces at its start and its end. Where contact begins or ends, as
-     * w·n goes from w_0 to w, that is no gradient of E(w) = max(0, w)²/(2γ),
-     * and stiff contact would gain energy from nothing. There
-     *   f w/(w - w_0) (it begins),  f_0 w/(w_0 - w) (it ends)
-     * takes the place of f: the normal part of the mean is then
-     * γ (E(w) - E(w_0))/(w - w_0) and does the work E(w_0) - E(w) (the discrete
-     * gradient of Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467), and friction
-     * keeps its ratio to it. The pressure equation, which holds at the end of
-     * the step, and the result have f.
+     * Add what acts at the place by @p law. In dynamics a step takes a mean of
+     * the forces at its ends, with the weights 1 - m and m, and that has to be
+     * a gradient of Φ(t, g) = (max(0, w·n)² - (t·n)²)/(2γ),  w = t - γ g, or
+     * contact that begins or ends would gain energy from nothing. With the mean
+     * p̄ of the step's pressures at both ends, and f_0 and f_1 of w_0 = w(t_0,
+     * p̄, g_0) and w_1 = w(t_1, p̄, g_1), it is f̄ = ρ ((1 - m) f_0 + m f_1),  ρ =
+     * |w_c|/|w_1 - w_0| where contact begins or ends, w_c·n > 0 that of the two
+     * which has it, and ρ = 1 elsewhere. With m = 1/2 its normal part does the
+     * work Φ(p̄, w_0) - Φ(p̄, w_1) (the discrete gradient of Gonzalez, J.
+     * Nonlinear Sci. 6 (1996) 449-467), else less; friction keeps its ratio to
+     * it. The pressure equation, which holds at the end of the step, has v =
+     * ∂Φ/∂p = (f_1 - M t_1)/γ with p̄, too: as Φ is concave in p, the energy of
+     * the body and γ v²/2 on its surface together never grow, however fast
+     * pressures change.
      */
     Projection
     add(const InteractionLaw<dim> &law,
@@ -213,7 +222,7 @@ namespace isochor
     {
       return end;
     }
-    /** After add(): the mean over the step, or f if there is no start. */
+    /** After add(): f̄, or f if there is no start. */
     const Tensor<1, dim> &
     mean_traction() const
     {
@@ -224,40 +233,68 @@ namespace isochor
     std::vector<double> residual, matrix;
 
   private:
-    /** The projection @p end of the vector @p w as it acts in the step, see
-     * add(). */
+    /** What acts: f, and its derivatives with respect to w_1, n_1 and w_0. */
+    struct Acting
+    {
+      Tensor<1, dim> f;
+      Tensor<2, dim> by_w, by_n, by_start;
+    };
+    /** Of the law, within the partner's mask. */
     static Projection
-    in_step(const Projection       &end,
-            const StartOfStep<dim> &start,
-            const Tensor<1, dim>   &w,
-            const Tensor<1, dim>   &n);
-    /** @p projection is that of the step; @p mismatch (f - M t)/γ with it, and
-     * @p at_end with that of the end of the step. */
+    project(const InteractionLaw<dim> &law,
+            const Tensor<1, dim>      &w,
+            const Tensor<1, dim>      &n,
+            const PartnerPlace<dim>   &place,
+            const Measure             &measure);
+    /** What takes the place of f_1 in the equation of motion: f̄, less what has
+     * acted at the start of the step. @p w_0: with the mean pressure. */
+    static Acting
+    in_step(const Projection     &f_1,
+            const Tensor<1, dim> &w_1,
+            const Tensor<1, dim> &n_1,
+            const Projection     &f_0,
+            const Tensor<1, dim> &w_0,
+            const Measure        &measure,
+            const bool            is_unilateral);
+    /** Set t_end and w_0 to those with the mean pressures of the step. */
     void
-    add_to_residual(const Projection     &projection,
+    set_mean_pressures(const Measure &measure);
+    /** @p in_pressure_equation: v, see add(). */
+    void
+    add_to_residual(const Acting         &acting,
                     const Measure        &measure,
-                    const Tensor<1, dim> &mismatch,
-                    const Tensor<1, dim> &at_end);
+                    const Tensor<1, dim> &in_pressure_equation,
+                    const Tensor<1, dim> &adjoint_to);
     /** What comes from sliding: N_I there are those of another place. */
     void
-    add_sliding_to_matrix(const Projection     &projection,
+    add_sliding_to_matrix(const Acting         &acting,
                           const Measure        &measure,
-                          const Tensor<1, dim> &mismatch);
+                          const Tensor<1, dim> &in_pressure_equation);
     void
     add_to_matrix(const InteractionLaw<dim> &law,
                   const PartnerPlace<dim>   &place,
-                  const Projection          &projection,
-                  const Projection          &at_end,
+                  const Acting              &acting,
+                  const Projection          &f_1,
                   const Measure             &measure,
-                  const Tensor<1, dim>      &mismatch_at_end);
+                  const Tensor<1, dim>      &in_pressure_equation);
 
     /** What comes from partners that turn: the lever of f is another one, at
      * the place nearest to the body's, or as the partner's place moves on. */
     void
     add_turns_to_matrix(const InteractionLaw<dim> &law,
                         const PartnerPlace<dim>   &place,
-                        const Projection          &projection,
+                        const Acting              &acting,
                         const Measure             &measure);
+    /** M t. */
+    static Tensor<1, dim>
+    constrained(const InteractionLaw<dim> &law,
+                const PartnerPlace<dim>   &place,
+                const Tensor<1, dim>      &t)
+    {
+      return law.constrains_tangent() ?
+               Tensor<1, dim>(place.mask * t) :
+               Tensor<1, dim>((t * place.normal) * place.normal);
+    }
 
     /** An unknown that turns the partner, and the first one of its node. */
     struct Turn
@@ -269,10 +306,15 @@ namespace isochor
     unsigned int n_components = 0, n_dofs = 0;
     bool         with_matrix = false;
     /** By unknown of the element: the trace of its function, relative to the
-     * partner; ∂t; what n and g turn by with the partner; the adjoint B. */
-    std::vector<Tensor<1, dim>> trace, t_by, turn_of_normal, turn_of_gap,
-      adjoint;
-    Tensor<1, dim>               t, mean, to_remember;
+     * partner; ∂t; ∂t_end and ∂w_0; what n and g turn by with the partner; the
+     * adjoint B. */
+    std::vector<Tensor<1, dim>> trace, t_by, t_end_by, w_0_by, turn_of_normal,
+      turn_of_gap, adjoint;
+    /** ∂p of each side, by unknown. */
+    std::array<std::vector<double>, 2> pressure_by;
+    /** t_1, and with the mean pressures of the step t_1 and w_0. */
+    Tensor<1, dim>               t, t_end, w_0;
+    Tensor<1, dim>               mean, to_remember;
     StartOfStep<dim>             end;
     std::vector<Side>            sides;
     std::vector<Turn>            turns;
