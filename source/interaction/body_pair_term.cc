@@ -377,7 +377,7 @@ namespace isochor
         if (kernel.evaluate(element, false) != EvaluationStatus::success)
           return;
         for (unsigned int I = 0; I < element.vertices.size(); ++I)
-          for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int a = 0; a < step.n_components; ++a)
             force.local_element(
               step.nodes.node(element.vertices[I]) * step.n_components + a) -=
               kernel.sums().residual[I * step.n_components + a];

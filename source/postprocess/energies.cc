@@ -338,31 +338,50 @@ namespace isochor
       return sum * state.J;
     }
 
-    /** Those at the start of the step and at its end, added. Collective. */
+    /** The unknowns that the step started with. */
     static NodalField
-    external_forces(const StepResult<dim> &result)
+    start_unknowns(const StepResult<dim> &result)
+    {
+      StepContext<dim> start = result.step;
+      start.time             = start.old_time;
+      NodalField rest;
+      start.nodes.initialize(rest, start.n_components);
+      if (result.start != nullptr)
+        rest = *result.start;
+      else if (start.mixed())
+        map_pressure_to_nodes(start, rest);
+      return rest;
+    }
+
+    /** The mean over the step and, as the component of pressures, the change of
+     * the volume that interactions leave out. @p rest: start_unknowns().
+     * Collective. */
+    static NodalField
+    external_forces(const StepResult<dim> &result, const NodalField &rest)
     {
       const StepContext<dim> &step  = result.step;
       StepContext<dim>        start = step;
       start.time                    = step.old_time;
-      NodalField force, rest;
+      NodalField force;
       step.nodes.initialize(force, step.n_components);
-      step.nodes.initialize(rest, step.n_components);
-      if (result.start != nullptr)
-        rest = *result.start;
-      else if (step.mixed())
-        map_pressure_to_nodes(start, rest);
-      for (const auto &condition : result.conditions)
-        {
-          condition->add_external_force(start, force);
-          condition->add_external_force(step, force);
-        }
-      for (const auto *const condition :
-           with_role<const ActsByAssembly<dim>>(result.conditions))
-        {
-          condition->add_boundary_force(start, rest, force);
-          condition->add_boundary_force(step, result.unknowns, force);
-        }
+      const auto add = [&](const StepContext<dim> &at,
+                           const NodalField       &unknowns) {
+        for (const auto &condition : result.conditions)
+          condition->add_external_force(at, force);
+        for (const auto *const condition :
+             with_role<const ActsByAssembly<dim>>(result.conditions))
+          condition->add_boundary_force(at, unknowns, force);
+      };
+      const auto scale = [&](const double forces, const double volumes) {
+        for (unsigned int i = 0; i < step.nodes.n_local() * step.n_components;
+             ++i)
+          force.local_element(i) *=
+            (i % step.n_components == dim ? volumes : forces);
+      };
+      add(start, rest);
+      scale(1 / step.end_weight - 1, -1);
+      add(step, result.unknowns);
+      scale(step.end_weight, 1);
       force.compress(VectorOperation::add);
       return force;
     }
@@ -372,14 +391,24 @@ namespace isochor
     external_work(const StepResult<dim> &result)
     {
       const StepContext<dim> &step  = result.step;
-      const NodalField        force = external_forces(result);
+      const NodalField        rest  = start_unknowns(result);
+      const NodalField        force = external_forces(result, rest);
+      const double            m     = step.end_weight;
       double                  work  = 0;
+      for (unsigned int node = 0; node < step.nodes.n_owned() && step.mixed();
+           ++node)
+        {
+          const unsigned int i = node * step.n_components + dim;
+          work -=
+            force.local_element(i) * ((1 - m) * rest.local_element(i) +
+                                      m * result.unknowns.local_element(i));
+        }
       for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
         for (unsigned int a = 0; a < dim; ++a)
           {
             const unsigned int i = node * step.n_components + a;
             const double       u = result.unknowns.local_element(i);
-            work += force.local_element(i) / 2 * u;
+            work += force.local_element(i) * u;
             if (result.system.equation(i) != numbers::invalid_unsigned_int)
               continue;
             // of what follows others: of the motion that is prescribed for it
@@ -407,7 +436,7 @@ namespace isochor
           const double before = old != reactions.end() ? old->second :
                                 starts_unloaded        ? 0. :
                                                          one.reaction;
-          work += (one.reaction + before) / 2 * one.moved;
+          work += (m * one.reaction + (1 - m) * before) * one.moved;
           new_reactions[one.entry] = one.reaction;
         }
       reactions.swap(new_reactions);

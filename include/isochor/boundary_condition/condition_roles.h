@@ -131,14 +131,6 @@ namespace isochor
       return false;
     }
 
-    /** Whether assemble() can hold the body up against @p gravity; the same on
-     * all ranks. Collective. */
-    virtual bool
-    supports_body(const Tensor<1, dim> & /*gravity*/) const
-    {
-      return false;
-    }
-
     /** Whether assemble() sets this rank's part of the body in motion over the
      * step. The first residual of such a step is no measure of forces. */
     virtual bool
@@ -168,7 +160,8 @@ namespace isochor
 
     /** Add the forces on the body (N) that assemble() accounts for, as
      * BoundaryCondition::add_external_force(): what residuals are measured
-     * against. */
+     * against; and to the pressure equation the volumes (m^3) that it leaves
+     * out. */
     virtual void
     add_boundary_force(const StepContext<dim> & /*step*/,
                        const NodalField & /*unknowns*/,
