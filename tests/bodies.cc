@@ -263,10 +263,8 @@ namespace
                         "Grid reset/Smallest element quality = 0\n",
                "x < 4 && y < 0.25",
                "y > 0.375 && y < 0.75");
-    // of several bodies none knows the pressure of its weight
-    const std::string falling = flying +
-                                "Formulation/PPP leaves out weight = false\n"
-                                "Boundary conditions/Gravity = 0, -5\n";
+    const std::string falling =
+      flying + "Boundary conditions/Gravity = 0, -5\n";
     const std::string beside = "x > 1.5 && x < 2.5 && y > 0.25 && y < 0.75";
     for (const std::string &grid : {std::string(), adaptive})
       {

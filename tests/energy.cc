@@ -391,8 +391,8 @@ main(int argc, char **argv)
   std::streambuf *const terminal = std::cerr.rdbuf(printed.rdbuf());
   test_box<2>("points", "none");
   for (const std::string quadrature : {"points", "cell-filled", "CPDI"})
-    test_box<2>(quadrature, "PPP");
-  test_box<3>("CPDI", "PPP");
+    test_box<2>(quadrature, "OSS");
+  test_box<3>("CPDI", "OSS");
   const std::string block = "x >= 0 && x <= 1 && y >= 0 && y <= 1";
   test_free_fall("growing gravity", block, "-10*t", "0, 0");
   test_free_fall("two bodies",

@@ -256,7 +256,10 @@ main(int argc, char **argv)
   test_block("u", 0.3, "Newmark", 0.01, 0.1, 0.02);
   test_block("u", 0.3, "Newmark", 0.0025, 0.07, 0.02);
   test_block("u-p", 0.3, "Newmark", 0.0025, 0.02, 0.03);
-  test_block("u-p", 0.4999, "Newmark", 0.0025, 0.05, 0.06);
+  // steps that don't resolve waves of pressure: nothing may be gained; contact
+  // that begins loses what its pressure does on the way that is left
+  test_block("u-p", 0.4999, "Newmark", 0.0025, 1e-8, 0.25);
+  test_block("u-p", 0.5, "Newmark", 0.01, 1e-8, 0.25);
   test_block("u-p", 0.3, "Bossak", 0.0025, 0.02, 0.05);
   test_two_blocks("u", "Newmark");
   test_two_blocks("u-p", "Bossak");

@@ -40,7 +40,6 @@ namespace
            std::to_string(2 * shear_modulus * (1 + nu)) +
            "\nMaterial/Poisson ratio = " + std::to_string(nu) +
            "\nMaterial/Density = 1000\nDynamics/Inertia = true\n"
-           "Formulation/Stabilisation = OSS\n"
            "Boundary conditions/Displacement = left: x=0; right: x=0; " +
            (dim == 3 ? "front: z=0; back: z=0; " : "") +
            "bottom: y=0\nPostprocess/Point probes = top: 0.05, 1" +

@@ -39,6 +39,8 @@ namespace isochor
       if (section == "Formulation" && name == "Project volume change")
         return "leave it out; the volumes of points don't drift any more, "
                "whatever the <Quadrature/Type>";
+      if (section == "Formulation" && name == "PPP leaves out weight")
+        return "leave it out; it always does";
       if (section.rfind("Boundary conditions", 0) == 0)
         {
           if (name == "Displacement of body")

@@ -158,17 +158,11 @@ namespace isochor
     inspect_equations(const Inspector &inspect, const bool has_inertia)
     {
       if (inspect.value({"Formulation", "Type"}) == "u")
-        for (const char *name :
-             {"Stabilisation", "PPP coefficient", "PPP leaves out weight"})
+        for (const char *name : {"Stabilisation", "PPP coefficient"})
           inspect.idle({"Formulation", name}, "with <Formulation/Type = u>");
       else if (inspect.value({"Formulation", "Stabilisation"}) == "none")
-        for (const char *name : {"PPP coefficient", "PPP leaves out weight"})
-          inspect.idle({"Formulation", name},
-                       "with <Formulation/Stabilisation = none>");
-      else if (inspect.value({"Formulation", "Stabilisation"}) == "OSS")
-        inspect.idle({"Formulation", "PPP leaves out weight"},
-                     "with <Formulation/Stabilisation = OSS>, which always "
-                     "does");
+        inspect.idle({"Formulation", "PPP coefficient"},
+                     "with <Formulation/Stabilisation = none>");
       if (!has_inertia)
         inspect.idle({"Time", "Tolerated error"},
                      "without inertia: it is about steps in dynamics");

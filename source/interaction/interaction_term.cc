@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
 namespace isochor
@@ -309,7 +308,8 @@ namespace isochor
           element.area_ratio,
           rounding_of_contact(element.gamma, face.area_per_volume),
           step.step_size() > 0 && !element.start.empty() ? &element.start[g] :
-                                                           nullptr};
+                                                           nullptr,
+          step.end_weight};
         const auto projection = kernel.add(*interaction.law, found, measure);
         if (actions == nullptr)
           continue;
@@ -342,18 +342,12 @@ namespace isochor
   {
     update_partners(step, unknowns);
     InteractionKernel<dim> kernel;
-    std::vector<Action>    actions;
-    acting = Tensor<1, dim>();
     for (unsigned int e = 0; e < faces.size(); ++e)
       {
-        actions.clear();
-        const EvaluationStatus status = evaluate_face(
-          step, unknowns, faces[e], with_matrix, kernel, &actions);
+        const EvaluationStatus status =
+          evaluate_face(step, unknowns, faces[e], with_matrix, kernel, nullptr);
         if (status != EvaluationStatus::success)
           return status;
-        for (const Action &action : actions)
-          if (step.has_inertia)
-            acting += action.force;
         system.add_element(first_element + e,
                            kernel.residual.data(),
                            with_matrix ? kernel.matrix.data() : nullptr,
@@ -410,7 +404,7 @@ namespace isochor
           return;
         set_nodes(step, element, nodes);
         for (unsigned int I = 0; I < nodes.size(); ++I)
-          for (unsigned int a = 0; a < dim; ++a)
+          for (unsigned int a = 0; a < step.n_components; ++a)
             force.local_element(nodes[I] * step.n_components + a) -=
               kernel.residual[I * step.n_components + a];
       }
@@ -463,13 +457,9 @@ namespace isochor
   std::string
   InteractionTerm<dim>::save_state() const
   {
-    const MPI_Comm     comm  = grid->communicator();
-    const std::string  first = slips.save(comm);
-    std::ostringstream text;
-    text.precision(std::numeric_limits<double>::max_digits10);
-    text << Utilities::MPI::sum(acting, comm) << ' ' << first.size() << '\n'
-         << first << forces.save(comm);
-    return text.str();
+    const MPI_Comm    comm  = grid->communicator();
+    const std::string first = slips.save(comm);
+    return std::to_string(first.size()) + '\n' + first + forces.save(comm);
   }
 
 
@@ -481,11 +471,7 @@ namespace isochor
     const std::size_t line = state.find('\n');
     if (line == std::string::npos)
       return;
-    std::istringstream text(state);
-    std::size_t        size = 0;
-    for (unsigned int d = 0; d < dim; ++d)
-      text >> acting[d];
-    text >> size;
+    const std::size_t size = std::stoul(state);
     slips.load(state.substr(line + 1, size));
     forces.load(state.substr(line + 1 + size));
   }

@@ -48,15 +48,16 @@ namespace isochor
                         "whole circle.");
       prm.declare_entry(
         "Stabilisation",
-        "PPP",
-        Patterns::Selection("none|PPP|OSS"),
-        "Of u-p: none, Polynomial Pressure Projection, or orthogonal subscales, "
-        "which leave out all pressures that weights and accelerations of nodes "
-        "can balance: waves of pressure in nearly incompressible bodies have "
-        "their speed. Bodies that hit each other gain energy with it in steps "
-        "that don't resolve these waves. Without any the "
-        "pressure oscillates from node to node, and bodies that yield and are "
-        "unloaded may end in wrong states.");
+        "auto",
+        Patterns::Selection("auto|none|PPP|OSS"),
+        "Of u-p, against pressures that oscillate from node to node, with which "
+        "bodies that yield and are unloaded may end in wrong states. PPP: "
+        "Polynomial Pressure Projection, without inertia of what is left "
+        "without the pressure that is in equilibrium with <Boundary conditions/"
+        "Gravity>. OSS: orthogonal subscales, of what is left without all that "
+        "weights and accelerations of nodes balance, so that waves of pressure "
+        "in nearly incompressible bodies have their speed. auto: PPP, in "
+        "dynamics OSS.");
       prm.declare_entry(
         "PPP coefficient",
         "1",
@@ -67,16 +68,6 @@ namespace isochor
         "varies much within a cell: a beam with 4 cells over its height bends "
         "20 % too much with 8 (8 cells: 6 %). 8 is for grids that resolve the "
         "pressure with many cells.");
-      prm.declare_entry(
-        "PPP leaves out weight",
-        "true",
-        Patterns::Bool(),
-        "Whether the stabilisation acts on what is left of the "
-        "pressure without the part that is in equilibrium with "
-        "the body's weight under <Boundary conditions/Gravity> "
-        "(in dynamics: if something holds it up). It changes "
-        "with the depth, which is no oscillation. false: on all "
-        "of the pressure, as in the paper.");
       prm.leave_subsection();
     }
 
@@ -261,9 +252,8 @@ namespace isochor
                                         prm.get_double("PPP coefficient") :
                                         0.;
     kernel.has_orthogonal_subscales =
-      stabilisation == "OSS" && kernel.ppp_coefficient > 0;
-    leaves_out_weight =
-      prm.get_bool("PPP leaves out weight") && kernel.projects_pressures();
+      kernel.ppp_coefficient > 0 &&
+      (stabilisation == "OSS" || (stabilisation == "auto" && has_inertia()));
     kernel.axisymmetric = prm.get("Geometry") == "axisymmetric";
     prm.leave_subsection();
     AssertThrow(dim == 2 || !kernel.axisymmetric,

@@ -102,6 +102,22 @@ namespace isochor
 
   template <int dim>
   void
+  Equilibrium<dim>::set_weight()
+  {
+    if (!scene.kernel.projects_pressures() || scene.has_inertia())
+      return;
+    Tensor<1, dim> &weight = scene.kernel.hydrostatic_acceleration;
+    weight                 = Tensor<1, dim>();
+    for (const auto &condition : scene.boundary_conditions)
+      weight += condition->body_acceleration(setup.context().time);
+    if (scene.kernel.axisymmetric)
+      weight[0] = 0.; // radial accelerations add up to none
+  }
+
+
+
+  template <int dim>
+  void
   Equilibrium<dim>::set_initial_pressure()
   {
     if (scene.mixed() && setup.reset().due())
@@ -345,8 +361,6 @@ namespace isochor
     start_again();
     at_start            = true;
     NewtonReport report = trial.size < 0 ? find_root() : solve_from_start();
-    if (report.converged && trial.size > 0 && !trial.is_past)
-      settle_weight(report);
     if (report.converged)
       inertia.finish_trial(setup.context(), unknowns, setup.point_arrays());
     inertia.end_trial(step, conditions);
@@ -387,25 +401,7 @@ namespace isochor
                              scene.points,
                              carries_acceleration());
     start_again();
-    set_weight();
     return report;
-  }
-
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::settle_weight(NewtonReport &report)
-  {
-    constexpr unsigned int max_repetitions = 3;
-    for (unsigned int n = 0; n < max_repetitions && report.converged; ++n)
-      {
-        const Tensor<1, dim> before = scene.kernel.hydrostatic_acceleration;
-        set_weight();
-        if (scene.kernel.hydrostatic_acceleration == before)
-          return;
-        report.continue_with(find_root());
-      }
   }
 
 

@@ -105,11 +105,6 @@ namespace isochor
     {
       return !has_symmetric_matrix();
     }
-    bool
-    supports_body(const Tensor<1, dim> & /*gravity*/) const override
-    {
-      return !conditions.surfaces.empty();
-    }
     void
     add_boundary_force(const StepContext<dim> &step,
                        const NodalField       &unknowns,

@@ -140,14 +140,6 @@ namespace isochor
     add_boundary_force(const StepContext<dim> &step,
                        const NodalField       &unknowns,
                        NodalField             &force) const override;
-    /** Whether there is a load; or, in dynamics, what acted at the last iterate
-     * does. */
-    bool
-    supports_body(const Tensor<1, dim> &gravity) const override
-    {
-      return Utilities::MPI::sum(acting, grid->communicator()) * gravity < 0 ||
-             !loads.interactions().empty();
-    }
     bool
     has_symmetric_matrix() const override
     {
@@ -262,9 +254,7 @@ namespace isochor
     std::string              description;
     BodySurface<dim>         surface;
     std::vector<FaceElement> faces;
-    /** The force on this rank's faces at the last iterate, in dynamics (N). */
-    Tensor<1, dim>          acting;
-    mutable SlipMemory<dim> slips;
+    mutable SlipMemory<dim>  slips;
     /** The forces at the end of the last step (N): with the pressures that
      * nodes of another grid get from the points they would be others. */
     mutable SlipMemory<dim>    forces;

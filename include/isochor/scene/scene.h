@@ -127,9 +127,6 @@ namespace isochor
     MixedKernel<dim> kernel;
     /** The names of the laws of its materials. */
     std::vector<std::string> laws;
-    /** Whether there is a stabilisation, and it leaves out the pressure that
-     * carries weight. */
-    bool leaves_out_weight = true;
     /** Which points have domains, <Material points/Domains>. */
     std::string domains = "auto";
     /** Unknowns of a node: dim in the u form, dim + 1 in the u-p form. */

@@ -9,7 +9,6 @@
 #include <isochor/equations/body_term.h>
 #include <isochor/equations/orthogonal_subscales.h>
 #include <isochor/nonlinear_solver/newton_solver.h>
-#include <isochor/step/left_out_weight.h>
 #include <isochor/step/linear_step.h>
 #include <isochor/step/residual.h>
 #include <isochor/transfer/last_motion.h>
@@ -123,7 +122,7 @@ namespace isochor
     {
       return unknowns;
     }
-    /** What the orthogonal subscales store (J). Collective. */
+    /** Of the stabilisation in dynamics (J). Collective. */
     double
     subscale_energy() const
     {
@@ -164,11 +163,9 @@ namespace isochor
     /** The first step from its start, with other equations. */
     void
     start_again();
+    /** In statics, the weight whose pressure the stabilisation leaves out. */
     void
-    set_weight()
-    {
-      weight.set(scene, setup, constraints, last_motion.bodies_were_apart);
-    }
+    set_weight();
     /** Whether the step starts with the acceleration that the points carry: the
      * first one, and where stresses made on another grid would excite what the
      * step does not resolve. Collective. */
@@ -177,11 +174,6 @@ namespace isochor
     /** One trial step of find_initial_acceleration(). */
     NewtonReport
     try_step(const typename InertiaTerm<dim>::TrialStep &trial);
-    /** The trial has converged: repeat it if it has found that the body is
-     * supported, or isn't, until that is what it was made with. */
-    void
-    settle_weight(NewtonReport &report);
-
     /** Constrain the nodes for the step, and lay out the system for it. */
     void
     start_conditions(const bool with_other_nodes);
@@ -209,7 +201,6 @@ namespace isochor
     MixedSystem<dim>         system;
     NodalConstraints         constraints;
     Residual<dim>            residual;
-    LeftOutWeight<dim>       weight;
     LinearStep<dim>          linear_step;
     NewtonSolver             newton_solver;
     LastMotion               last_motion;

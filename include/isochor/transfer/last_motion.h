@@ -19,9 +19,6 @@ namespace isochor
     std::vector<unsigned int> vertices;
     std::vector<double>       unknowns;      ///< n_components per vertex
     double                    step_size = 0; ///< 0: there was no step yet
-    /** In dynamics with weight: whether there have been bodies, or parts of
-     * one, that share no node. */
-    bool bodies_were_apart = false;
 
     /** Keep @p values, those of a step of the size @p size (s). */
     template <int dim>
@@ -64,7 +61,7 @@ namespace isochor
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &vertices &unknowns &step_size &bodies_were_apart;
+      archive &vertices &unknowns &step_size;
     }
   };
 } // namespace isochor
