@@ -19,16 +19,14 @@ namespace isochor
     static void
     declare_parameters(ParameterHandler &prm)
     {
-      prm.declare_entry(
-        "Spectral radius",
-        "0.9",
-        Patterns::Double(0, 1),
-        "Of Bossak's scheme: the factor per step by which "
-        "oscillations decay that are much faster than the "
-        "steps. 1: none does (the trapezoidal rule). From 0.95 "
-        "on bodies that turn several times may gain energy "
-        "where the grid is reset in each step, and with another "
-        "<Quadrature/Type> than CPDI.");
+      prm.declare_entry("Spectral radius",
+                        "0.9",
+                        Patterns::Double(0, 1),
+                        "Of Bossak's scheme: the factor per step by which "
+                        "oscillations decay that are much faster than the "
+                        "steps. 1: none does (the trapezoidal rule). From 0.95 "
+                        "on bodies that turn several times may gain energy "
+                        "with another <Quadrature/Type> than CPDI.");
     }
 
     void

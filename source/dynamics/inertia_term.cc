@@ -88,7 +88,11 @@ namespace isochor
   {
     if (!is_active())
       return;
-    start.start_step(step, conditions, points, from_stresses && !carries);
+    start.start_step(step,
+                     conditions,
+                     points,
+                     from_stresses && !carries,
+                     from_stresses && step.old_time > 0);
     step.nodes.initialize(element.acceleration, dim);
     element.acceleration.set_ghost_state(true); // each rank computes all
   }
@@ -204,13 +208,16 @@ namespace isochor
   template <int dim>
   void
   InertiaTerm<dim>::finish_step(const StepContext<dim> &step,
-                                const NodalField       &unknowns)
+                                const NodalField       &unknowns,
+                                const NodalField       &force_of_mean)
   {
     Assert(invariants::fits(unknowns, step.nodes, step.n_components),
            ExcOtherNodes());
     if (!is_active())
       return;
     const double dt = step_size(step);
+    NodalField   excess_of_mean; // of the acceleration
+    start.accelerate(step, force_of_mean, excess_of_mean);
     step.nodes.initialize(at_end.velocity, dim);
     step.nodes.initialize(at_end.acceleration, dim);
     step.nodes.initialize(at_end.excess, dim);
@@ -227,9 +234,11 @@ namespace isochor
           const double       a   = scheme().acceleration(
             unknowns.local_element(node * step.n_components + d), v_n, a_n, dt);
           at_end.velocity.local_element(i) = scheme().velocity(v_n, a_n, a, dt);
-          at_end.acceleration.local_element(i) = a;
+          const double a_end = a - excess_of_mean.local_element(i) /
+                                     scheme().inertial_acceleration(0, 1);
+          at_end.acceleration.local_element(i) = a_end;
           at_end.excess.local_element(i) =
-            a - scheme().inertial_acceleration(a_n, a);
+            a_end - scheme().inertial_acceleration(a_n, a_end);
         }
   }
 
@@ -384,7 +393,7 @@ namespace isochor
     Assert(is_active(), ExcMessage("There is no inertia."));
     starts_with_impulse = trial.with_velocity;
     const double sign   = trial.is_past ? -1 : 1;
-    finish_step(step, unknowns);
+    finish_step(step, unknowns, NodalField());
     for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)

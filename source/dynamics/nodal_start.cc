@@ -37,10 +37,12 @@ namespace isochor
   NodalStart<dim>::start_step(const StepContext<dim> &step,
                               const Conditions       &conditions,
                               MaterialPoints<dim>    &points,
-                              const bool              from_stresses)
+                              const bool              from_stresses,
+                              const bool              takes_mean)
   {
     worst_projection = 0;
     by_stresses      = from_stresses;
+    has_mean         = takes_mean;
     mass.reinit(step, by_stresses);
     mass.collect(step, step.points.velocity, momentum);
     if (by_stresses)
@@ -124,7 +126,8 @@ namespace isochor
     forces.compress(VectorOperation::add);
     for (auto *const condition : acting)
       condition->note_start(start, start_unknowns, forces);
-    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+    for (unsigned int node = 0; node < step.nodes.n_owned() && by_stresses;
+         ++node)
       for (unsigned int a = 0; a < dim; ++a)
         force.local_element(node * dim + a) +=
           forces.local_element(node * step.n_components + a);
@@ -239,12 +242,47 @@ namespace isochor
                                         const NodalConstraints &start)
   {
     // those of a grid that is kept are those of the last step
-    if (by_stresses && !prescribed && step.mixed() && !step.grid_is_kept)
-      leave_out_unfelt_pressure(step, start, start_unknowns, force);
-    if (by_stresses && !prescribed)
+    if (has_mean && !prescribed && step.mixed() && !step.grid_is_kept)
+      {
+        NodalField unused;
+        step.nodes.initialize(unused, dim);
+        leave_out_unfelt_pressure(step,
+                                  start,
+                                  start_unknowns,
+                                  by_stresses ? force : unused);
+      }
+    if (has_mean && !prescribed)
       collect_boundary_forces(step, conditions);
     project(
       step, force, followers, given_acceleration, acceleration, by_stresses);
+  }
+
+
+
+  template <int dim>
+  void
+  NodalStart<dim>::accelerate(const StepContext<dim> &step,
+                              const NodalField       &load,
+                              NodalField             &acceleration)
+  {
+    step.nodes.initialize(acceleration, dim);
+    if (load.size() > 0)
+      {
+        NodalField of_displacements;
+        step.nodes.initialize(of_displacements, dim);
+        for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+          for (unsigned int a = 0; a < dim; ++a)
+            of_displacements.local_element(node * dim + a) =
+              load.local_element(node * step.n_components + a);
+        const std::vector<double> none_given(given_acceleration.size(), 0.);
+        project(step,
+                of_displacements,
+                followers,
+                none_given,
+                acceleration,
+                by_stresses);
+      }
+    acceleration.update_ghost_values();
   }
 
 

@@ -289,7 +289,10 @@ namespace isochor
       step.has_inertia ? 1. : 0.,
       face.area_ratio,
       rounding_of_contact(2 * face.gamma * share, face.area_per_volume),
-      step.step_size() > 0 && element.has_start ? &element.start : nullptr,
+      step.unknowns_at_start != nullptr && step.step_size() > 0 &&
+          element.has_start ?
+        &element.start :
+        nullptr,
       step.end_weight};
     kernel.add(law, place, measure);
     result.meets = true;

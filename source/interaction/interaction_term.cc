@@ -307,8 +307,10 @@ namespace isochor
           step.has_inertia ? 1. : 0.,
           element.area_ratio,
           rounding_of_contact(element.gamma, face.area_per_volume),
-          step.step_size() > 0 && !element.start.empty() ? &element.start[g] :
-                                                           nullptr,
+          step.unknowns_at_start != nullptr && step.step_size() > 0 &&
+              !element.start.empty() ?
+            &element.start[g] :
+            nullptr,
           step.end_weight};
         const auto projection = kernel.add(*interaction.law, found, measure);
         if (actions == nullptr)

@@ -379,9 +379,9 @@ namespace isochor
             (i % step.n_components == dim ? volumes : forces);
       };
       add(start, rest);
-      scale(1 / step.end_weight - 1, -1);
+      scale(1, -1);
       add(step, result.unknowns);
-      scale(step.end_weight, 1);
+      scale(0.5, 1);
       force.compress(VectorOperation::add);
       return force;
     }
@@ -393,15 +393,14 @@ namespace isochor
       const StepContext<dim> &step  = result.step;
       const NodalField        rest  = start_unknowns(result);
       const NodalField        force = external_forces(result, rest);
-      const double            m     = step.end_weight;
       double                  work  = 0;
-      for (unsigned int node = 0; node < step.nodes.n_owned() && step.mixed();
+      const bool with_volumes       = step.mixed() && step.unknowns_at_start;
+      for (unsigned int node = 0; node < step.nodes.n_owned() && with_volumes;
            ++node)
         {
           const unsigned int i = node * step.n_components + dim;
-          work -=
-            force.local_element(i) * ((1 - m) * rest.local_element(i) +
-                                      m * result.unknowns.local_element(i));
+          work -= force.local_element(i) / 2 *
+                  (rest.local_element(i) + result.unknowns.local_element(i));
         }
       for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
         for (unsigned int a = 0; a < dim; ++a)
@@ -436,7 +435,7 @@ namespace isochor
           const double before = old != reactions.end() ? old->second :
                                 starts_unloaded        ? 0. :
                                                          one.reaction;
-          work += (m * one.reaction + (1 - m) * before) * one.moved;
+          work += (one.reaction + before) / 2 * one.moved;
           new_reactions[one.entry] = one.reaction;
         }
       reactions.swap(new_reactions);

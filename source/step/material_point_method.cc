@@ -170,7 +170,7 @@ namespace isochor
     TimerOutput::Scope      scope(terminal.timer(), "convective phase");
     const StepContext<dim> &step     = converged.result.step;
     const NodalField       &unknowns = converged.result.unknowns;
-    scene.inertia.finish_step(step, unknowns);
+    scene.inertia.finish_step(step, unknowns, equilibrium.force_of_mean());
     grid_to_points.transfer(
       step, unknowns, scene.inertia, scene.points, setup.point_arrays());
     if (setup.ties_nodes())

@@ -105,6 +105,21 @@ namespace isochor
 
 
   template <int dim>
+  NodalField
+  Residual<dim>::change_without_start(const NodalField &unknowns)
+  {
+    StepContext<dim> step  = setup.context();
+    step.unknowns_at_start = nullptr;
+    NodalField in_balance  = system.residual;
+    const auto status      = assemble_terms(step, unknowns, false);
+    AssertThrow(status == EvaluationStatus::success, ExcInternalError());
+    std::swap(in_balance, system.residual);
+    return in_balance;
+  }
+
+
+
+  template <int dim>
   bool
   Residual<dim>::update_pending(const NodalField &unknowns)
   {

@@ -170,9 +170,16 @@ namespace isochor
              const bool              with_matrix,
              MixedSystem<dim>       &system) override;
 
-    /** The step has converged: compute what point() needs. */
+    /** The step has converged: compute what point() needs. The velocity follows
+     * from the means that the equations have of forces,
+     * StepContext::end_weight; the acceleration, which the next step starts
+     * with or takes its excess from, is that of the forces at the end: @p
+     * force_of_mean is what the residual changes by with these, or empty if
+     * they are the same. */
     void
-    finish_step(const StepContext<dim> &step, const NodalField &unknowns);
+    finish_step(const StepContext<dim> &step,
+                const NodalField       &unknowns,
+                const NodalField       &force_of_mean);
 
     /**
      * Estimate (m) of what the displacements that the @p step has found are

@@ -32,20 +32,23 @@ namespace isochor
     /** See InertiaTerm. */
     void
     take_pressures(const StepContext<dim> &step, const NodalField &unknowns);
-    /** Those of the forces that the step started with, if it did; else null. */
+    /** Those of the forces that the step takes a mean with; else null. */
     const NodalField *
     unknowns_at_start() const
     {
-      return by_stresses ? &start_unknowns : nullptr;
+      return has_mean ? &start_unknowns : nullptr;
     }
 
     /** Take the points as they are at the start of the step; the acceleration
-     * is to be that of stresses and loads, or of the points. Collective. */
+     * is to be that of stresses and loads, or of the points. @p takes_mean: in
+     * both cases these are what forces give, and the step is to take the mean
+     * of them and those at its end. Collective. */
     void
     start_step(const StepContext<dim> &step,
                const Conditions       &conditions,
                MaterialPoints<dim>    &points,
-               const bool              from_stresses);
+               const bool              from_stresses,
+               const bool              takes_mean);
 
     /**
      * Give the unknowns held by @p constraints the velocity and acceleration
@@ -59,6 +62,13 @@ namespace isochor
               const NodalConstraints &constraints,
               const SmoothStart      &smooth,
               const bool              with_projection);
+
+    /** Let @p acceleration be what @p load, with the entries of all unknowns,
+     * gives to the nodes; 0 if it is empty. Collective. */
+    void
+    accelerate(const StepContext<dim> &step,
+               const NodalField       &load,
+               NodalField             &acceleration);
 
     MassMatrix<dim> mass;
     /** Both with dim components per node. */
@@ -83,7 +93,8 @@ namespace isochor
     collect_forces(const StepContext<dim> &step,
                    const Conditions       &conditions,
                    MaterialPoints<dim>    &points);
-    /** Add the forces that @p conditions assemble. Collective. */
+    /** Add the forces that @p conditions assemble, if they are to be added, and
+     * tell the conditions what there is. Collective. */
     void
     collect_boundary_forces(const StepContext<dim> &step,
                             const Conditions       &conditions);
@@ -117,6 +128,7 @@ namespace isochor
                         const SmoothStart &smooth);
 
     bool by_stresses = false; ///< in this step
+    bool has_mean    = false; ///< takes_mean
     /** Σ_p m_p N_I v_p and M a_n, with dim components per node. */
     NodalField momentum, force;
     /** The unknowns at the start of the step: no increments. */

@@ -264,7 +264,6 @@ namespace isochor
                 material, kinematics, history_n, history.data(), response) !=
               StressStatus::success)
             return EvaluationStatus::return_map_failed;
-
           const double V = points.measure(q);
           kernel.add_compliance(points, q, V, element.compliance);
           const double         inverse_K = material.inverse_bulk_modulus();

@@ -122,6 +122,19 @@ namespace isochor
     {
       return unknowns;
     }
+    /** After solve(): what acceleration times mass lacks to those at the end of
+     * the step alone, see InertiaTerm::finish_step(); empty if it can't lack
+     * anything. Collective. */
+    NodalField
+    force_of_mean()
+    {
+      return setup.context().unknowns_at_start != nullptr &&
+                 (scene.mixed() || !with_role<const ActsByAssembly<dim>>(
+                                      scene.boundary_conditions)
+                                      .empty()) ?
+               residual.change_without_start(unknowns) :
+               NodalField();
+    }
     /** Of the stabilisation in dynamics (J). Collective. */
     double
     subscale_energy() const

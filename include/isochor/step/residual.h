@@ -49,6 +49,12 @@ namespace isochor
              const bool        with_matrix,
              const bool        at_start);
 
+    /** After the last iterate @p unknowns: what its residual changes by if its
+     * forces are those at the end of the step alone, without
+     * StepContext::unknowns_at_start. Collective. */
+    NodalField
+    change_without_start(const NodalField &unknowns);
+
     /** What of the prescribed increments is still to come after the iterate
      * that was assembled last. */
     const NodalField &
