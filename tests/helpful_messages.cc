@@ -148,8 +148,8 @@ namespace
           step_size + "\n",
         false);
     };
-    expect("steps of a fourth of the vibration, a short run",
-           dropped("0.2"),
+    expect("steps of a third of the vibration, a short run",
+           dropped("0.25"),
            {"WARNING energy balance",
             "in the first steps",
             "<Time/Step size>"});

@@ -174,6 +174,7 @@ test_acceleration_of_points()
                              "Material points/Region = x > 0.5 && x < 1.5 && "
                              "y > 0.5 && y < 1.5\n"
                              "Boundary conditions/Gravity = 0, -10\n"
+                             "Newton/Tolerance = 1e-10\n"
                              "Time/End time = 0.5\n");
   test::check_error("acceleration in free fall", worst_acceleration, 1e-6);
 }
