@@ -40,7 +40,8 @@ namespace isochor
         return "leave it out; the volumes of points don't drift any more, "
                "whatever the <Quadrature/Type>";
       if (section == "Formulation" && name == "PPP leaves out weight")
-        return "leave it out; it always does";
+        return "leave it out; PPP does it without inertia, and with inertia "
+               "<Stabilisation = OSS> does it better";
       if (section.rfind("Boundary conditions", 0) == 0)
         {
           if (name == "Displacement of body")

@@ -234,6 +234,7 @@ namespace isochor
           const double       a   = scheme().acceleration(
             unknowns.local_element(node * step.n_components + d), v_n, a_n, dt);
           at_end.velocity.local_element(i) = scheme().velocity(v_n, a_n, a, dt);
+          // M (1 - α) a_{n+1} is what differs
           const double a_end = a - excess_of_mean.local_element(i) /
                                      scheme().inertial_acceleration(0, 1);
           at_end.acceleration.local_element(i) = a_end;

@@ -43,7 +43,7 @@ namespace isochor
     worst_projection = 0;
     by_stresses      = from_stresses;
     has_mean         = takes_mean;
-    mass.reinit(step, by_stresses);
+    mass.reinit(step, has_mean);
     mass.collect(step, step.points.velocity, momentum);
     if (by_stresses)
       collect_forces(step, conditions, points);
@@ -275,12 +275,8 @@ namespace isochor
             of_displacements.local_element(node * dim + a) =
               load.local_element(node * step.n_components + a);
         const std::vector<double> none_given(given_acceleration.size(), 0.);
-        project(step,
-                of_displacements,
-                followers,
-                none_given,
-                acceleration,
-                by_stresses);
+        project(
+          step, of_displacements, followers, none_given, acceleration, true);
       }
     acceleration.update_ghost_values();
   }

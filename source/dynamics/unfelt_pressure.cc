@@ -19,15 +19,8 @@ namespace isochor
     const PointArrays<dim> &points = step.points;
     std::vector<double>     weight(points.n_points());
     for (unsigned int q = 0; q < points.n_points(); ++q)
-      {
-        const double *const history =
-          points.history.data() + q * std::size_t(points.n_history);
-        const auto &material = *step.kernel.materials[points.material[q]];
-        const internal::PressureFactor factor(
-          material.volumetric_measure(),
-          determinant(points.F[q]) * step.kernel.hoop_stretch(history));
-        weight[q] = points.measure(q) * factor.s;
-      }
+      weight[q] =
+        points.measure(q) * step.kernel.pressure_factor_at_start(points, q);
     MassMatrix<dim> volume;
     NodalField      load, pressure;
     volume.reinit(step, weight, 1);

@@ -214,9 +214,10 @@ namespace isochor
       mean =
         (1 - measure.end_weight) * start->f + measure.end_weight * acting.f;
 
+    // of a tie acting.f is f_1 with the pressure at the end
     end        = StartOfStep<dim>();
     end.w      = t - measure.gamma * place.gap;
-    end.f      = project(law, end.w, n, place, measure).f;
+    end.f      = acting.f;
     end.normal = n;
     for (unsigned int s = 0; s < sides.size(); ++s)
       if (sides[s].stress->mixed)

@@ -71,7 +71,7 @@ namespace isochor
     const NodalField *
     unknowns_at_start() const
     {
-      return is_active() ? start.unknowns_at_start() : nullptr;
+      return is_active() && !in_trial() ? start.unknowns_at_start() : nullptr;
     }
     /** TimeIntegrator::end_weight() of a step that starts from stresses. */
     double

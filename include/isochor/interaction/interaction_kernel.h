@@ -182,18 +182,21 @@ namespace isochor
     /**
      * Add what acts at the place by @p law. In dynamics a step takes a mean of
      * the forces at its ends, with the weights 1 - m and m, and that has to be
-     * a gradient of Φ(t, g) = (max(0, w·n)² - (t·n)²)/(2γ),  w = t - γ g, or
-     * contact that begins or ends would gain energy from nothing. With the mean
-     * p̄ of the step's pressures at both ends, and f_0 and f_1 of w_0 = w(t_0,
-     * p̄, g_0) and w_1 = w(t_1, p̄, g_1), it is f̄ = ρ ((1 - m) f_0 + m f_1),  ρ =
-     * |w_c|/|w_1 - w_0| where contact begins or ends, w_c·n > 0 that of the two
-     * which has it, and ρ = 1 elsewhere. With m = 1/2 its normal part does the
-     * work Φ(p̄, w_0) - Φ(p̄, w_1) (the discrete gradient of Gonzalez, J.
-     * Nonlinear Sci. 6 (1996) 449-467), else less; friction keeps its ratio to
-     * it. The pressure equation, which holds at the end of the step, has v =
-     * ∂Φ/∂p = (f_1 - M t_1)/γ with p̄, too: as Φ is concave in p, the energy of
-     * the body and γ v²/2 on its surface together never grow, however fast
-     * pressures change.
+     * a gradient of
+     *   Φ(t, g) = (max(0, w·n)² - (t·n)²)/(2γ),  w = t - γ g,
+     * or contact that begins or ends would gain energy from nothing. With the
+     * mean p̄ of the step's pressures at both of its ends, and f_0 and f_1 of
+     *   w_0 = w(t_0, p̄, g_0),  w_1 = w(t_1, p̄, g_1),
+     * it is
+     *   f̄ = ρ ((1 - m) f_0 + m f_1),  ρ = |w_c|/|w_1 - w_0|
+     * where contact begins or ends, w_c·n > 0 that of the two which has it, and
+     * ρ = 1 elsewhere. With m = 1/2 its normal part does the work
+     *   Φ(p̄, w_0) - Φ(p̄, w_1)
+     * (the discrete gradient of Gonzalez, J. Nonlinear Sci. 6 (1996) 449-467),
+     * else less; friction keeps its ratio to it. The pressure equation, which
+     * holds at the end of the step, has v = ∂Φ/∂p = (f_1 - M t_1)/γ with p̄,
+     * too: as Φ is concave in p, the energy of the body and γ v²/2 on its
+     * surface together never grow, however fast pressures change.
      */
     Projection
     add(const InteractionLaw<dim> &law,
@@ -215,8 +218,8 @@ namespace isochor
     {
       return to_remember;
     }
-    /** After add(): what acts there at the end of the step, for the next one.
-     */
+    /** After add() without a start: what the next step starts with. With one f
+     * is what takes the place of that at the end, of a tie the same. */
     const StartOfStep<dim> &
     at_end() const
     {

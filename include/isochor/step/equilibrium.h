@@ -122,9 +122,9 @@ namespace isochor
     {
       return unknowns;
     }
-    /** After solve(): what acceleration times mass lacks to those at the end of
-     * the step alone, see InertiaTerm::finish_step(); empty if it can't lack
-     * anything. Collective. */
+    /** After solve(): by what the residual with the mean forces of the step
+     * differs from that with the forces at its end alone, see
+     * InertiaTerm::finish_step(); empty if they are the same. Collective. */
     NodalField
     force_of_mean()
     {
@@ -176,7 +176,7 @@ namespace isochor
     /** The first step from its start, with other equations. */
     void
     start_again();
-    /** In statics, the weight whose pressure the stabilisation leaves out. */
+    /** Without inertia, the weight whose pressure PPP leaves out. */
     void
     set_weight();
     /** Whether the step starts with the acceleration that the points carry: the
