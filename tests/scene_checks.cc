@@ -199,6 +199,11 @@ namespace
            messages<2>(good + "Dynamics/Inertia = true\n"
                               "Dynamics/Initial velocity = t, 0\n"),
            {"ERROR", "Dynamics/Initial velocity", "depends on t"});
+    expect("PPP of a body with inertia and weight",
+           messages<2>(good + "Formulation/Stabilisation = PPP\n"
+                              "Dynamics/Inertia = true\n"
+                              "Boundary conditions/Gravity = 0, -10\n"),
+           {"ERROR", "Stabilisation = PPP", "Stabilisation = OSS"});
     expect("what only looks like a variable",
            messages<2>(good + "Boundary conditions/Gravity = 0, "
                               "-max(1e-3, exp(t))\n"),

@@ -256,6 +256,16 @@ namespace isochor
       (stabilisation == "OSS" || (stabilisation == "auto" && has_inertia()));
     kernel.axisymmetric = prm.get("Geometry") == "axisymmetric";
     prm.leave_subsection();
+    prm.enter_subsection("Boundary conditions");
+    const bool has_weight = !prm.get("Gravity").empty();
+    prm.leave_subsection();
+    AssertThrow(
+      !(mixed() && stabilisation == "PPP" && has_inertia() && has_weight),
+      ExcMessage("With <Dynamics/Inertia = true>, <Formulation/"
+                 "Stabilisation = PPP> takes the pressure of <Boundary "
+                 "conditions/Gravity> for an oscillation, and volumes "
+                 "are wrong by it. Use <Stabilisation = OSS>, or leave "
+                 "it out."));
     AssertThrow(dim == 2 || !kernel.axisymmetric,
                 ExcMessage("The parameter <Formulation/Geometry = "
                            "axisymmetric> needs <Dimension = 2>: the plane is "
