@@ -72,7 +72,7 @@ test_potential()
             double       p = 0;
             for (unsigned int I = 0; I <= dim; ++I)
               p += e.points.shape[q][I] * e.element.pressure[I];
-            const double theta = J - 1 - e.points.volume_offset[q];
+            const double theta = J - 1;
             V += e.points.weight[q];
             energy += e.points.weight[q] *
                       (G / 2 * (std::pow(J, -2. / 3.) * trace - 3) + p * theta -

@@ -193,7 +193,7 @@ main(int argc, char **argv)
      {"u, Mohr-Coulomb",
       "Formulation/Type = u\nMaterial/Model = Mohr-Coulomb\n"
        "Material/Mohr-Coulomb/Cohesion = 0.01\n"},
-     {"u-p, J2", "Material/Model = J2\nMaterial/J2/Yield stress = 0.02\n"},
+     {"u-p, J2", "Material/Model = J2\nMaterial/J2/Yield stress = 0.05\n"},
      {"u-p, axisymmetric", "Formulation/Geometry = axisymmetric\n"}};
   const Variants tools = {
     {"half plane", plane + "Point = 0, 1\n" + shape + "Normal = 0.1, -1\n"},

@@ -167,7 +167,6 @@ namespace
         points.stencil_start.push_back(points.stencil_vertex.size());
         points.weight.push_back(1 + 0.5 * random());
         points.material.push_back(0);
-        points.volume_offset.push_back(0);
         points.F.push_back(unit_symmetric_tensor<dim>() +
                            random.template gradient<dim>(0.1));
       }

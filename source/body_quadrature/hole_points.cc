@@ -34,41 +34,37 @@ namespace isochor
       MeanState(const double *values, const unsigned int n_history)
         : volume(values[0])
         , volume_ratio(values[1])
-        , volume_offset(values[2])
-        , history(values + 3 + n_entries, values + 3 + n_entries + n_history)
+        , history(values + 2 + n_entries, values + 2 + n_entries + n_history)
       {
         for (unsigned int i = 0; i < n_entries; ++i)
-          stretch.access_raw_entry(i) = values[3 + i];
+          stretch.access_raw_entry(i) = values[2 + i];
       }
 
       static unsigned int
       n_values(const unsigned int n_history)
       {
-        return 3 + n_entries + n_history;
+        return 2 + n_entries + n_history;
       }
 
       void
       append_values_to(std::vector<double> &values) const
       {
-        values.insert(values.end(), {volume, volume_ratio, volume_offset});
+        values.insert(values.end(), {volume, volume_ratio});
         for (unsigned int i = 0; i < n_entries; ++i)
           values.push_back(stretch.access_raw_entry(i));
         values.insert(values.end(), history.begin(), history.end());
       }
 
-      /** Add a point with what the pressure equation leaves out of its
-       * volume; @p mean_values is its history after
+      /** Add a point; @p mean_values is its history after
        * MaterialModel::to_mean_values(). */
       void
       add(const double          weight,
           const Tensor<2, dim> &F,
-          const double          offset,
           const double         *mean_values)
       {
         const double J = determinant(F);
         volume += weight;
         volume_ratio += weight * J;
-        volume_offset += weight * offset;
         stretch +=
           weight * std::pow(J, -2. / dim) * symmetrize(F * transpose(F));
         for (unsigned int i = 0; i < history.size(); ++i)
@@ -80,7 +76,6 @@ namespace isochor
       {
         volume += factor * other.volume;
         volume_ratio += factor * other.volume_ratio;
-        volume_offset += factor * other.volume_offset;
         stretch += factor * other.stretch;
         for (unsigned int i = 0; i < history.size(); ++i)
           history[i] += factor * other.history[i];
@@ -94,13 +89,6 @@ namespace isochor
         for (const auto &pair : eigenvectors(stretch))
           F += std::sqrt(pair.first) * outer_product(pair.second, pair.second);
         return std::pow(volume_ratio / volume / determinant(F), 1. / dim) * F;
-      }
-
-      /** PointArrays::volume_offset. */
-      double
-      mean_offset() const
-      {
-        return volume_offset / volume;
       }
 
       /** For MaterialModel::from_mean_values(). */
@@ -117,9 +105,8 @@ namespace isochor
       static constexpr unsigned int n_entries =
         SymmetricTensor<2, dim>::n_independent_components;
 
-      double                  volume_ratio  = 0; ///< J
-      double                  volume_offset = 0;
-      SymmetricTensor<2, dim> stretch; ///< F F^T / J^(2/dim)
+      double                  volume_ratio = 0; ///< J
+      SymmetricTensor<2, dim> stretch;          ///< F F^T / J^(2/dim)
       std::vector<double>     history;
     };
 
@@ -166,12 +153,12 @@ namespace isochor
               // all points may lie on the faces opposite to the vertex, where
               // N_v is zero or by rounding a little less
               states.emplace(material, MeanState<dim>(points.n_history))
-                .first->second.add(
-                  std::max(points.shape[q][v], rounding::accumulated) *
-                    points.volume[q] * determinant(points.F[q]),
-                  points.F[q],
-                  kernel.has_pressures ? points.volume_offset[q] : 0.,
-                  mean_values.data());
+                .first->second.add(std::max(points.shape[q][v],
+                                            rounding::accumulated) *
+                                     points.volume[q] *
+                                     determinant(points.F[q]),
+                                   points.F[q],
+                                   mean_values.data());
             }
         }
     }
@@ -345,8 +332,6 @@ namespace isochor
         points.mass.push_back(0);
         points.weight.push_back(geometry.measure(cell) / determinant(F));
         points.pressure.push_back(0);
-        if (kernel.has_pressures)
-          points.volume_offset.push_back(state.second.mean_offset());
         points.F.push_back(F);
         points.material.push_back(state.first);
         points.history.insert(points.history.end(),

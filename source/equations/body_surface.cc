@@ -68,6 +68,7 @@ namespace isochor
                 (points.domain_corners.outer_faces[q] >> c &
                  meets_other_body) != 0;
               face.area      = A.norm();
+              face.stretch   = points.domain_stretch[q];
               face.normal    = A / face.area;
               face.reference = Point<dim>(points.location(geometry, k, q) -
                                           points.displacement[q]);
@@ -115,13 +116,14 @@ namespace isochor
     AssertIndexRange(face.k, points.cell.size());
     AssertIndexRange(face.q, points.n_points());
     const auto     lambda = coordinates(g);
-    Tensor<1, dim> R; // from the subdomain's point at t = 0
+    Tensor<1, dim> before_F, R; // from the subdomain's point; R at t = 0
     for (unsigned int i = 0; i < dim; ++i)
-      R += lambda[i] * face.corners[i];
+      before_F += lambda[i] * face.corners[i];
+    R = before_F / face.stretch;
     Place                 place;
     const Point<dim>      x = points.location(geometry, face.k, face.q);
     const Tensor<1, dim> &u = points.displacement[face.q];
-    place.r                 = points.F[face.q] * R;
+    place.r                 = points.F[face.q] * before_F;
     // not face.reference, which rounds otherwise in a run that is resumed
     place.X            = Point<dim>(x - u) + R;
     place.x            = x + place.r;
@@ -137,8 +139,8 @@ namespace isochor
   BodySurface<dim>::centre(const Face &face)
   {
     Point<dim> X = face.reference;
-    for (const Tensor<1, dim> &corner : face.corners)
-      X += corner / static_cast<double>(dim);
+    for (unsigned int i = 0; i < dim; ++i)
+      X += corner_at_start(face, i) / static_cast<double>(dim);
     return X;
   }
 

@@ -49,7 +49,8 @@ namespace isochor
       copy.area_per_volume = face.area_per_volume;
       for (unsigned int i = 0; i < dim; ++i)
         {
-          copy.X[i] = face.reference + face.corners[i];
+          copy.X[i] =
+            face.reference + BodySurface<dim>::corner_at_start(face, i);
           copy.r[i] = copy.F * face.corners[i];
           copy.x[i] = at + copy.r[i];
         }

@@ -64,12 +64,12 @@ namespace isochor
     const auto &face = surface->faces()[faces[b / n_gauss].first];
     const auto  start =
       BodySurface<dim>::place(geometry, *points, face, b % n_gauss);
-    const auto nodes = points->stencil(geometry, face.k, face.q);
+    const auto   nodes = points->stencil(geometry, face.k, face.q);
+    const double area  = face.area / std::pow(face.stretch, dim - 1.); // t = 0
     typename SurfaceForces<dim>::Place at{start.X,
                                           start.displacement,
-                                          start.weight * face.area *
-                                            face.normal,
-                                          points->F[face.q],
+                                          start.weight * area * face.normal,
+                                          face.stretch * points->F[face.q],
                                           nodes.n_nodes,
                                           nodes.vertex,
                                           {},

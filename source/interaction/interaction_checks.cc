@@ -31,10 +31,12 @@ namespace isochor
           {
             n += 1;
             area += face.area;
-            for (const Tensor<1, dim> &corner : face.corners)
+            for (unsigned int i = 0; i < dim; ++i)
               for (unsigned int d = 0; d < dim; ++d)
                 {
-                  const double x   = face.reference[d] + corner[d];
+                  const double x =
+                    face.reference[d] +
+                    BodySurface<dim>::corner_at_start(face, i)[d];
                   largest[d]       = std::max(largest[d], x);
                   largest[dim + d] = std::max(largest[dim + d], -x);
                 }

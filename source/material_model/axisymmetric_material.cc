@@ -129,6 +129,15 @@ namespace isochor
 
 
 
+  void
+  AxisymmetricMaterial::scale_elastic_volume(const double factor,
+                                             double      *history) const
+  {
+    law->scale_elastic_volume(factor, history + n_own);
+  }
+
+
+
   double
   AxisymmetricMaterial::deviatoric_energy(const Tensor<2, 2> &F,
                                           const double       *history) const

@@ -83,14 +83,13 @@ namespace isochor
     deviatoric_energy(const Tensor<2, dim> & /*F*/,
                       const double *history) const override
     {
-      const auto spectrum =
-        spectral_decomposition(SymmetricComponents<dim>::load(history));
       double sum = 0, square = 0; // of ε^e = 1/2 ln b^e
-      for (const double value : spectrum.values)
+      for (const double value :
+           spectral_decomposition(SymmetricComponents<dim>::load(history))
+             .values)
         {
-          const double strain = 0.5 * std::log(value);
-          sum += strain;
-          square += strain * strain;
+          sum += 0.5 * std::log(value);
+          square += std::pow(0.5 * std::log(value), 2);
         }
       return elasticity.shear_modulus * (square - sum * sum / 3);
     }
@@ -107,6 +106,14 @@ namespace isochor
     from_mean_values(double *history) const override
     {
       map_eigenvalues<dim>([](const double e) { return std::exp(e); }, history);
+    }
+
+    /** θ^e = ½ ln det b^e. */
+    void
+    scale_elastic_volume(const double factor, double *history) const override
+    {
+      for (unsigned int i = 0; i < n_symmetric_components<dim>; ++i)
+        history[i] *= std::pow(factor, 2. / 3);
     }
 
     VolumetricMeasure
@@ -234,16 +241,13 @@ namespace isochor
   {
     elasticity.parse_parameters(prm);
     prm.enter_subsection("Mohr-Coulomb");
-    const double cohesion = prm.get_double("Cohesion");
-    const double phi      = prm.get_double("Friction angle");
-    const double psi      = prm.get_double("Dilation angle");
+    surface.set_strength(prm.get_double("Cohesion"),
+                         prm.get_double("Friction angle"),
+                         prm.get_double("Dilation angle"));
     prm.leave_subsection();
-
-    surface.set_strength(cohesion, phi, psi);
     surface.shear_modulus = elasticity.shear_modulus;
-    surface.bulk_modulus  = (phi > 0 && elasticity.inverse_bulk_modulus > 0 ?
-                               1 / elasticity.inverse_bulk_modulus :
-                               0);
+    const double iK       = elasticity.inverse_bulk_modulus;
+    surface.bulk_modulus  = surface.sin_phi > 0 && iK > 0 ? 1 / iK : 0.;
   }
 
 

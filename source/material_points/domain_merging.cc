@@ -285,7 +285,12 @@ namespace isochor
         }
     const Tensor<2, dim> F = is * invert(was);
     add_state(first.properties, second.properties, F, pair.properties);
-    whole.volume     = pair.properties[points.layout().volume] * determinant(F);
+    const PointLayout &l       = points.layout();
+    const double       stretch = domain_stretch<dim>(pair.properties.data(), l);
+    for (unsigned int i = 0; i < dim * dim; ++i)
+      pair.properties[l.F + i] /= stretch;
+    whole.volume =
+      pair.properties[l.volume] * determinant(F) / std::pow(stretch, 1. * dim);
     whole.location   = centroid<dim>(whole.current);
     const auto place = locator.locate(whole.location, first.domain.cell);
     whole.cell       = place.cell;

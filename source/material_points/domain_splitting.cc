@@ -5,6 +5,7 @@
 // The members of PointRefinement that are about domains.
 #include <deal.II/base/mpi.h>
 
+#include <isochor/grid/cells_near_ranks.h>
 #include <isochor/material_points/domain_bisection.h>
 #include <isochor/material_points/point_refinement.h>
 #include <isochor/material_points/sparse_cells.h>
@@ -17,53 +18,6 @@ namespace isochor
 {
   namespace
   {
-    /** How many faces domains that take part in a bisection are away from what
-     * is large, at most: what is bisected there hardly ever concerns domains
-     * further away. */
-    constexpr unsigned int most_faces = 8;
-
-    /** By cell: how many faces it is away from those that are 0 already, at
-     * most most_faces + 1, which the others hold. */
-    template <int dim>
-    void
-    count_faces(const SimplexGeometry<dim> &geometry,
-                std::vector<unsigned int>  &distances)
-    {
-      AssertDimension(distances.size(), geometry.n_cells());
-      std::vector<unsigned int> last;
-      for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-        if (distances[cell] == 0)
-          last.push_back(cell);
-      for (unsigned int i = 1; i <= most_faces; ++i)
-        for (const unsigned int cell : std::exchange(last, {}))
-          for (const unsigned int next : geometry.neighbours(cell))
-            if (next != SimplexGeometry<dim>::no_cell && distances[next] > i)
-              {
-                distances[next] = i;
-                last.push_back(next);
-              }
-    }
-
-    /** The cells at most a few faces away from those of other ranks. */
-    template <int dim>
-    std::vector<unsigned char>
-    cells_near_other_ranks(const SimplexGeometry<dim> &geometry,
-                           const MPI_Comm              comm)
-    {
-      std::vector<unsigned char> is_near(geometry.n_cells(), 0);
-      if (Utilities::MPI::n_mpi_processes(comm) == 1)
-        return is_near;
-      const unsigned int        rank = Utilities::MPI::this_mpi_process(comm);
-      std::vector<unsigned int> distances(geometry.n_cells(), most_faces + 1);
-      for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-        if (geometry.owner(cell) != rank)
-          distances[cell] = 0;
-      count_faces(geometry, distances);
-      for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-        is_near[cell] = (distances[cell] <= most_faces);
-      return is_near;
-    }
-
     /** Find location and cell of a part of a domain, which knows the location
      * of the whole. A part whose centroid is outside of the grid stays behind.
      * On a face between cells the answer depends on @p cell, that of the point

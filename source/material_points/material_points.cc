@@ -260,7 +260,6 @@ namespace isochor
     arrays.volume.clear();
     arrays.mass.clear();
     arrays.pressure.clear();
-    arrays.volume_offset.clear();
     arrays.F.clear();
     arrays.shape.resize(n);
     arrays.weight.resize(n);
@@ -271,6 +270,7 @@ namespace isochor
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
     arrays.displacement.resize(point_layout.with_domains ? n : 0);
+    arrays.domain_stretch.resize(point_layout.with_domains ? n : 0);
     arrays.domain_corners.seeded_volume.resize(point_layout.with_ancestry ? n :
                                                                             0);
     arrays.domain_corners.outer_faces.resize(point_layout.with_surface ? n : 0);
@@ -296,18 +296,32 @@ namespace isochor
           arrays.domain_corners.id[q] =
             particles->get_property_pool().get_id(slots->slot[q]);
         }
-      if (!l.with_domains)
-        return;
-      for (unsigned int d = 0; d < dim; ++d)
-        arrays.displacement[q][d] = properties[l.displacement + d];
-      arrays.domain[q][0] = Tensor<1, dim>();
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          for (unsigned int d = 0; d < dim; ++d)
-            arrays.domain[q][c + 1][d] = properties[l.domain + c * dim + d];
-          arrays.domain[q][0] -= arrays.domain[q][c + 1];
-        }
+      if (l.with_domains)
+        gather_domain(q, properties, arrays);
     });
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialPoints<dim>::gather_domain(const unsigned int             q,
+                                     const ArrayView<const double> &properties,
+                                     PointArrays<dim> &arrays) const
+  {
+    const PointLayout &l       = point_layout;
+    const double       stretch = domain_stretch<dim>(properties.data(), l);
+    for (unsigned int d = 0; d < dim; ++d)
+      arrays.displacement[q][d] = properties[l.displacement + d];
+    arrays.domain_stretch[q] = stretch;
+    arrays.domain[q][0]      = Tensor<1, dim>();
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          arrays.domain[q][c + 1][d] =
+            stretch * properties[l.domain + c * dim + d];
+        arrays.domain[q][0] -= arrays.domain[q][c + 1];
+      }
   }
 
 
@@ -342,8 +356,6 @@ namespace isochor
     arrays.mass.attach(slots, l.mass);
     arrays.pressure.attach(slots, l.pressure);
     arrays.F.attach(slots, l.F, fields_are_copied);
-    if (l.mixed())
-      arrays.volume_offset.attach(slots, l.volume_offset, fields_are_copied);
   }
 
 
@@ -360,8 +372,6 @@ namespace isochor
       {
         arrays.volume.refresh(q, properties[l.volume]);
         arrays.F.refresh(q, deformation_gradient<dim>(properties.data(), l));
-        if (l.mixed())
-          arrays.volume_offset.refresh(q, properties[l.volume_offset]);
       }
     if (l.axisymmetric)
       arrays.radius[q] = location[0];

@@ -34,6 +34,7 @@ namespace isochor
       {
         const auto           values = particle.get_properties();
         const Tensor<2, dim> F = deformation_gradient<dim>(values.data(), l);
+        const double         stretch = domain_stretch<dim>(values.data(), l);
         CornerVectors<dim>   corners;
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
@@ -50,7 +51,7 @@ namespace isochor
         for (unsigned int c = 0; c <= dim; ++c)
           {
             domain.reference[c] = reference + corners[c];
-            domain.current[c]   = domain.location + F * corners[c];
+            domain.current[c]   = domain.location + F * (stretch * corners[c]);
           }
         domain.volume = values[l.volume] * determinant(F);
         domain.cell   = particle.get_surrounding_cell()->active_cell_index();
@@ -176,7 +177,8 @@ namespace isochor
   double
   seeded_volume(const double *properties, const PointLayout &layout)
   {
-    double volume   = properties[layout.volume];
+    double volume = properties[layout.volume] /
+                    std::pow(domain_stretch<dim>(properties, layout), 1. * dim);
     double ancestry = properties[layout.ancestry];
     if (!layout.with_domains)
       return ancestry > 0 ? ancestry : volume;

@@ -103,7 +103,14 @@ namespace isochor
     mean(l.displacement, dim, m);
     mean(l.pressure, 1, v);
     if (l.mixed())
-      mean(l.volume_offset, 2, v);
+      {
+        mean(l.memory(), 1, v);
+        const auto at_start = [&](const double *values) {
+          return values[l.volume] / (1 + values[l.volume_gain]);
+        };
+        properties[l.volume_gain] =
+          properties[l.volume] / (at_start(first) + at_start(second)) - 1;
+      }
     mean(l.stress, n_symmetric_components<dim>, v);
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)

@@ -188,7 +188,7 @@ namespace isochor
       condition->advance(step, unknowns);
     setup.advance(step, unknowns);
     if (setup.reset().due())
-      grid_to_points.forget_unseen_volume(step, scene.points);
+      grid_to_points.pass_unseen_volume(step, scene.points);
     scene.time.accept(converged.result.newton.n_factorisations);
   }
 

@@ -26,7 +26,7 @@ namespace isochor
     SymmetricTensor<2, dim>         strain_increment;
     unsigned int                    last_cell = numbers::invalid_unsigned_int;
     if (step.mixed())
-      volume_offset.start(step);
+      unseen_volume.start(step);
     step_energy = 0;
     excesses.clear();
     excesses.reserve(step.mixed() ? arrays.volume.size() : 0);
@@ -60,13 +60,7 @@ namespace isochor
             state.pressure *
               step.kernel.materials[arrays.material[q]]->inverse_bulk_modulus();
           excesses.push_back(excess);
-          volume_offset.set(step,
-                            q,
-                            excess - properties[l.volume_offset],
-                            increment,
-                            state,
-                            l,
-                            properties);
+          unseen_volume.set(step, q, excess, increment, state, l, properties);
         }
       location += displacement;
       properties[l.pressure] = state.pressure;
@@ -102,11 +96,11 @@ namespace isochor
 
   template <int dim>
   void
-  GridToPoints<dim>::forget_unseen_volume(const StepContext<dim> &step,
-                                          MaterialPoints<dim>    &points)
+  GridToPoints<dim>::pass_unseen_volume(const StepContext<dim> &step,
+                                        MaterialPoints<dim>    &points)
   {
     if (step.mixed())
-      volume_offset.apply(step, points);
+      unseen_volume.apply(step, points);
   }
 
 

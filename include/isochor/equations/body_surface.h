@@ -37,15 +37,24 @@ namespace isochor
       types::particle_index id;       ///< number of the point
       unsigned int          opposite; ///< the corner that the face doesn't have
       bool meets_other_body; ///< whether one is behind the face at t = 0
-      Tensor<1, dim> normal; ///< outward, at t = 0
-      double area; ///< at t = 0 (m^(dim-1), of the plane in axisymmetry)
+      Tensor<1, dim> normal; ///< outward, before F
+      /** Before F (m^(dim-1), of the plane in axisymmetry); and the ratio of
+       * lengths there to those at t = 0 (PointArrays::domain_stretch). */
+      double area, stretch;
       /** Areas of all outer faces of the subdomain over its volume (1/m): the
        * constant of the trace inequality for functions linear on it. */
       double area_per_volume;
-      /** At t = 0, from the point of the subdomain (m). */
+      /** Before F, from the point of the subdomain (m). */
       std::array<Tensor<1, dim>, dim> corners;
       Point<dim>                      reference; ///< of the point, at t = 0
     };
+
+    /** Corner @p i of a face at t = 0, from the point of the subdomain. */
+    static Tensor<1, dim>
+    corner_at_start(const Face &face, const unsigned int i)
+    {
+      return face.corners[i] / face.stretch;
+    }
 
     /** A Gauss point. */
     struct Place

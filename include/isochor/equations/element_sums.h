@@ -129,14 +129,12 @@ namespace isochor
               V_K_s * response.volumetric_tangent.access_raw_entry(j);
       }
 
-      /** A point's share of the pressure equation. @p offset: that of its
-       * volume (VolumeOffset), @p N: its shape values. */
+      /** A point's share of the pressure equation. @p N: its shape values. */
       template <typename Shape>
       void
       add_constraint(const StressResponse<dim> &response,
                      const double               V,
                      const double               p,
-                     const double               offset,
                      const double               inverse_K,
                      const PressureFactor      &factor,
                      const bool                 depends_on_pressure,
@@ -144,8 +142,7 @@ namespace isochor
                      const Shape               &N,
                      const bool                 with_matrix)
       {
-        const double excess =
-          response.volumetric_strain - offset - p * inverse_K;
+        const double excess = response.volumetric_strain - p * inverse_K;
         const double compliance =
           inverse_K -
           (depends_on_pressure ? response.volumetric_pressure_tangent : 0.);

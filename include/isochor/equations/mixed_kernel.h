@@ -84,11 +84,9 @@ namespace isochor
    * Kirchhoff stress, g_I = ΔF^{-T} ∇_n N_I the spatial gradient of N_I:
    *
    *   R_u,I = Σ_p V_p τ g_I                                (P(12), P(18))
-   *   R_p,I = Σ_p V_p N_I (θ^e - b - p/K)                  (doc/method.md)
+   *   R_p,I = Σ_p V_p N_I (θ^e - p/K)                      (doc/method.md)
    *
    * u: p = K θ^e at the point. u-p: p = Σ_I N_I p_I. Tension is positive.
-   * b is what earlier steps have left in the volume of the point that no node
-   * has seen (VolumeOffset), a constant of the step.
    * In dynamics a step takes a mean of the forces at its start and its end,
    * with the weights 1 - m and m (TimeIntegrator::end_weight()). Of pressures
    * that is to be p̄ times the mean of ∇θ, with the mean p̄ of p: their part of

@@ -225,7 +225,6 @@ namespace isochor
           sums.add_constraint(response,
                               V,
                               p,
-                              points.volume_offset[q],
                               inverse_K,
                               factor,
                               law.depends_on_pressure,

@@ -293,8 +293,7 @@ namespace isochor
               stress[i][j] += V * response.deviatoric_stress[i][j];
           sum.add_residual(stress,
                            mixed ?
-                             V * (response.volumetric_strain -
-                                  points.volume_offset[q] - p * inverse_K) :
+                             V * (response.volumetric_strain - p * inverse_K) :
                              0.);
           if (element.start_weight > 0)
             sum.add_at_start(stencil.gradient,

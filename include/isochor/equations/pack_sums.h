@@ -70,13 +70,7 @@ namespace isochor
                     p += N[I] * pressure[I];
                   }
                 add_stress(V, V * p * of_pack.J);
-                add_constraint(N,
-                               V,
-                               p,
-                               PointPack(points.volume_offset[q],
-                                         points.volume_offset[r]),
-                               law.inverse_K,
-                               n_nodes);
+                add_constraint(N, V, p, law.inverse_K, n_nodes);
               }
             else
               {
@@ -175,11 +169,10 @@ namespace isochor
       add_constraint(const std::array<PointPack, max_nodes> &N,
                      const PointPack                        &V,
                      const PointPack                        &p,
-                     const PointPack                        &offset,
                      const double                            inverse_K,
                      const unsigned int                      n_nodes)
       {
-        const PointPack excess = of_pack.J - 1. - offset - p * inverse_K;
+        const PointPack excess = of_pack.J - 1. - p * inverse_K;
         for (unsigned int I = 0; I < n_nodes; ++I)
           {
             const PointPack VN = V * N[I];

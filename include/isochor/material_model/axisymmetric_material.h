@@ -52,6 +52,8 @@ namespace isochor
     to_mean_values(double *history) const override;
     void
     from_mean_values(double *history) const override;
+    void
+    scale_elastic_volume(const double factor, double *history) const override;
     double
     deviatoric_energy(const Tensor<2, 2> &F,
                       const double       *history) const override;

@@ -181,6 +181,13 @@ namespace isochor
     from_mean_values(double * /*history*/) const
     {}
 
+    /** Change @p history so that θ^e is that of @p factor times the volume, and
+     * nothing else. A law whose θ^e follows from its history, and not from
+     * det F, has to know how (UnseenVolume). */
+    virtual void
+    scale_elastic_volume(const double /*factor*/, double * /*history*/) const
+    {}
+
     /** The part of the stored elastic energy that goes with dev τ, in J per
      * m^dim of reference volume; p²/(2K) is the other one. For statistics: a
      * law that doesn't tell has `nan` there. */

@@ -40,12 +40,13 @@ namespace isochor
     unsigned int displacement = 0; ///< total displacement (m), dim components
     unsigned int F            = 0; ///< deformation gradient, dim x dim by rows
     unsigned int pressure = 0; ///< p, conjugate to θ (Pa), tension positive
-    /** What the pressure equation leaves out of θ^e, and behind it what the
-     * point remembers of its shear (VolumeOffset); only in u-p, else 0. */
-    unsigned int volume_offset = 0;
-    unsigned int stress        = 0; ///< Cauchy: xx, yy, zz, xy(, xz, yz) (Pa)
-    unsigned int velocity      = 0; ///< m/s, only in dynamics
-    unsigned int acceleration  = 0; ///< m/s^2, only in dynamics
+    /** V_0 over what it was at t = 0, or what is left of that by splitting,
+     * less 1; and behind it what the point remembers of its shear
+     * (UnseenVolume); only in u-p, else 0. */
+    unsigned int volume_gain  = 0;
+    unsigned int stress       = 0; ///< Cauchy: xx, yy, zz, xy(, xz, yz) (Pa)
+    unsigned int velocity     = 0; ///< m/s, only in dynamics
+    unsigned int acceleration = 0; ///< m/s^2, only in dynamics
     /** What the acceleration exceeds that of the forces in the last step by
      * (m/s^2), see InertiaTerm; only if with_excess. */
     unsigned int excess      = 0;
@@ -79,13 +80,13 @@ namespace isochor
     bool
     mixed() const
     {
-      return volume_offset > 0;
+      return volume_gain > 0;
     }
 
     unsigned int
     memory() const
     {
-      return volume_offset + 1;
+      return volume_gain + 1;
     }
 
     PointLayout() = default;
@@ -110,6 +111,17 @@ namespace isochor
       for (unsigned int j = 0; j < dim; ++j)
         F[i][j] = properties[layout.F + i * dim + j];
     return F;
+  }
+
+  /** By how much the domain of a point with @p properties would have to be
+   * larger at t = 0, in each direction, to have its V_0 (UnseenVolume): F maps
+   * that to the present one. */
+  template <int dim>
+  double
+  domain_stretch(const double *properties, const PointLayout &layout)
+  {
+    const double gain = layout.mixed() ? properties[layout.volume_gain] : 0.;
+    return gain == 0 ? 1. : std::pow(1 + gain, 1. / dim);
   }
 
   /** Thrown on all ranks if points left the grid. */
@@ -311,6 +323,12 @@ namespace isochor
                const Point<dim>              &location,
                const ArrayView<const double> &properties,
                PointArrays<dim>              &arrays) const;
+
+    /** The domain of point @p q. */
+    void
+    gather_domain(const unsigned int             q,
+                  const ArrayView<const double> &properties,
+                  PointArrays<dim>              &arrays) const;
 
     /** Put each of @p seeds into the layer of its body, once @p make_layers
      * has made them. Returns the body of each, empty if there is one. */

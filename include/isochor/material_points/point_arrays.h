@@ -113,18 +113,18 @@ namespace isochor
     PointField<double>                       mass;
     std::vector<double>                      weight; ///< volume of integration
     PointField<double>                       pressure;
-    /** What the pressure equation leaves out of θ^e: VolumeOffset. In u-p only.
-     */
-    PointField<double>         volume_offset;
-    PointField<Tensor<2, dim>> F;
-    std::vector<unsigned char> material; ///< its index
+    PointField<Tensor<2, dim>>               F;
+    std::vector<unsigned char>               material; ///< its index
     /** In axisymmetry, the distance from the axis (m) at the start of the step;
      * else empty. */
     std::vector<double>         radius;
     std::vector<double>         history; ///< n_history values a point
     std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
-    /** Domains at t = 0, relative to the points, if the layout has them. */
+    /** What F maps to the domains, relative to the points, if the layout has
+     * them; and its size over that of the domain at t = 0, in each direction.
+     */
     std::vector<CornerVectors<dim>> domain;
+    std::vector<double>             domain_stretch;
     /** Of the points since t = 0: at the last reset of the grid or, if the
      * layout has their surface, at the start of the step. Only if they have
      * domains. If functions are linear on these
@@ -371,8 +371,8 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
-        &pressure &volume_offset &F &material &history &velocity &acceleration
-          &domain &stencil_start &stencil_vertex &stencil_shape
+        &pressure &F &material &history &velocity &acceleration &domain
+          &domain_stretch &stencil_start &stencil_vertex &stencil_shape
             &stencil_gradient &domain_corners &overlapped_cells &deformed_cell
               &n_history &radius &displacement;
     }

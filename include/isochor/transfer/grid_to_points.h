@@ -6,7 +6,7 @@
 #define isochor_grid_to_points_h
 
 #include <isochor/dynamics/inertia_term.h>
-#include <isochor/transfer/volume_offset.h>
+#include <isochor/transfer/unseen_volume.h>
 
 #include <vector>
 
@@ -40,10 +40,10 @@ namespace isochor
              MaterialPoints<dim>    &points,
              PointArrays<dim>       &of_step);
 
-    /** The grid will be put back: see VolumeOffset::apply(). Collective. */
+    /** The grid will be reset: see UnseenVolume::apply(). Collective. */
     void
-    forget_unseen_volume(const StepContext<dim> &step,
-                         MaterialPoints<dim>    &points);
+    pass_unseen_volume(const StepContext<dim> &step,
+                       MaterialPoints<dim>    &points);
 
     /** This rank's Σ_p |V_p τ:Δε| of the step, in dynamics plus the kinetic
      * energy (J). */
@@ -62,7 +62,7 @@ namespace isochor
 
   private:
     std::vector<double> excesses;
-    VolumeOffset<dim>   volume_offset;
+    UnseenVolume<dim>   unseen_volume;
     bool                measures_energy = false;
     double              step_energy     = 0;
   };

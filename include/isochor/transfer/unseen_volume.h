@@ -2,8 +2,8 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#ifndef isochor_volume_offset_h
-#define isochor_volume_offset_h
+#ifndef isochor_unseen_volume_h
+#define isochor_unseen_volume_h
 
 #include <isochor/equations/active_nodes.h>
 #include <isochor/equations/equation_term.h>
@@ -14,18 +14,19 @@
 namespace isochor
 {
   /**
-   * What the pressure equation of u-p leaves out of a point's elastic volume
-   * change: R_p,I = Σ_p V_p N_I (θ^e - b - p/K) - S p, b = 0 at first.
+   * What no node sees of the volumes of points, u-p.
    *
-   * The nodes of a grid see of the excess e = θ^e - b - p/K its moments with
-   * N_I only. What they don't see stays with the points, and where these flow
-   * nothing resists it. Once the grid is put back, other moments are seen: of
-   * what was unseen before a part is "corrected", by motions that leave more
-   * behind, and volumes drift without bound. So the unseen part of the excess
-   * is put into b where the grid is put back: all of it in a material that has
-   * no memory of its shape, nothing in an elastic one, whose shear stresses
-   * resist. As long as the grid is kept b is constant, and so is what the nodes
-   * see.
+   * The nodes of a grid see of the excess e = θ^e - p/K of points its moments
+   * Σ_p V_p N_I e_p only. What they don't see stays with the points, and where
+   * these flow nothing resists it. Once the grid is reset, other moments are
+   * seen: of what was unseen before a part is "corrected", by motions that
+   * leave more behind, and volumes drift without bound. So where the grid is
+   * reset the shape of a point keeps its volume, and material passes between
+   * points, V_0 (1 + x), x the unseen part of (1 - m) e: a material that has no
+   * memory of its shape (m = 0) fills the shapes with the density that the
+   * pressure asks for; an elastic one (m = 1), whose shear stresses resist,
+   * stays as it is. As x has no moments, mass, momentum and centre of mass stay
+   * what they are.
    *
    * *Seen* is e_s = Σ_I N_I e_I with Σ_p V_p N_I e_s = Σ_p V_p N_I e, the
    * stabilisation's part; from nodal means, by Chebyshev's iteration.
@@ -37,14 +38,14 @@ namespace isochor
    *   Δε_p = |dev d - Δ(dev τ)/2G|.
    */
   template <int dim>
-  class VolumeOffset
+  class UnseenVolume
   {
   public:
     /** A new step of @p step.points; holes included. */
     void
     start(const StepContext<dim> &step);
 
-    /** At the end of the step point @p q has the @p excess θ^e - b - p/K and
+    /** At the end of the step point @p q has the @p excess θ^e - p/K and
      * dev τ of @p state; @p properties are still those of its start, of which
      * this changes the memory: that since the last reset of the grid.
      * @p increment: that of the step. */
@@ -57,13 +58,36 @@ namespace isochor
         const PointLayout                           &layout,
         const ArrayView<double>                     &properties);
 
-    /** The grid will be put back: let the @p points, which have moved, forget
-     * what was not seen. Collective. */
+    /** The grid will be reset: let material pass between the @p points, which
+     * have moved. Collective. */
     void
     apply(const StepContext<dim> &step, MaterialPoints<dim> &points);
 
   private:
-    /** Let @p sums be Σ_q V_q N_I value(q) at the nodes, over the points of
+    /** Let a point have @p factor times as much material in its shape. Without
+     * domains points have no shape, and V_0 stays. */
+    static void
+    fill_shape(const double              factor,
+               const MaterialModel<dim> &material,
+               const PointLayout        &layout,
+               const ArrayView<double>  &properties);
+    /** The weight of point @p q in moments. */
+    static double
+    measure(const PointArrays<dim> &points, const unsigned int q);
+    /** Leave in unseen what has no moments. Collective. */
+    void
+    leave_out_seen(const StepContext<dim> &step);
+    /** Points have other masses now than those of @p mass: give back what is
+     * missing of the momentum, and of what changes it, by way of the nodes.
+     * Collective. */
+    void
+    keep_momentum(const StepContext<dim>    &step,
+                  const std::vector<double> &mass,
+                  MaterialPoints<dim>       &points);
+    /** Sums at nodes become means. */
+    void
+    divide_by_weight(const StepContext<dim> &step);
+    /** Let @p sums be Σ_q N_I value(q) at the nodes, over the points of
      * occupied cells (a hole has none that could carry anything). Collective.
      */
     template <typename Value>
@@ -78,7 +102,7 @@ namespace isochor
             const unsigned int      k,
             const unsigned int      q) const;
 
-    std::vector<double> unseen; ///< by point; the whole excess at first
+    std::vector<double> unseen; ///< by point; all of it at first
     NodalField          mean, weight;
   };
 } // namespace isochor

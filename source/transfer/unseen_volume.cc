@@ -1,0 +1,294 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+#include <isochor/material_points/domain_relaxation.h>
+#include <isochor/transfer/unseen_volume.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isochor
+{
+  namespace
+  {
+    /** The part of its elastic shear strain that a point remembers through a
+     * step; @p stress_n is its Cauchy stress at the start. */
+    template <int dim>
+    double
+    memory_of_step(const MaterialModel<dim>                    &material,
+                   const Kinematics<dim>                       &increment,
+                   const SymmetricTensor<2, 3>                 &stress_n,
+                   const typename MixedKernel<dim>::PointState &state)
+    {
+      Assert(increment.hoop_increment > 0, ExcInternalError());
+      if (!material.dissipates())
+        return 1;
+      Tensor<2, 3> F               = unit_symmetric_tensor<3>(), l;
+      F[2][2]                      = increment.hoop_increment;
+      l[2][2]                      = 1 - 1 / increment.hoop_increment;
+      const Tensor<2, dim> inverse = invert(increment.F_increment);
+      for (unsigned int a = 0; a < dim; ++a)
+        for (unsigned int b = 0; b < dim; ++b)
+          {
+            F[a][b] = increment.F_increment[a][b];
+            l[a][b] = (a == b ? 1 : 0) - inverse[a][b];
+          }
+      // the stress at the start, carried along, and that at the end
+      const SymmetricTensor<2, 3> before = state.J *
+                                           std::pow(determinant(F), -5. / 3) *
+                                           deviator(symmetrize(
+                                             F * Tensor<2, 3>(stress_n) *
+                                             transpose(F))),
+                                  after =
+                                    state.J * deviator(state.cauchy_stress);
+      const double two_G   = 2 * material.shear_modulus(),
+                   elastic = after.norm() / two_G,
+                   plastic =
+                     (deviator(symmetrize(l)) - (after - before) / two_G)
+                       .norm();
+      return plastic > 0 ? elastic / (elastic + plastic) : 1;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  UnseenVolume<dim>::start(const StepContext<dim> &step)
+  {
+    unseen.assign(step.points.weight.size(), 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  UnseenVolume<dim>::set(const StepContext<dim>                      &step,
+                         const unsigned int                           q,
+                         const double                                 excess,
+                         const Kinematics<dim>                       &increment,
+                         const typename MixedKernel<dim>::PointState &state,
+                         const PointLayout                           &layout,
+                         const ArrayView<double> &properties)
+  {
+    AssertIndexRange(q, unseen.size());
+    const auto &material = *step.kernel.materials[step.points.material[q]];
+    double     &memory   = properties[layout.memory()];
+    memory =
+      (step.grid_is_kept ? memory : 1.) *
+      memory_of_step<dim>(material,
+                          increment,
+                          load_symmetric<dim>(&properties[layout.stress]),
+                          state);
+    // of the volume, whatever the measure of its change
+    const double relative =
+      material.volumetric_measure() == VolumetricMeasure::logarithmic ?
+        std::expm1(excess) :
+        excess;
+    unseen[q] = (1 - memory) * relative;
+  }
+
+
+
+  template <int dim>
+  double
+  UnseenVolume<dim>::measure(const PointArrays<dim> &points,
+                             const unsigned int      q)
+  {
+    // what passes between domains is what they have, whatever they integrate
+    return points.domain.empty() ? points.measure(q) :
+                                   points.volume[q] * points.thickness(q);
+  }
+
+
+
+  template <int dim>
+  template <typename Value>
+  void
+  UnseenVolume<dim>::sum_to_nodes(const StepContext<dim> &step,
+                                  const Value            &value,
+                                  NodalField             &sums) const
+  {
+    step.nodes.initialize(sums, 1);
+    const PointArrays<dim> &points = step.points;
+    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        {
+          const auto   stencil  = points.stencil(step.grid.geometry(), k, q);
+          const double weighted = value(q);
+          for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+            sums.local_element(step.nodes.node(stencil.vertex[I])) +=
+              stencil.shape[I] * weighted;
+        }
+    sums.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  double
+  UnseenVolume<dim>::mean_at(const StepContext<dim> &step,
+                             const unsigned int      k,
+                             const unsigned int      q) const
+  {
+    AssertIndexRange(k, step.points.cell.size());
+    AssertIndexRange(q, step.points.n_points());
+    const auto stencil = step.points.stencil(step.grid.geometry(), k, q);
+    double     sum     = 0;
+    for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+      sum += stencil.shape[I] *
+             mean.local_element(step.nodes.node(stencil.vertex[I]));
+    return sum;
+  }
+
+
+
+  template <int dim>
+  void
+  UnseenVolume<dim>::leave_out_seen(const StepContext<dim> &step)
+  {
+    // means of hat functions don't have the moments of what they are taken of:
+    // Chebyshev's iteration, the eigenvalues of P1 being 1/(dim + 2) to 1. The
+    // last pass leaves nothing in the sum over all points.
+    constexpr unsigned int  n_passes = 6;
+    constexpr double        smallest = 1. / (dim + 2);
+    const PointArrays<dim> &arrays   = step.points;
+    sum_to_nodes(
+      step, [&](const unsigned int q) { return measure(arrays, q); }, weight);
+    for (unsigned int pass = 0; pass <= n_passes; ++pass)
+      {
+        const double root = pass == n_passes ?
+                              1. :
+                              std::cos(numbers::PI * (pass + 0.5) / n_passes) *
+                                  (1 - smallest) / 2 +
+                                (1 + smallest) / 2;
+        sum_to_nodes(
+          step,
+          [&](const unsigned int q) { return measure(arrays, q) * unseen[q]; },
+          mean);
+        divide_by_weight(step);
+        for (unsigned int k = 0; k < arrays.n_occupied_cells; ++k)
+          for (unsigned int q = arrays.cell_start[k];
+               q < arrays.cell_start[k + 1];
+               ++q)
+            unseen[q] -= mean_at(step, k, q) / root;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  UnseenVolume<dim>::apply(const StepContext<dim> &step,
+                           MaterialPoints<dim>    &points)
+  {
+    Assert(step.mixed(), ExcMessage("There are no pressures."));
+    const auto &materials = step.kernel.materials;
+    if (std::none_of(materials.begin(), materials.end(), [](const auto &m) {
+          return m->dissipates();
+        }))
+      return; // all remember everything
+    leave_out_seen(step);
+    const PointLayout  &l = points.layout();
+    std::vector<double> mass;
+    if (l.dynamic)
+      points.for_each([&](const unsigned int /*k*/,
+                          const unsigned int /*q*/,
+                          Point<dim> & /*location*/,
+                          ArrayView<double> properties) {
+        mass.push_back(properties[l.mass]);
+      });
+    points.for_each([&](const unsigned int /*k*/,
+                        const unsigned int q,
+                        Point<dim> & /*location*/,
+                        ArrayView<double> properties) {
+      const auto &material =
+        *materials[static_cast<unsigned int>(properties[l.material])];
+      if (material.dissipates() && 1 + unseen[q] > 0)
+        fill_shape(1 + unseen[q], material, l, properties);
+    });
+    DomainRelaxation<dim>(points, step.grid, materials).relax();
+    if (l.dynamic)
+      keep_momentum(step, mass, points);
+  }
+
+
+
+  template <int dim>
+  void
+  UnseenVolume<dim>::keep_momentum(const StepContext<dim>    &step,
+                                   const std::vector<double> &mass,
+                                   MaterialPoints<dim>       &points)
+  {
+    const PointLayout    &l = points.layout();
+    std::vector<double *> state(mass.size());
+    points.for_each(
+      [&](const unsigned int /*k*/,
+          const unsigned int q,
+          Point<dim> & /*location*/,
+          ArrayView<double> properties) { state[q] = properties.data(); });
+    sum_to_nodes(
+      step, [&](const unsigned int q) { return state[q][l.mass]; }, weight);
+    std::vector<unsigned int> fields = {l.velocity, l.acceleration};
+    if (l.with_excess)
+      fields.push_back(l.excess);
+    const PointArrays<dim> &arrays = step.points;
+    for (const unsigned int field : fields)
+      for (unsigned int d = field; d < field + dim; ++d)
+        {
+          sum_to_nodes(
+            step,
+            [&](const unsigned int q) {
+              return (mass[q] - state[q][l.mass]) * state[q][d];
+            },
+            mean);
+          divide_by_weight(step);
+          for (unsigned int k = 0; k < arrays.n_occupied_cells; ++k)
+            for (unsigned int q = arrays.cell_start[k];
+                 q < arrays.cell_start[k + 1];
+                 ++q)
+              state[q][d] += mean_at(step, k, q);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  UnseenVolume<dim>::divide_by_weight(const StepContext<dim> &step)
+  {
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      if (weight.local_element(node) > 0)
+        mean.local_element(node) /= weight.local_element(node);
+    mean.update_ghost_values();
+  }
+
+
+
+  template <int dim>
+  void
+  UnseenVolume<dim>::fill_shape(const double              factor,
+                                const MaterialModel<dim> &material,
+                                const PointLayout        &l,
+                                const ArrayView<double>  &properties)
+  {
+    Assert(factor > 0, ExcInternalError());
+    if (l.with_domains)
+      {
+        properties[l.volume] *= factor;
+        properties[l.mass] *= factor;
+        double &gain = properties[l.volume_gain];
+        gain         = (1 + gain) * factor - 1;
+      }
+    for (unsigned int i = 0; i < dim * dim; ++i)
+      properties[l.F + i] *= std::pow(factor, -1. / dim);
+    material.scale_elastic_volume(1 / factor, &properties[l.history]);
+  }
+
+
+
+  template class UnseenVolume<2>;
+  template class UnseenVolume<3>;
+} // namespace isochor
