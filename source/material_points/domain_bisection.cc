@@ -71,7 +71,7 @@ namespace isochor
       {
         const auto [a, b] = edge_corners<dim>[e];
         const Point<dim> middle =
-          domain.reference[a] + (domain.reference[b] - domain.reference[a]) / 2;
+          domain.current[a] + (domain.current[b] - domain.current[a]) / 2;
         edges[e] = table.find_or_add(middle);
         // lengths that are equal but for rounding have to be equal; domains of
         // neighbours may differ about it, the longest counts

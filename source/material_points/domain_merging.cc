@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/material_points/mean_state.h>
 #include <isochor/material_points/outer_faces.h>
 #include <isochor/material_points/place_filter.h>
 #include <isochor/material_points/point_merging.h>
@@ -284,9 +285,10 @@ namespace isochor
           is[d][c]  = whole.current[c + 1][d] - whole.current[0][d];
         }
     const Tensor<2, dim> F = is * invert(was);
-    add_state(first.properties, second.properties, F, pair.properties);
-    const PointLayout &l       = points.layout();
-    const double       stretch = domain_stretch<dim>(pair.properties.data(), l);
+    const PointLayout   &l = points.layout();
+    mean_state<dim>(
+      first.properties, second.properties, F, l, materials, pair.properties);
+    const double stretch = domain_stretch<dim>(pair.properties.data(), l);
     for (unsigned int i = 0; i < dim * dim; ++i)
       pair.properties[l.F + i] /= stretch;
     whole.volume =

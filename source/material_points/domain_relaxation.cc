@@ -124,7 +124,7 @@ namespace isochor
         for (unsigned int c = 0; c <= dim; ++c)
           {
             domain.vertex[c] =
-              find_vertex(of_point.reference[c], points.body_of(*particle));
+              find_vertex(of_point.current[c], points.body_of(*particle));
             Vertex &vertex   = vertices[domain.vertex[c]];
             vertex.is_shared = vertex.is_shared || is_near[of_point.cell];
             vertex.is_held   = vertex.is_held || is_held;

@@ -138,14 +138,11 @@ namespace isochor
     const std::vector<PointDomain<dim>> &domains,
     const BackgroundGrid<dim>           &grid,
     const PointLocator<dim>             &locator,
-    const double                         share) const
+    const IsLarge                       &is_large,
+    const unsigned int                   least) const
   {
-    Assert(share > 0, ExcInternalError());
-    const MPI_Comm comm     = grid.communicator();
-    const auto     is_large = [&](const PointDomain<dim> &domain) {
-      return domain.volume > share * locator.geometry().measure(domain.cell);
-    };
-    SparseCells<dim>          sparse(locator.geometry(), least_points, comm);
+    const MPI_Comm            comm = grid.communicator();
+    SparseCells<dim>          sparse(locator.geometry(), least, comm);
     const auto                asked = sparse.find_domains(pointers(domains));
     std::vector<unsigned int> distances(locator.geometry().n_cells(),
                                         most_faces + 1);
@@ -200,9 +197,10 @@ namespace isochor
     const std::vector<PointDomain<dim>> &domains,
     const BackgroundGrid<dim>           &grid,
     const PointLocator<dim>             &locator,
-    const double                         share) const
+    const IsLarge                       &is_large,
+    const unsigned int                   least) const
   {
-    const auto            parts = bisect_domains(domains, grid, locator, share);
+    const auto parts = bisect_domains(domains, grid, locator, is_large, least);
     std::vector<NewPoint> added;
     // the parts of a point follow each other; the first is what remains of
     // it
@@ -220,7 +218,11 @@ namespace isochor
         std::vector<double> part   = whole;
         const double        factor = std::ldexp(1., -int(parts[i].n_halvings));
         part[points.layout().volume] *= factor;
-        part[points.layout().mass] *= factor;
+        part[points.layout().mass] *=
+          factor * (points.layout().axisymmetric ?
+                      centroid<dim>(parts[i].current)[0] /
+                        domains[parts[i].point].location[0] :
+                      1.); // of rings
         store_domain<dim>(parts[i], points.layout(), make_array_view(part));
         if (!is_first)
           {
@@ -243,11 +245,13 @@ namespace isochor
                                     const std::vector<PointDomain<2>> &,
                                     const BackgroundGrid<2> &,
                                     const PointLocator<2> &,
-                                    const double) const;
+                                    const IsLarge &,
+                                    const unsigned int) const;
   template std::vector<typename PointRefinement<3>::NewPoint>
   PointRefinement<3>::split_domains(MaterialPoints<3> &,
                                     const std::vector<PointDomain<3>> &,
                                     const BackgroundGrid<3> &,
                                     const PointLocator<3> &,
-                                    const double) const;
+                                    const IsLarge &,
+                                    const unsigned int) const;
 } // namespace isochor

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/material_points/domain_flips.h>
 #include <isochor/material_points/point_refinement.h>
 
 #include <algorithm>
@@ -94,6 +95,34 @@ namespace isochor
           shift[d] *= factors[d];
     }
 
+    /** By point: whether its domain may change. */
+    template <int dim>
+    std::vector<unsigned char>
+    find_flowing(const MaterialPoints<dim>                   &points,
+                 const typename PointMerging<dim>::Materials &materials)
+    {
+      std::vector<unsigned char> flowing;
+      for (const auto &particle : points.handler())
+        flowing.push_back(is_flowing<dim>(particle.get_properties().data(),
+                                          points.layout(),
+                                          materials));
+      return flowing;
+    }
+
+    /** Whether an edge of @p domain is longer than those, at a right angle, of
+     * a simplex that has the @p measure of its cell. */
+    template <int dim>
+    bool
+    is_longer_than_cell(const PointDomain<dim> &domain, const double measure)
+    {
+      double longest = 0;
+      for (unsigned int a = 0; a <= dim; ++a)
+        for (unsigned int b = 0; b < a; ++b)
+          longest =
+            std::max(longest,
+                     (domain.current[a] - domain.current[b]).norm_square());
+      return longest > std::pow((dim == 2 ? 2 : 6) * measure, 2. / dim);
+    }
   } // namespace
 
 
@@ -183,12 +212,15 @@ namespace isochor
     const typename PointMerging<dim>::Materials &materials,
     const bool                                   merges)
   {
+    const bool   with_domains = points.layout().with_domains;
     const double share =
       grid.is_adaptive() ? share_on_adaptive_grids : largest_share;
-    if (share == 0)
+    // those of the plane can be flipped as well, which alone keeps their shapes
+    const bool follows_flow =
+      dim == 2 && have_to_fit && with_domains && !grid.is_adaptive();
+    if (share == 0 && !follows_flow)
       return false;
-    const auto n_before     = n_added + n_removed;
-    const bool with_domains = points.layout().with_domains;
+    const auto n_before = n_added + n_removed;
     // first, since splitting has the last word on how many are needed
     constexpr double              hysteresis = 0.8;
     std::vector<PointDomain<dim>> domains;
@@ -215,12 +247,26 @@ namespace isochor
       return n > 0;
     };
     if (with_domains)
-      insert_parts(
-        split_domains(points,
-                      has_merged ? std::move(domains) : point_domains(points),
-                      grid,
-                      locator,
-                      share));
+      {
+        const std::vector<unsigned char> flowing =
+          follows_flow ? find_flowing(points, materials) :
+                         std::vector<unsigned char>();
+        insert_parts(split_domains(
+          points,
+          has_merged ? std::move(domains) : point_domains(points),
+          grid,
+          locator,
+          [&](const PointDomain<dim> &domain) {
+            const double cell = locator.geometry().measure(domain.cell);
+            return (share > 0 && domain.volume > share * cell) ||
+                   (follows_flow && flowing[domain.point] &&
+                    is_longer_than_cell(domain, cell));
+          },
+          share > 0 ? least_points : 0));
+        if constexpr (dim == 2)
+          if (follows_flow && DomainFlips(points, grid, materials).flip() > 0)
+            points.relocate(locator);
+      }
     else
       // parts may still be too large; bounded, since each round divides by
       // four

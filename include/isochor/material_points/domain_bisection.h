@@ -37,8 +37,7 @@ namespace isochor
     using DomainCondition = std::function<bool(const PointDomain<dim> &)>;
 
     /** @p domains of the points of this rank that take part; others stay
-     * whole, even beside these. Their places at t = 0 are told apart by
-     * @p scale; those for which @p may_be_shared is false share no edge with
+     * whole, even beside these. Their places are told apart by @p scale; those for which @p may_be_shared is false share no edge with
      * one of another rank. Collective. */
     DomainBisection(std::vector<PointDomain<dim>> &&domains,
                     const PlaceScale<dim>          &scale,
@@ -115,7 +114,7 @@ namespace isochor
     std::vector<Edges>            edges_of; ///< by domain
     const MPI_Comm                comm;
     const DomainCondition         may_be_shared;
-    PlaceTable<dim>               table;   ///< of the edges' middles at t = 0
+    PlaceTable<dim>               table;   ///< of the edges' middles
     std::vector<Point<dim>>       middles; ///< by edge, as the next two
     std::vector<Rank>             ranks;
     std::vector<unsigned char>    is_marked;

@@ -60,7 +60,7 @@ namespace isochor
     /** What corners of several domains have in common; sums over these. */
     struct Vertex
     {
-      Point<dim>     place; ///< at t = 0
+      Point<dim>     place; ///< before it moves
       unsigned int   body      = 0;
       bool           is_shared = false; ///< perhaps with other ranks
       bool           is_held   = false;
@@ -98,7 +98,7 @@ namespace isochor
     const Materials           &materials;
     std::vector<Domain>        domains;
     std::vector<Vertex>        vertices;
-    /** By body: places of vertices at t = 0, and their numbers. */
+    /** By body: places of vertices, and their numbers. */
     std::vector<PlaceTable<dim>>           tables;
     std::vector<std::vector<unsigned int>> numbers;
   };

@@ -135,12 +135,6 @@ namespace isochor
     unite(Pair &pair) const;
     bool
     are_alike(const double *first, const double *second) const;
-    /** The state of two points; else @p properties are those of the first. */
-    void
-    add_state(const double         *first,
-              const double         *second,
-              const Tensor<2, dim> &F,
-              std::vector<double>  &properties) const;
 
     MaterialPoints<dim>       &points;
     const BackgroundGrid<dim> &grid;

@@ -13,6 +13,7 @@
 #include <isochor/material_points/point_locator.h>
 #include <isochor/material_points/point_merging.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,8 @@ namespace isochor
     evaluate(Statistics &statistics);
 
   private:
+    using IsLarge = std::function<bool(const PointDomain<dim> &)>;
+
     struct NewPoint
     {
       unsigned int        cell; ///< of the point it comes from
@@ -93,21 +96,23 @@ namespace isochor
     split(MaterialPoints<dim>     &points,
           const PointLocator<dim> &locator,
           const double             share) const;
-    /** Split points with @p domains; what was added to the points.
-     * Collective. */
+    /** Split points with @p domains that are large, and where cells have fewer
+     * than @p least points; what was added to the points. Collective. */
     std::vector<NewPoint>
     split_domains(MaterialPoints<dim>                 &points,
                   const std::vector<PointDomain<dim>> &domains,
                   const BackgroundGrid<dim>           &grid,
                   const PointLocator<dim>             &locator,
-                  const double                         share) const;
+                  const IsLarge                       &is_large,
+                  const unsigned int                   least) const;
     /** The parts of those of the @p domains of all points that have been
      * bisected, in their order. Collective. */
     std::vector<PointDomain<dim>>
     bisect_domains(const std::vector<PointDomain<dim>> &domains,
                    const BackgroundGrid<dim>           &grid,
                    const PointLocator<dim>             &locator,
-                   const double                         share) const;
+                   const IsLarge                       &is_large,
+                   const unsigned int                   least) const;
     /** Insert @p parts and bring them, and what they were split from, to their
      * cells. Collective. */
     void
