@@ -7,18 +7,15 @@
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/diagnosis/diagnosis.h>
+#include <isochor/material_points/point_domain.h>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace isochor
 {
   namespace
   {
-    /** Domains of CPDI may be so much longer than their cells: a bar with
-     * domains of half of a cell at first was right up to a stretch of 2.4. */
-    constexpr double tolerated_length = 1.2;
     /** From this share of their cells on, domains have hardly more corners than
      * the grid has nodes around them: those in rows of cells move all corners
      * alike when every other row of nodes goes too far and the next not far
@@ -60,38 +57,16 @@ namespace isochor
       const auto           &geometry = step.grid.geometry();
       double                longest  = 0;
       std::array<double, 2> volumes{}; // of long domains, of all
-      const auto            extent = [&](const unsigned int    cell,
-                              const Tensor<1, dim> &edge) {
-        double first = std::numeric_limits<double>::max(),
-               last  = std::numeric_limits<double>::lowest();
-        for (const unsigned int v : geometry.vertex_indices(cell))
-          {
-            const double place = geometry.vertices()[v] * edge;
-            first              = std::min(first, place);
-            last               = std::max(last, place);
-          }
-        return last - first; // times the edge's length
-      };
       for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
         for (unsigned int q = points.cell_start[k];
              q < points.cell_start[k + 1];
              ++q)
           {
-            double length = 0; // in that of the cell in the same direction
+            typename PointDomain<dim>::Corners corners;
             for (unsigned int c = 0; c <= dim; ++c)
-              for (unsigned int d = 0; d < c; ++d)
-                {
-                  const Tensor<1, dim> edge =
-                    points.F[q] * (points.domain[q][c] - points.domain[q][d]);
-                  double of_cell = extent(points.cell[k], edge);
-                  // tetrahedra of a mesh with other diagonals may be thin there
-                  if (edge.norm_square() > tolerated_length * of_cell)
-                    for (const unsigned int other :
-                         geometry.neighbours(points.cell[k]))
-                      if (other != SimplexGeometry<dim>::no_cell)
-                        of_cell = std::max(of_cell, extent(other, edge));
-                  length = std::max(length, edge.norm_square() / of_cell);
-                }
+              corners[c] = Point<dim>(points.F[q] * points.domain[q][c]);
+            const double length =
+              length_in_cells<dim>(corners, geometry, points.cell[k]);
             const double V = determinant(points.F[q]) * points.volume[q];
             volumes[1] += V;
             if (length > tolerated_length ||

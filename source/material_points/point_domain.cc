@@ -101,6 +101,41 @@ namespace isochor
 
 
   template <int dim>
+  double
+  length_in_cells(const typename PointDomain<dim>::Corners &corners,
+                  const SimplexGeometry<dim>               &geometry,
+                  const unsigned int                        cell)
+  {
+    const auto extent = [&](const unsigned int of, const Tensor<1, dim> &edge) {
+      double first = std::numeric_limits<double>::max(),
+             last  = std::numeric_limits<double>::lowest();
+      for (const unsigned int v : geometry.vertex_indices(of))
+        {
+          const double place = geometry.vertices()[v] * edge;
+          first              = std::min(first, place);
+          last               = std::max(last, place);
+        }
+      return last - first; // times the edge's length
+    };
+    double longest = 0;
+    for (unsigned int c = 0; c <= dim; ++c)
+      for (unsigned int d = 0; d < c; ++d)
+        {
+          const Tensor<1, dim> edge  = corners[c] - corners[d];
+          double               cells = extent(cell, edge);
+          // simplices of a mesh with other diagonals may be thin there
+          if (edge.norm_square() > cells)
+            for (const unsigned int other : geometry.neighbours(cell))
+              if (other != SimplexGeometry<dim>::no_cell)
+                cells = std::max(cells, extent(other, edge));
+          longest = std::max(longest, edge.norm_square() / cells);
+        }
+    return longest;
+  }
+
+
+
+  template <int dim>
   PlaceScale<dim>
   scale_of_places(const BackgroundGrid<dim> &grid)
   {
@@ -202,6 +237,10 @@ namespace isochor
                const ArrayView<double> &);
   template Point<2>
   centroid<2>(const typename PointDomain<2>::Corners &);
+  template double
+  length_in_cells<2>(const typename PointDomain<2>::Corners &,
+                     const SimplexGeometry<2> &,
+                     const unsigned int);
   template PlaceScale<2>
   scale_of_places(const BackgroundGrid<2> &);
   template struct Ancestry<3>;
@@ -213,6 +252,10 @@ namespace isochor
                const ArrayView<double> &);
   template Point<3>
   centroid<3>(const typename PointDomain<3>::Corners &);
+  template double
+  length_in_cells<3>(const typename PointDomain<3>::Corners &,
+                     const SimplexGeometry<3> &,
+                     const unsigned int);
   template PlaceScale<3>
   scale_of_places(const BackgroundGrid<3> &);
 } // namespace isochor

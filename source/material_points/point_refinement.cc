@@ -108,21 +108,6 @@ namespace isochor
                                           materials));
       return flowing;
     }
-
-    /** Whether an edge of @p domain is longer than those, at a right angle, of
-     * a simplex that has the @p measure of its cell. */
-    template <int dim>
-    bool
-    is_longer_than_cell(const PointDomain<dim> &domain, const double measure)
-    {
-      double longest = 0;
-      for (unsigned int a = 0; a <= dim; ++a)
-        for (unsigned int b = 0; b < a; ++b)
-          longest =
-            std::max(longest,
-                     (domain.current[a] - domain.current[b]).norm_square());
-      return longest > std::pow((dim == 2 ? 2 : 6) * measure, 2. / dim);
-    }
   } // namespace
 
 
@@ -260,7 +245,9 @@ namespace isochor
             const double cell = locator.geometry().measure(domain.cell);
             return (share > 0 && domain.volume > share * cell) ||
                    (follows_flow && flowing[domain.point] &&
-                    is_longer_than_cell(domain, cell));
+                    length_in_cells<dim>(domain.current,
+                                         locator.geometry(),
+                                         domain.cell) > tolerated_length);
           },
           share > 0 ? least_points : 0));
         if constexpr (dim == 2)

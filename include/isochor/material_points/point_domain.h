@@ -56,6 +56,19 @@ namespace isochor
   Point<dim>
   centroid(const typename PointDomain<dim>::Corners &corners);
 
+  /** The longest edge of a domain with these @p corners, over how far @p cell
+   * and its neighbours extend in the direction of that edge. */
+  template <int dim>
+  double
+  length_in_cells(const typename PointDomain<dim>::Corners &corners,
+                  const SimplexGeometry<dim>               &geometry,
+                  const unsigned int                        cell);
+
+  /** From this length_in_cells() on, nodes between the corners of a domain feel
+   * nothing: a bar with domains of half of a cell at first was right up to a
+   * stretch of 2.4. */
+  constexpr double tolerated_length = 1.2;
+
   /** How places at t = 0 are told apart: by a tiny part of the extent of the
    * grid and of its smallest cell but, far from the origin, by more than what
    * coordinates are rounded to there.
