@@ -98,74 +98,89 @@ namespace isochor
 
 
 
+  PlaceTable<2>
+  DomainFlips::corners_of_poor(const std::vector<PointDomain<2>> &flowing) const
+  {
+    std::vector<double> places;
+    for (const PointDomain<2> &domain : flowing)
+      if (quality(domain.current) < poor)
+        for (const Point<2> &corner : domain.current)
+          places.insert(places.end(), {corner[0], corner[1]});
+    PlaceTable<2> corners(scale_of_places(grid));
+    for (const auto &of_rank : all_gather_arrays(grid.communicator(), places))
+      for (std::size_t i = 0; i < of_rank.size(); i += 2)
+        corners.find_or_add(Point<2>(of_rank[i], of_rank[i + 1]));
+    return corners;
+  }
+
+
+
   void
   DomainFlips::collect()
   {
-    const PointLayout                          &l     = points.layout();
-    const MPI_Comm                              comm  = grid.communicator();
-    const PlaceScale<2>                         scale = scale_of_places(grid);
-    std::vector<double>                         values;
-    const auto                                  domains = point_domains(points);
-    std::vector<Particles::ParticleIterator<2>> flowing;
-    std::vector<unsigned int>                   numbers;
-    const auto add_corners = [&](const PointDomain<2> &domain) {
-      for (const Point<2> &corner : domain.current)
-        values.insert(values.end(), {corner[0], corner[1]});
-    };
+    const PointLayout                          &l = points.layout();
+    std::vector<Particles::ParticleIterator<2>> particles;
+    std::vector<PointDomain<2>>                 flowing;
     auto particle = points.handler().begin();
-    for (unsigned int i = 0; i < domains.size(); ++i, ++particle)
-      if (is_flowing<2>(particle->get_properties().data(), l, materials))
-        {
-          flowing.push_back(particle);
-          numbers.push_back(i);
-          if (quality(domains[i].current) < poor)
-            add_corners(domains[i]);
-        }
-    PlaceTable<2> corners(scale);
-    for (const auto &of_rank : all_gather_arrays(comm, values))
-      for (std::size_t i = 0; i < of_rank.size(); i += 2)
-        corners.find_or_add(Point<2>(of_rank[i], of_rank[i + 1]));
-    values.clear();
+    for (const PointDomain<2> &domain : point_domains(points))
+      {
+        if (is_flowing<2>(particle->get_properties().data(), l, materials))
+          {
+            particles.push_back(particle);
+            flowing.push_back(domain);
+          }
+        ++particle;
+      }
+    PlaceTable<2> corners = corners_of_poor(flowing);
     if (corners.size() == 0)
       return;
+    std::vector<double> values;
     for (unsigned int i = 0; i < flowing.size(); ++i)
       {
-        const PointDomain<2> &domain = domains[numbers[i]];
-        if (std::count_if(domain.current.begin(),
-                          domain.current.end(),
-                          [&](const Point<2> &corner) {
-                            return corners.find(corner) != PlaceTable<2>::none;
-                          }) < 2)
+        const auto &places = flowing[i].current;
+        if (std::count_if(places.begin(), places.end(), [&](const auto &place) {
+              return corners.find(place) != PlaceTable<2>::none;
+            }) < 2)
           continue;
-        own.push_back(flowing[i]);
-        add_corners(domain);
-        values.push_back(points.body_of(*flowing[i]));
-        values.push_back(domain.outer_faces);
-        const auto properties = flowing[i]->get_properties();
+        own.push_back(particles[i]);
+        for (const Point<2> &corner : places)
+          values.insert(values.end(), {corner[0], corner[1]});
+        values.push_back(points.body_of(*particles[i]));
+        values.push_back(flowing[i].outer_faces);
+        const auto properties = particles[i]->get_properties();
         values.insert(values.end(), properties.begin(), properties.end());
       }
-    const auto         of_ranks = all_gather_arrays(comm, values);
-    const unsigned int rank     = Utilities::MPI::this_mpi_process(comm);
-    for (unsigned int r = 0; r < of_ranks.size(); ++r)
+    const auto of_ranks = all_gather_arrays(grid.communicator(), values);
+    for (unsigned int rank = 0; rank < of_ranks.size(); ++rank)
       {
-        if (r == rank)
+        if (rank == Utilities::MPI::this_mpi_process(grid.communicator()))
           first_own = triangles.size();
-        for (const double *value = of_ranks[r].data();
-             value != of_ranks[r].data() + of_ranks[r].size();)
+        add_triangles(of_ranks[rank], corners);
+      }
+  }
+
+
+
+  void
+  DomainFlips::add_triangles(const std::vector<double> &values,
+                             PlaceTable<2>             &corners)
+  {
+    const unsigned int n_properties = points.layout().n_properties;
+    for (const double *value = values.data();
+         value != values.data() + values.size();)
+      {
+        Triangle triangle;
+        for (unsigned int c = 0; c < 3; ++c, value += 2)
           {
-            Triangle triangle;
-            for (unsigned int c = 0; c < 3; ++c, value += 2)
-              {
-                triangle.corners[c] = Point<2>(value[0], value[1]);
-                triangle.number[c]  = corners.find_or_add(triangle.corners[c]);
-              }
-            triangle.body        = static_cast<unsigned int>(*value++);
-            triangle.outer_faces = static_cast<unsigned int>(*value++);
-            triangle.properties.assign(value, value + l.n_properties);
-            value += l.n_properties;
-            triangles.push_back(triangle);
-            link(triangles.size() - 1, true);
+            triangle.corners[c] = Point<2>(value[0], value[1]);
+            triangle.number[c]  = corners.find_or_add(triangle.corners[c]);
           }
+        triangle.body        = static_cast<unsigned int>(*value++);
+        triangle.outer_faces = static_cast<unsigned int>(*value++);
+        triangle.properties.assign(value, value + n_properties);
+        value += n_properties;
+        triangles.push_back(triangle);
+        link(triangles.size() - 1, true);
       }
   }
 

@@ -134,7 +134,9 @@ namespace isochor
                       "points with 'Domains' into halves, together with "
                       "neighbours, so that domains go on sharing faces, others "
                       "into 4 (2D) or 5 (3D) equal parts. 0: never; on an "
-                      "adaptive grid 1.5 / 'Points per cell'.");
+                      "adaptive grid 1.5 / 'Points per cell'. (Triangles of "
+                      "material that flows are bisected anyway, where they "
+                      "become longer than their cells.)");
     prm.declare_entry("Least points per cell",
                       "0",
                       Patterns::Integer(0, 1000),
@@ -190,6 +192,26 @@ namespace isochor
 
   template <int dim>
   bool
+  PointRefinement<dim>::domains_follow_flow(
+    const MaterialPoints<dim>                   &points,
+    const BackgroundGrid<dim>                   &grid,
+    const typename PointMerging<dim>::Materials &materials) const
+  {
+    // those of the plane can be flipped, too, which alone keeps their shapes;
+    // on adaptive grids what is bisected would be merged again
+    return dim == 2 && have_to_fit && points.layout().with_domains &&
+           points.layout().mixed() && !grid.is_adaptive() &&
+           std::any_of(materials.begin(),
+                       materials.end(),
+                       [](const auto &material) {
+                         return material->dissipates();
+                       });
+  }
+
+
+
+  template <int dim>
+  bool
   PointRefinement<dim>::refine(
     MaterialPoints<dim>                         &points,
     const BackgroundGrid<dim>                   &grid,
@@ -200,9 +222,7 @@ namespace isochor
     const bool   with_domains = points.layout().with_domains;
     const double share =
       grid.is_adaptive() ? share_on_adaptive_grids : largest_share;
-    // those of the plane can be flipped as well, which alone keeps their shapes
-    const bool follows_flow =
-      dim == 2 && have_to_fit && with_domains && !grid.is_adaptive();
+    const bool follows_flow = domains_follow_flow(points, grid, materials);
     if (share == 0 && !follows_flow)
       return false;
     const auto n_before = n_added + n_removed;

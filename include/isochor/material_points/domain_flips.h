@@ -42,9 +42,9 @@ namespace isochor
    * in the mean only.
    *
    * The quality of a triangle is 4√3 A / Σ l², 1 if it is equilateral (Bank,
-   * PLTMG, 1998). All ranks do the same with those that are poor and their
-   * neighbours, in an order that their places give, so that it does not matter
-   * whose they are.
+   * PLTMG, 1998). All ranks do the same, with all triangles that are poor and
+   * their neighbours, the worst first, so that it does not matter whose they
+   * are.
    */
   class DomainFlips
   {
@@ -86,10 +86,17 @@ namespace isochor
 
     Edge
     edge(const Triangle &triangle, const unsigned int opposite) const;
-    /** The triangles that are poor on any rank, and what shares an edge with
-     * them. Collective. */
+    /** The corners of those of the @p flowing domains that are poor, on all
+     * ranks. Collective. */
+    PlaceTable<2>
+    corners_of_poor(const std::vector<PointDomain<2>> &flowing) const;
+    /** Find the triangles that are poor on any rank, and what shares an edge
+     * with them. Collective. */
     void
     collect();
+    /** What collect() brought from a rank. */
+    void
+    add_triangles(const std::vector<double> &values, PlaceTable<2> &corners);
     /** Let @p triangle be known at its edges, or no longer. */
     void
     link(const unsigned int triangle, const bool is_there);
@@ -113,7 +120,7 @@ namespace isochor
     const BackgroundGrid<2> &grid;
     const Materials         &materials;
     std::vector<Triangle>    triangles;
-    unsigned int             first_own = 0; ///< the number of
+    unsigned int             first_own = 0; ///< its number
     /** The points of this rank among the triangles. */
     std::vector<Particles::ParticleIterator<2>> own;
     std::map<Edge, std::set<unsigned int>>      sides; ///< by edge: triangles

@@ -36,7 +36,9 @@ namespace isochor
    * Domains of points are bisected, and those of neighbours with them, so that
    * they go on sharing whole faces (DomainBisection): they fill the old ones,
    * so that volume, mass, momentum, centre and second moment are conserved
-   * whatever their shape.
+   * whatever their shape. In the plane those of material that flows are also
+   * bisected where they become longer than their cells, and then flipped
+   * (DomainFlips).
    */
   template <int dim>
   class PointRefinement
@@ -90,6 +92,12 @@ namespace isochor
       std::vector<double> properties;
     };
 
+    /** Whether domains of what flows are bisected and flipped. */
+    bool
+    domains_follow_flow(
+      const MaterialPoints<dim>                   &points,
+      const BackgroundGrid<dim>                   &grid,
+      const typename PointMerging<dim>::Materials &materials) const;
     /** Split points without domains; those with more than @p share of their
      * cell become smaller. What they have lost. */
     std::vector<NewPoint>
