@@ -53,8 +53,11 @@ def at(time, column, factor=1):
 
 def mean_after(time, column, factor):
     def value(columns):
-        values = abs(columns[column][columns["Time (s)"] > time])
-        return factor * values.mean() if len(values) else float("nan")
+        is_after = columns["Time (s)"] > time
+        if not is_after.any():
+            return float("nan")
+        weights = columns["Step size (s)"][is_after]  # of cut steps, too
+        return factor * np.average(abs(columns[column][is_after]), weights=weights)
 
     return value
 

@@ -41,9 +41,11 @@ namespace isochor
   template <int dim>
   DomainBisection<dim>::DomainBisection(std::vector<PointDomain<dim>> &&all,
                                         const PlaceScale<dim>          &scale,
+                                        const bool                      flipped,
                                         const MPI_Comm                  comm,
                                         const DomainCondition &may_be_shared)
     : domains(std::move(all))
+    , flipped(flipped)
     , comm(comm)
     , may_be_shared(may_be_shared)
     , table(scale)
@@ -69,10 +71,10 @@ namespace isochor
     Edges edges;
     for (unsigned int e = 0; e < n_edges; ++e)
       {
-        const auto [a, b] = edge_corners<dim>[e];
-        const Point<dim> middle =
-          domain.current[a] + (domain.current[b] - domain.current[a]) / 2;
-        edges[e] = table.find_or_add(middle);
+        const auto [a, b]        = edge_corners<dim>[e];
+        const auto      &corners = flipped ? domain.current : domain.reference;
+        const Point<dim> middle  = corners[a] + (corners[b] - corners[a]) / 2;
+        edges[e]                 = table.find_or_add(middle);
         // lengths that are equal but for rounding have to be equal; domains of
         // neighbours may differ about it, the longest counts
         const double length = std::floor(

@@ -90,6 +90,7 @@ namespace isochor
                 const typename DomainBisection<dim>::DomainCondition &is_large,
                 const PointLocator<dim>                              &locator,
                 const PlaceScale<dim>                                &scale,
+                const bool                                            flipped,
                 SparseCells<dim>                                     &sparse,
                 const MPI_Comm                                        comm)
     {
@@ -106,6 +107,7 @@ namespace isochor
         cells_near_other_ranks(locator.geometry(), comm);
       DomainBisection<dim> bisection(std::move(taking_part),
                                      scale,
+                                     flipped,
                                      comm,
                                      [&](const PointDomain<dim> &domain) {
                                        return is_near_others[domain.cell] != 0;
@@ -139,6 +141,7 @@ namespace isochor
     const BackgroundGrid<dim>           &grid,
     const PointLocator<dim>             &locator,
     const IsLarge                       &is_large,
+    const bool                           flipped,
     const unsigned int                   least) const
   {
     const MPI_Comm            comm = grid.communicator();
@@ -162,6 +165,7 @@ namespace isochor
                               is_large,
                               locator,
                               scale_of_places(grid),
+                              flipped,
                               sparse,
                               comm);
     };
@@ -198,9 +202,11 @@ namespace isochor
     const BackgroundGrid<dim>           &grid,
     const PointLocator<dim>             &locator,
     const IsLarge                       &is_large,
+    const bool                           flipped,
     const unsigned int                   least) const
   {
-    const auto parts = bisect_domains(domains, grid, locator, is_large, least);
+    const auto parts =
+      bisect_domains(domains, grid, locator, is_large, flipped, least);
     std::vector<NewPoint> added;
     // the parts of a point follow each other; the first is what remains of
     // it
@@ -246,6 +252,7 @@ namespace isochor
                                     const BackgroundGrid<2> &,
                                     const PointLocator<2> &,
                                     const IsLarge &,
+                                    const bool,
                                     const unsigned int) const;
   template std::vector<typename PointRefinement<3>::NewPoint>
   PointRefinement<3>::split_domains(MaterialPoints<3> &,
@@ -253,5 +260,6 @@ namespace isochor
                                     const BackgroundGrid<3> &,
                                     const PointLocator<3> &,
                                     const IsLarge &,
+                                    const bool,
                                     const unsigned int) const;
 } // namespace isochor

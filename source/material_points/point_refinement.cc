@@ -108,6 +108,15 @@ namespace isochor
                                           materials));
       return flowing;
     }
+
+    template <int dim>
+    bool
+    is_long(const PointDomain<dim>     &domain,
+            const SimplexGeometry<dim> &geometry)
+    {
+      return length_in_cells<dim>(domain.current, geometry, domain.cell) >
+             tolerated_length;
+    }
   } // namespace
 
 
@@ -222,8 +231,8 @@ namespace isochor
     const bool   with_domains = points.layout().with_domains;
     const double share =
       grid.is_adaptive() ? share_on_adaptive_grids : largest_share;
-    const bool follows_flow = domains_follow_flow(points, grid, materials);
-    if (share == 0 && !follows_flow)
+    const bool follows = domains_follow_flow(points, grid, materials);
+    if (share == 0 && !follows)
       return false;
     const auto n_before = n_added + n_removed;
     // first, since splitting has the last word on how many are needed
@@ -253,30 +262,28 @@ namespace isochor
     };
     if (with_domains)
       {
-        const std::vector<unsigned char> flowing =
-          follows_flow ? find_flowing(points, materials) :
-                         std::vector<unsigned char>();
-        insert_parts(split_domains(
-          points,
-          has_merged ? std::move(domains) : point_domains(points),
-          grid,
-          locator,
-          [&](const PointDomain<dim> &domain) {
-            const double cell = locator.geometry().measure(domain.cell);
-            return (share > 0 && domain.volume > share * cell) ||
-                   (follows_flow && flowing[domain.point] &&
-                    length_in_cells<dim>(domain.current,
-                                         locator.geometry(),
-                                         domain.cell) > tolerated_length);
-          },
-          share > 0 ? least_points : 0));
+        const auto flowing  = find_flowing(points, materials);
+        const auto is_large = [&](const PointDomain<dim> &domain) {
+          const auto &geometry = locator.geometry();
+          return (share > 0 &&
+                  domain.volume > share * geometry.measure(domain.cell)) ||
+                 (follows && flowing[domain.point] &&
+                  is_long(domain, geometry));
+        };
+        insert_parts(
+          split_domains(points,
+                        has_merged ? std::move(domains) : point_domains(points),
+                        grid,
+                        locator,
+                        is_large,
+                        follows,
+                        share > 0 ? least_points : 0));
         if constexpr (dim == 2)
-          if (follows_flow && DomainFlips(points, grid, materials).flip() > 0)
+          if (follows && DomainFlips(points, grid, materials).flip() > 0)
             points.relocate(locator);
       }
     else
-      // parts may still be too large; bounded, since each round divides by
-      // four
+      // parts may still be too large; bounded, as each is a fourth or fifth
       for (unsigned int round = 0; round < 8; ++round)
         if (!insert_parts(split(points, locator, share)))
           break;

@@ -37,10 +37,14 @@ namespace isochor
     using DomainCondition = std::function<bool(const PointDomain<dim> &)>;
 
     /** @p domains of the points of this rank that take part; others stay
-     * whole, even beside these. Their places are told apart by @p scale; those for which @p may_be_shared is false share no edge with
-     * one of another rank. Collective. */
+     * whole, even beside these. Their corners are told apart, by @p scale, by
+     * where they were at t = 0 or, if they are @p flipped at times, which
+     * leaves no common place at t = 0, by where they are. Those for which @p
+     * may_be_shared is false share no edge with one of another rank.
+     * Collective. */
     DomainBisection(std::vector<PointDomain<dim>> &&domains,
                     const PlaceScale<dim>          &scale,
+                    const bool                      flipped,
                     const MPI_Comm                  comm,
                     const DomainCondition          &may_be_shared);
 
@@ -112,6 +116,7 @@ namespace isochor
 
     std::vector<PointDomain<dim>> domains;
     std::vector<Edges>            edges_of; ///< by domain
+    const bool                    flipped;
     const MPI_Comm                comm;
     const DomainCondition         may_be_shared;
     PlaceTable<dim>               table;   ///< of the edges' middles

@@ -105,13 +105,15 @@ namespace isochor
           const PointLocator<dim> &locator,
           const double             share) const;
     /** Split points with @p domains that are large, and where cells have fewer
-     * than @p least points; what was added to the points. Collective. */
+     * than @p least points; whether they are @p flipped at times. What was
+     * added to the points. Collective. */
     std::vector<NewPoint>
     split_domains(MaterialPoints<dim>                 &points,
                   const std::vector<PointDomain<dim>> &domains,
                   const BackgroundGrid<dim>           &grid,
                   const PointLocator<dim>             &locator,
                   const IsLarge                       &is_large,
+                  const bool                           flipped,
                   const unsigned int                   least) const;
     /** The parts of those of the @p domains of all points that have been
      * bisected, in their order. Collective. */
@@ -120,6 +122,7 @@ namespace isochor
                    const BackgroundGrid<dim>           &grid,
                    const PointLocator<dim>             &locator,
                    const IsLarge                       &is_large,
+                   const bool                           flipped,
                    const unsigned int                   least) const;
     /** Insert @p parts and bring them, and what they were split from, to their
      * cells. Collective. */
