@@ -3,10 +3,9 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 
-// Soil flows past the edge of a rigid footing, which a strip of material two
-// cells wide cannot do with the triangles that it had at t = 0: they are
-// flipped and bisected, det F stays near 1, no step is cut, and mass is what it
-// was.
+// Soil flows past the edge of a rigid footing. With the triangles of t = 0
+// Newton's method fails there at a settlement of 0.66 m; as they are bisected
+// and flipped no step is cut, det F stays near 1, and the mass is kept.
 
 #include "run_scene.h"
 
@@ -17,6 +16,7 @@ namespace
   void
   test_footing(const std::string &name,
                const double       volume,
+               const double       largest_change,
                const std::string &more)
   {
     const auto problem = test::run_scene<2>(
@@ -46,10 +46,10 @@ namespace
                       1e-12);
     test::check_error(name + ", smallest det F",
                       1 - test::get(*problem, "Smallest J"),
-                      0.25);
+                      largest_change);
     test::check_error(name + ", largest det F",
                       test::get(*problem, "Largest J") - 1,
-                      0.2);
+                      largest_change);
     test::check_error(name + ", cut steps",
                       test::get(*problem, "Step cuts"),
                       0.5);
@@ -62,8 +62,9 @@ int
 main(int argc, char **argv)
 {
   test::MPISession mpi(argc, argv);
-  test_footing("plane", 9, "");
+  test_footing("plane", 9, 0.12, "");
   test_footing("axisymmetric",
                27 * test::pi,
+               0.2,
                "Formulation/Geometry = axisymmetric\n");
 }

@@ -23,7 +23,8 @@ namespace
               const std::string &end)
   {
     const std::string scene = box + "Material points/Region = " + regions +
-                              "\nMaterial/Model = J2\n"
+                              "\nQuadrature/Type = CPDI\n"
+                              "Material/Model = J2\n"
                               "Material/Young modulus = 100\n"
                               "Material/Poisson ratio = 0.49\n"
                               "Material/Density = 1\n"

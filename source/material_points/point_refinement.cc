@@ -98,10 +98,13 @@ namespace isochor
     /** By point: whether its domain may change. */
     template <int dim>
     std::vector<unsigned char>
-    find_flowing(const MaterialPoints<dim>                   &points,
+    find_flowing(const bool                                   is_needed,
+                 const MaterialPoints<dim>                   &points,
                  const typename PointMerging<dim>::Materials &materials)
     {
       std::vector<unsigned char> flowing;
+      if (!is_needed)
+        return flowing;
       for (const auto &particle : points.handler())
         flowing.push_back(is_flowing<dim>(particle.get_properties().data(),
                                           points.layout(),
@@ -262,7 +265,7 @@ namespace isochor
     };
     if (with_domains)
       {
-        const auto flowing  = find_flowing(points, materials);
+        const auto flowing  = find_flowing(follows, points, materials);
         const auto is_large = [&](const PointDomain<dim> &domain) {
           const auto &geometry = locator.geometry();
           return (share > 0 &&
