@@ -135,6 +135,7 @@ struct RandomElement
         point.commit(F_increment);
       }
     points.F.push_back(point.F);
+    points.shear_stress.push_back(G * std::abs(random()));
     point.history_n.resize(points.n_history);
     points.history.insert(points.history.end(),
                           point.history_n.begin(),

@@ -337,6 +337,8 @@ namespace isochor
         points.history.insert(points.history.end(),
                               history.begin(),
                               history.end());
+        if (!points.shear_stress.empty())
+          points.shear_stress.push_back(0);
         if (!points.velocity.empty())
           {
             points.velocity.emplace_back();

@@ -266,6 +266,7 @@ namespace isochor
     arrays.radius.resize(point_layout.axisymmetric ? n : 0);
     arrays.material.resize(n);
     arrays.history.resize(n * std::size_t(point_layout.n_history));
+    arrays.shear_stress.resize(point_layout.n_history > 0 ? n : 0);
     arrays.velocity.resize(point_layout.dynamic ? n : 0);
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
@@ -381,6 +382,9 @@ namespace isochor
       arrays.history.data() + q * std::size_t(l.n_history);
     for (unsigned int i = 0; i < l.n_history; ++i)
       history[i] = properties[l.history + i];
+    if (l.n_history > 0)
+      arrays.shear_stress[q] =
+        deviator(load_symmetric<dim>(&properties[l.stress])).norm();
     if (l.dynamic)
       for (unsigned int d = 0; d < dim; ++d)
         {

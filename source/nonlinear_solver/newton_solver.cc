@@ -35,10 +35,11 @@ namespace isochor
       "If it fails from there, it starts again from zero.");
     prm.declare_entry(
       "Maximum iterations",
-      "15",
+      "40",
       Patterns::Integer(1),
       "A step that needs more iterations (those with a new factorisation "
-      "count) has failed and is cut back.");
+      "count) has failed and is cut back. Where perfectly plastic material "
+      "flows past an edge, some take 40.");
     prm.declare_entry(
       "Reuse factorisation",
       "0.1",
@@ -51,7 +52,7 @@ namespace isochor
       "linear solvers always get the present matrix.");
     prm.declare_entry(
       "Maximum backtracks",
-      "4",
+      "8",
       Patterns::Integer(0),
       "How many times a correction may be halved that enlarges the residual "
       "or turns a point inside out (the line search).");

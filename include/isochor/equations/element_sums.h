@@ -91,9 +91,9 @@ namespace isochor
       std::array<double, max_nodes * max_nodes> compressibility{};
 
       /** Of Element::start_weight: Σ V s_n (1 - m) (p - p_n) and
-       * Σ V N_I s_n. */
+       * Σ V N_I s_n, Σ V N_I s. */
       double                        at_start = 0;
-      std::array<double, max_nodes> s_at_start{};
+      std::array<double, max_nodes> s_at_start{}, s_at_end{};
 
       /** Σ V N_I ∂(dev τ)/∂p, of laws that depend on p. */
       bool                              pressure_dependent = false;
@@ -118,7 +118,8 @@ namespace isochor
         spherical_change += V * p * factor.Js_prime;
       }
 
-      /** In the u form p = K θ^e changes with the displacement. */
+      /** Of a pressure that changes with θ^e: in the u form p = K θ^e, in u-p
+       * what MixedKernel::unseen_stiffness() adds. */
       void
       add_bulk_stiffness(const StressResponse<dim> &response,
                          const double               V_K_s)
@@ -129,12 +130,15 @@ namespace isochor
               V_K_s * response.volumetric_tangent.access_raw_entry(j);
       }
 
-      /** A point's share of the pressure equation. @p N: its shape values. */
+      /** A point's share of the pressure equation, with its @p excess
+       * e = θ^e - p/K and @p kappa (MixedKernel::unseen_stiffness()). @p N:
+       * its shape values. */
       template <typename Shape>
       void
       add_constraint(const StressResponse<dim> &response,
                      const double               V,
-                     const double               p,
+                     const double               excess,
+                     const double               kappa,
                      const double               inverse_K,
                      const PressureFactor      &factor,
                      const bool                 depends_on_pressure,
@@ -142,18 +146,18 @@ namespace isochor
                      const Shape               &N,
                      const bool                 with_matrix)
       {
-        const double excess = response.volumetric_strain - p * inverse_K;
         const double compliance =
           inverse_K -
           (depends_on_pressure ? response.volumetric_pressure_tangent : 0.);
+        const double seen  = 1 - kappa * inverse_K;
         pressure_dependent = pressure_dependent || depends_on_pressure;
         for (unsigned int I = 0; I < n_nodes; ++I)
           {
-            const double VN = V * N(I);
+            const double VN = V * seen * N(I);
             constraint[I] += VN * excess;
             if (!with_matrix)
               continue;
-            s[I] += VN * factor.s;
+            s[I] += V * N(I) * (1 - kappa * compliance) * factor.s;
             for (unsigned int i = 0; i < n; ++i)
               volumetric_tangent[I][i] +=
                 VN * response.volumetric_tangent.access_raw_entry(i);
@@ -162,7 +166,8 @@ namespace isochor
             if (depends_on_pressure)
               for (unsigned int i = 0; i < n; ++i)
                 pressure_tangent[I][i] +=
-                  VN * response.deviatoric_pressure_tangent.access_raw_entry(i);
+                  V * N(I) *
+                  response.deviatoric_pressure_tangent.access_raw_entry(i);
           }
       }
 
@@ -170,13 +175,17 @@ namespace isochor
       template <typename Shape>
       void
       add_at_start(const double       V_s_n,
+                   const double       V_s,
                    const double       pressure_change,
                    const unsigned int n_nodes,
                    const Shape       &N)
       {
         at_start += V_s_n * pressure_change;
         for (unsigned int I = 0; I < n_nodes; ++I)
-          s_at_start[I] += V_s_n * N(I);
+          {
+            s_at_start[I] += V_s_n * N(I);
+            s_at_end[I] += V_s * N(I);
+          }
       }
 
       /** Add p's parts to stress and modulus. */

@@ -83,10 +83,11 @@ namespace isochor
    * With V_p the reference volume a point integrates, τ = dev τ + p s 1 the
    * Kirchhoff stress, g_I = ΔF^{-T} ∇_n N_I the spatial gradient of N_I:
    *
-   *   R_u,I = Σ_p V_p τ g_I                                (P(12), P(18))
-   *   R_p,I = Σ_p V_p N_I (θ^e - p/K)                      (doc/method.md)
+   *   R_u,I = Σ_p V_p (τ + κ e s 1) g_I                    (P(12), P(18))
+   *   R_p,I = Σ_p V_p N_I (1 - κ/K) e,  e = θ^e - p/K      (doc/method.md)
    *
-   * u: p = K θ^e at the point. u-p: p = Σ_I N_I p_I. Tension is positive.
+   * u: p = K θ^e at the point, κ = 0. u-p: p = Σ_I N_I p_I, κ =
+   * unseen_stiffness(). Tension is positive.
    * In dynamics a step takes a mean of the forces at its start and its end,
    * with the weights 1 - m and m (TimeIntegrator::end_weight()). Of pressures
    * that is to be p̄ times the mean of ∇θ, with the mean p̄ of p: their part of
@@ -99,7 +100,7 @@ namespace isochor
    * of the order of a step's strain.
    * In u-p a law whose strength depends on p is evaluated at that p, so that τ
    * is on its yield surface. Without such laws both are the derivatives of
-   *   Π = Σ_p V_p [ W_dev(ΔF F_n) + p (θ - b) - p²/(2K) ],
+   *   Π = Σ_p V_p [ W_dev(ΔF F_n) + p θ - p²/(2K) + κ e²/2 ],
    * so that the matrix is symmetric and 1/K = 0 allowed.
    */
   template <int dim>
@@ -308,6 +309,23 @@ namespace isochor
     double
     pressure_factor_at_start(const PointArrays<dim> &points,
                              const unsigned int      q) const;
+
+    /**
+     * κ (Pa), what point @p q of a law that dissipates resists to volume that
+     * no node sees: the shear stress that it has at the start of the step, in
+     * series with K. See doc/method.md, Volume in long flows.
+     */
+    double
+    unseen_stiffness(const PointArrays<dim> &points, const unsigned int q) const
+    {
+      if (points.shear_stress.empty())
+        return 0;
+      const MaterialModel<dim> &material = *materials[points.material[q]];
+      const double              stress   = points.shear_stress[q];
+      return material.dissipates() ?
+               stress / (1 + stress * material.inverse_bulk_modulus()) :
+               0;
+    }
 
     /** S_e,IJ = α/G V (M_IJ - 1/(d+1)²) of a cell. */
     double

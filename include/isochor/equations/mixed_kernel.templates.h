@@ -103,8 +103,8 @@ namespace isochor
               times(sums.volumetric_tangent[I], g[J]);
             Tensor<1, dim> force = sums.s[J] * g[I];
             if (w > 0)
-              force =
-                (1 - w) * force + w * sums.s_at_start[J] * element.gradient[I];
+              force += w * (sums.s_at_start[J] * element.gradient[I] -
+                            sums.s_at_end[J] * g[I]);
             if (sums.pressure_dependent)
               force += times(sums.pressure_tangent[J], g[I]);
             for (unsigned int a = 0; a < dim; ++a)
@@ -178,7 +178,7 @@ namespace isochor
                 if (!packs)
                   packs.emplace(kinematics);
                 const EvaluationStatus status = packs->template add<mixed>(
-                  points, q, last, law, n, element.pressure, shape);
+                  *this, points, q, last, law, n, element.pressure, shape);
                 if (status != EvaluationStatus::success)
                   return status;
                 element.compliance.add(V * law.inverse_G, law.density);
@@ -215,16 +215,24 @@ namespace isochor
         const double change = element.pressure_change(N);
         if (element.start_weight > 0)
           sums.add_at_start(V * pressure_factor_at_start(points, q),
+                            V * factor.s,
                             change,
                             n,
                             N);
-        sums.add_stress(response, V, p - change, factor, with_matrix);
-        if (!mixed && with_matrix)
-          sums.add_bulk_stiffness(response, V * factor.s / inverse_K);
+        const double kappa = mixed ? unseen_stiffness(points, q) : 0.,
+                     excess =
+                       mixed ? response.volumetric_strain - p * inverse_K : 0.;
+        sums.add_stress(
+          response, V, p - change + kappa * excess, factor, with_matrix);
+        if ((!mixed || kappa > 0) && with_matrix)
+          sums.add_bulk_stiffness(response,
+                                  V * factor.s *
+                                    (mixed ? kappa : 1 / inverse_K));
         if (mixed)
           sums.add_constraint(response,
                               V,
-                              p,
+                              excess,
+                              kappa,
                               inverse_K,
                               factor,
                               law.depends_on_pressure,

@@ -124,20 +124,23 @@ namespace isochor
       add_coupling(const StressResponse<strain_dim> &response,
                    const double                      V,
                    const double                      s,
+                   const double                      kappa,
                    const double                      inverse_K,
                    const bool                        pressure_dependent)
       {
-        SymmetricTensor<2, strain_dim> force =
-          (V * s) * unit_symmetric_tensor<strain_dim>();
-        const SymmetricTensor<2, strain_dim> volume =
-          V * response.volumetric_tangent;
-        double compressibility = V * inverse_K;
+        double compliance = inverse_K;
         if (pressure_dependent)
-          {
-            force += V * response.deviatoric_pressure_tangent;
-            compressibility -= V * response.volumetric_pressure_tangent;
-          }
-        const unsigned int n_dofs = element.n_dofs();
+          compliance -= response.volumetric_pressure_tangent;
+        SymmetricTensor<2, strain_dim> force =
+          (V * s * (1 - kappa * compliance)) *
+          unit_symmetric_tensor<strain_dim>();
+        if (pressure_dependent)
+          force += V * response.deviatoric_pressure_tangent;
+        const double                         seen = V * (1 - kappa * inverse_K);
+        const SymmetricTensor<2, strain_dim> volume =
+          seen * response.volumetric_tangent;
+        const double       compressibility = seen * compliance;
+        const unsigned int n_dofs          = element.n_dofs();
         for (unsigned int I = 0; I < element.nodes(); ++I)
           for (unsigned int J = 0; J < element.nodes(); ++J)
             {
@@ -282,25 +285,28 @@ namespace isochor
             }
           sum.set_strains();
 
-          const auto   one = unit_symmetric_tensor<strain_dim>();
-          const double p_force =
-            p - element.pressure_change(
-                  [&](const unsigned int I) { return stencil.shape[I]; });
+          const auto   one    = unit_symmetric_tensor<strain_dim>();
+          const double kappa  = mixed ? kernel.unseen_stiffness(points, q) : 0.,
+                       excess = mixed ?
+                                  response.volumetric_strain - p * inverse_K :
+                                  0.,
+                       change =
+                         element.pressure_change([&](const unsigned int I) {
+                           return stencil.shape[I];
+                         }),
+                       p_force = p - change + kappa * excess;
           SymmetricTensor<2, strain_dim> stress =
             (V * p_force * factor.s) * one;
           for (unsigned int i = 0; i < strain_dim; ++i)
             for (unsigned int j = i; j < strain_dim; ++j)
               stress[i][j] += V * response.deviatoric_stress[i][j];
-          sum.add_residual(stress,
-                           mixed ?
-                             V * (response.volumetric_strain - p * inverse_K) :
-                             0.);
+          sum.add_residual(stress, V * (1 - kappa * inverse_K) * excess);
           if (element.start_weight > 0)
             sum.add_at_start(stencil.gradient,
                              hoop ? points.radius[q] : 1.,
                              V * factor.s,
                              V * kernel.pressure_factor_at_start(points, q),
-                             p - p_force,
+                             change,
                              with_matrix && !kernel.upper_blocks_only);
           if (!with_matrix)
             continue;
@@ -308,13 +314,16 @@ namespace isochor
             V * response.tangent +
             (V * p_force * factor.Js_prime) * outer_product(one, one) -
             (2 * V * p_force * factor.s) * identity_tensor<strain_dim>();
-          if (!mixed) // p = K θ^e changes with the displacement
-            modulus += outer_product((V * factor.s / inverse_K) * one,
-                                     response.volumetric_tangent);
+          // p = K θ^e, or κ e, changes with the displacement
+          if (!mixed || kappa > 0)
+            modulus +=
+              outer_product((V * factor.s * (mixed ? kappa : 1 / inverse_K)) *
+                              one,
+                            response.volumetric_tangent);
           sum.add_stiffness(stress, modulus);
           if constexpr (mixed)
             sum.add_coupling(
-              response, V, factor.s, inverse_K, pressure_dependent);
+              response, V, factor.s, kappa, inverse_K, pressure_dependent);
         }
       return EvaluationStatus::success;
     }

@@ -33,12 +33,14 @@ namespace isochor
         of_pack.with_tangent    = kinematics.with_tangent;
       }
 
-      /** Add the points [@p begin, @p end) of @p law. @p mixed and @p pressure,
-       * the nodal values of p, are those of the element, @p shape(q, I) is N_I
-       * at point q. */
+      /** Add the points [@p begin, @p end) of @p law, one of those of @p
+       * kernel.
+       * @p mixed and @p pressure, the nodal values of p, are those of the
+       * element, @p shape(q, I) is N_I at point q. */
       template <bool mixed, typename Shape>
       EvaluationStatus
-      add(const PointArrays<dim>              &points,
+      add(const MixedKernel<dim>              &kernel,
+          const PointArrays<dim>              &points,
           const unsigned int                   begin,
           const unsigned int                   end,
           const LawOfPoints<dim>              &law,
@@ -69,8 +71,17 @@ namespace isochor
                     N[I] = PointPack(shape(q, I), shape(r, I));
                     p += N[I] * pressure[I];
                   }
-                add_stress(V, V * p * of_pack.J);
-                add_constraint(N, V, p, law.inverse_K, n_nodes);
+                const PointPack kappa(kernel.unseen_stiffness(points, q),
+                                      kernel.unseen_stiffness(points, r)),
+                  excess = of_pack.J - 1. - p * law.inverse_K;
+                add_stress(V, V * (p + kappa * excess) * of_pack.J);
+                if (of_pack.with_tangent)
+                  bulk += V * kappa * of_pack.J * of_pack.J;
+                add_constraint(N,
+                               V * (1. - kappa * law.inverse_K),
+                               excess,
+                               law.inverse_K,
+                               n_nodes);
               }
             else
               {
@@ -168,11 +179,10 @@ namespace isochor
       inline DEAL_II_ALWAYS_INLINE void
       add_constraint(const std::array<PointPack, max_nodes> &N,
                      const PointPack                        &V,
-                     const PointPack                        &p,
+                     const PointPack                        &excess,
                      const double                            inverse_K,
                      const unsigned int                      n_nodes)
       {
-        const PointPack excess = of_pack.J - 1. - p * inverse_K;
         for (unsigned int I = 0; I < n_nodes; ++I)
           {
             const PointPack VN = V * N[I];

@@ -117,8 +117,11 @@ namespace isochor
     std::vector<unsigned char>               material; ///< its index
     /** In axisymmetry, the distance from the axis (m) at the start of the step;
      * else empty. */
-    std::vector<double>         radius;
-    std::vector<double>         history; ///< n_history values a point
+    std::vector<double> radius;
+    std::vector<double> history; ///< n_history values a point
+    /** |dev σ| (Pa) at the start of the step, of laws with a history; else
+     * empty. See MixedKernel::unseen_stiffness(). */
+    std::vector<double>         shear_stress;
     std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
     /** What F maps to the domains, relative to the points, if the layout has
      * them; and its size over that of the domain at t = 0, in each direction.
@@ -374,7 +377,7 @@ namespace isochor
         &pressure &F &material &history &velocity &acceleration &domain
           &domain_stretch &stencil_start &stencil_vertex &stencil_shape
             &stencil_gradient &domain_corners &overlapped_cells &deformed_cell
-              &n_history &radius &displacement;
+              &n_history &radius &displacement &shear_stress;
     }
   };
 } // namespace isochor

@@ -160,11 +160,11 @@ namespace isochor
             NewtonReport      &report,
             std::ostream      *log);
 
-    unsigned int max_iterations = 15;
+    unsigned int max_iterations = 40;
     /** Keep a factorisation as long as it reduces the residual by this factor
      * per iteration; 0: always factorise. */
     double       reuse_ratio    = 0.2;
-    unsigned int max_backtracks = 4;
+    unsigned int max_backtracks = 8;
     /** Whether an iterative solver may solve less accurately far from the
      * solution. */
     bool inexact = true;
