@@ -354,15 +354,6 @@ namespace isochor
               stencil_gradient.data() + begin};
     }
 
-    /** Whether @p c is in the list of cells. */
-    bool
-    contains_cell(const unsigned int c) const
-    {
-      const auto middle = cell.begin() + n_occupied_cells;
-      return std::binary_search(cell.begin(), middle, c) ||
-             std::binary_search(middle, cell.end(), c);
-    }
-
     unsigned int
     n_points() const
     {
