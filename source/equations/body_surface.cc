@@ -68,7 +68,7 @@ namespace isochor
                 (points.domain_corners.outer_faces[q] >> c &
                  meets_other_body) != 0;
               face.area      = A.norm();
-              face.stretch   = points.domain_stretch[q];
+              face.stretch   = points.domain_corners.stretch[q];
               face.normal    = A / face.area;
               face.reference = Point<dim>(points.location(geometry, k, q) -
                                           points.displacement[q]);

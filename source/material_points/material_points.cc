@@ -271,7 +271,7 @@ namespace isochor
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
     arrays.displacement.resize(point_layout.with_domains ? n : 0);
-    arrays.domain_stretch.resize(point_layout.with_domains ? n : 0);
+    arrays.domain_corners.stretch.resize(point_layout.with_domains ? n : 0);
     arrays.domain_corners.seeded_volume.resize(point_layout.with_ancestry ? n :
                                                                             0);
     arrays.domain_corners.outer_faces.resize(point_layout.with_surface ? n : 0);
@@ -314,8 +314,8 @@ namespace isochor
     const double       stretch = domain_stretch<dim>(properties.data(), l);
     for (unsigned int d = 0; d < dim; ++d)
       arrays.displacement[q][d] = properties[l.displacement + d];
-    arrays.domain_stretch[q] = stretch;
-    arrays.domain[q][0]      = Tensor<1, dim>();
+    arrays.domain_corners.stretch[q] = stretch;
+    arrays.domain[q][0]              = Tensor<1, dim>();
     for (unsigned int c = 0; c < dim; ++c)
       {
         for (unsigned int d = 0; d < dim; ++d)

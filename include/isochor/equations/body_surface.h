@@ -39,7 +39,7 @@ namespace isochor
       bool meets_other_body; ///< whether one is behind the face at t = 0
       Tensor<1, dim> normal; ///< outward, before F
       /** Before F (m^(dim-1), of the plane in axisymmetry); and the ratio of
-       * lengths there to those at t = 0 (PointArrays::domain_stretch). */
+       * lengths there to those at t = 0 (DomainCorners::stretch). */
       double area, stretch;
       /** Areas of all outer faces of the subdomain over its volume (1/m): the
        * constant of the trace inequality for functions linear on it. */

@@ -81,6 +81,9 @@ namespace isochor
      * empty on grids that don't adapt. */
     std::vector<double> seeded_volume;
 
+    /** The size of a domain over that at t = 0, in each direction. */
+    std::vector<double> stretch;
+
     /** Pairs (point, cell) for the corners, at least dim + 1 a point: the cells
      * whose nodes corners touch. */
     std::vector<std::pair<unsigned int, unsigned int>> cells;
@@ -89,7 +92,7 @@ namespace isochor
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &outer_faces &id &cells;
+      archive &outer_faces &id &cells &stretch;
     }
   };
 
@@ -124,10 +127,8 @@ namespace isochor
     std::vector<double>         shear_stress;
     std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
     /** What F maps to the domains, relative to the points, if the layout has
-     * them; and its size over that of the domain at t = 0, in each direction.
-     */
+     * them. */
     std::vector<CornerVectors<dim>> domain;
-    std::vector<double>             domain_stretch;
     /** Of the points since t = 0: at the last reset of the grid or, if the
      * layout has their surface, at the start of the step. Only if they have
      * domains. If functions are linear on these
@@ -366,9 +367,9 @@ namespace isochor
     {
       archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
         &pressure &F &material &history &velocity &acceleration &domain
-          &domain_stretch &stencil_start &stencil_vertex &stencil_shape
-            &stencil_gradient &domain_corners &overlapped_cells &deformed_cell
-              &n_history &radius &displacement &shear_stress;
+          &stencil_start &stencil_vertex &stencil_shape &stencil_gradient
+            &domain_corners &overlapped_cells &deformed_cell &n_history &radius
+              &displacement &shear_stress;
     }
   };
 } // namespace isochor
