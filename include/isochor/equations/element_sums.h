@@ -118,8 +118,8 @@ namespace isochor
         spherical_change += V * p * factor.Js_prime;
       }
 
-      /** Of a pressure that changes with θ^e: in the u form p = K θ^e, in u-p
-       * what MixedKernel::unseen_stiffness() adds. */
+      /** Of κ e (MixedKernel::unseen_stiffness()), which changes with the
+       * displacement. @p V_K_s: V κ s. */
       void
       add_bulk_stiffness(const StressResponse<dim> &response,
                          const double               V_K_s)
@@ -136,20 +136,20 @@ namespace isochor
       template <typename Shape>
       void
       add_constraint(const StressResponse<dim> &response,
+                     const LawOfPoints<dim>    &law,
                      const double               V,
                      const double               excess,
                      const double               kappa,
-                     const double               inverse_K,
                      const PressureFactor      &factor,
-                     const bool                 depends_on_pressure,
                      const unsigned int         n_nodes,
                      const Shape               &N,
                      const bool                 with_matrix)
       {
+        const bool   depends_on_pressure = law.depends_on_pressure;
         const double compliance =
-          inverse_K -
+          law.inverse_K -
           (depends_on_pressure ? response.volumetric_pressure_tangent : 0.);
-        const double seen  = 1 - kappa * inverse_K;
+        const double seen  = 1 - kappa * law.inverse_K;
         pressure_dependent = pressure_dependent || depends_on_pressure;
         for (unsigned int I = 0; I < n_nodes; ++I)
           {

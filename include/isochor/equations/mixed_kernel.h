@@ -86,8 +86,8 @@ namespace isochor
    *   R_u,I = Σ_p V_p (τ + κ e s 1) g_I                    (P(12), P(18))
    *   R_p,I = Σ_p V_p N_I (1 - κ/K) e,  e = θ^e - p/K      (doc/method.md)
    *
-   * u: p = K θ^e at the point, κ = 0. u-p: p = Σ_I N_I p_I, κ =
-   * unseen_stiffness(). Tension is positive.
+   * u-p: p = Σ_I N_I p_I, κ = unseen_stiffness(). u: p = K θ^e at the point,
+   * here as p_I = 0 and κ = K. Tension is positive.
    * In dynamics a step takes a mean of the forces at its start and its end,
    * with the weights 1 - m and m (TimeIntegrator::end_weight()). Of pressures
    * that is to be p̄ times the mean of ∇θ, with the mean p̄ of p: their part of

@@ -205,12 +205,9 @@ namespace isochor
                                    response) != StressStatus::success)
           return EvaluationStatus::return_map_failed;
 
-        const double V         = points.weight[q];
-        const double inverse_K = law.inverse_K;
+        const double V = points.weight[q], inverse_K = law.inverse_K;
         element.compliance.add(V * law.inverse_G, law.density);
         const internal::PressureFactor factor(law.measure, kinematics.J);
-        if (!mixed)
-          p = response.volumetric_strain / inverse_K;
         const auto   N      = [&](const unsigned int I) { return shape(q, I); };
         const double change = element.pressure_change(N);
         if (element.start_weight > 0)
@@ -219,26 +216,16 @@ namespace isochor
                             change,
                             n,
                             N);
-        const double kappa = mixed ? unseen_stiffness(points, q) : 0.,
-                     excess =
-                       mixed ? response.volumetric_strain - p * inverse_K : 0.;
-        sums.add_stress(
-          response, V, p - change + kappa * excess, factor, with_matrix);
-        if ((!mixed || kappa > 0) && with_matrix)
-          sums.add_bulk_stiffness(response,
-                                  V * factor.s *
-                                    (mixed ? kappa : 1 / inverse_K));
+        const double kappa =
+          mixed ? unseen_stiffness(points, q) : 1 / inverse_K;
+        const double excess  = response.volumetric_strain - p * inverse_K;
+        const double p_force = p - change + kappa * excess;
+        sums.add_stress(response, V, p_force, factor, with_matrix);
+        if (kappa > 0 && with_matrix)
+          sums.add_bulk_stiffness(response, V * factor.s * kappa);
         if (mixed)
-          sums.add_constraint(response,
-                              V,
-                              excess,
-                              kappa,
-                              inverse_K,
-                              factor,
-                              law.depends_on_pressure,
-                              n,
-                              N,
-                              with_matrix);
+          sums.add_constraint(
+            response, law, V, excess, kappa, factor, n, N, with_matrix);
       }
     if (packs)
       packs->add_to(sums, n);

@@ -272,8 +272,6 @@ namespace isochor
           const double         inverse_K = material.inverse_bulk_modulus();
           const PressureFactor factor(material.volumetric_measure(),
                                       kinematics.J);
-          if (!mixed)
-            p = response.volumetric_strain / inverse_K;
 
           const Tensor<2, dim> inverse = invert(F_increment);
           sum.N                        = stencil.shape;
@@ -285,16 +283,13 @@ namespace isochor
             }
           sum.set_strains();
 
-          const auto   one    = unit_symmetric_tensor<strain_dim>();
-          const double kappa  = mixed ? kernel.unseen_stiffness(points, q) : 0.,
-                       excess = mixed ?
-                                  response.volumetric_strain - p * inverse_K :
-                                  0.,
-                       change =
-                         element.pressure_change([&](const unsigned int I) {
-                           return stencil.shape[I];
-                         }),
-                       p_force = p - change + kappa * excess;
+          const auto   one = unit_symmetric_tensor<strain_dim>();
+          const double kappa =
+            mixed ? kernel.unseen_stiffness(points, q) : 1 / inverse_K;
+          const double excess = response.volumetric_strain - p * inverse_K;
+          const double change = element.pressure_change(
+            [&](const unsigned int I) { return stencil.shape[I]; });
+          const double                   p_force = p - change + kappa * excess;
           SymmetricTensor<2, strain_dim> stress =
             (V * p_force * factor.s) * one;
           for (unsigned int i = 0; i < strain_dim; ++i)
@@ -314,12 +309,9 @@ namespace isochor
             V * response.tangent +
             (V * p_force * factor.Js_prime) * outer_product(one, one) -
             (2 * V * p_force * factor.s) * identity_tensor<strain_dim>();
-          // p = K θ^e, or κ e, changes with the displacement
-          if (!mixed || kappa > 0)
-            modulus +=
-              outer_product((V * factor.s * (mixed ? kappa : 1 / inverse_K)) *
-                              one,
-                            response.volumetric_tangent);
+          if (kappa > 0)
+            modulus += outer_product((V * factor.s * kappa) * one,
+                                     response.volumetric_tangent);
           sum.add_stiffness(stress, modulus);
           if constexpr (mixed)
             sum.add_coupling(
