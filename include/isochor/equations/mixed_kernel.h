@@ -312,19 +312,19 @@ namespace isochor
 
     /**
      * κ (Pa), what point @p q of a law that dissipates resists to volume that
-     * no node sees: the shear stress that it has at the start of the step, in
-     * series with K. See doc/method.md, Volume in long flows.
+     * no node sees: PointArrays::shear_stress in series with K. See
+     * doc/method.md, Volume in long flows.
      */
     double
     unseen_stiffness(const PointArrays<dim> &points, const unsigned int q) const
     {
-      if (points.shear_stress.empty())
-        return 0;
-      const MaterialModel<dim> &material = *materials[points.material[q]];
-      const double              stress   = points.shear_stress[q];
-      return material.dissipates() ?
-               stress / (1 + stress * material.inverse_bulk_modulus()) :
-               0;
+      const double stress =
+        points.shear_stress.empty() ? 0. : points.shear_stress[q];
+      return stress > 0 ?
+               stress /
+                 (1 + stress *
+                        materials[points.material[q]]->inverse_bulk_modulus()) :
+               0.;
     }
 
     /** S_e,IJ = α/G V (M_IJ - 1/(d+1)²) of a cell. */

@@ -348,6 +348,7 @@ namespace isochor
     bool                       keeps_ancestry = false;
     bool                       keeps_surface  = false;
     bool                       has_one_field  = false;
+    std::vector<unsigned char> dissipates; ///< by number of the material
     PointLayout                point_layout;
     /** Another one after relocate(). */
     std::unique_ptr<Particles::ParticleHandler<dim>> particles;
