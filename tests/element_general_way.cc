@@ -195,7 +195,9 @@ test_axisymmetry()
               2 * numbers::PI * R * e.points.weight[q] *
               (G / 2 *
                  (std::pow(J, -2. / 3.) * (F.norm_square() + hoop * hoop) - 3) +
-               p * (J - 1) - p * p * iK / 2);
+               p * (J - 1) - p * p * iK / 2 +
+               kernel.unseen_stiffness(e.points, q) *
+                 std::pow(J - 1 - p * iK, 2) / 2);
           }
         return energy;
       };

@@ -244,6 +244,8 @@ namespace
       "Material/Young modulus = 1e6\n"
       "Material/Poisson ratio = 0.3\nMaterial/Density = 1\n"
       "Quadrature/Type = points\n"
+      // with the default it ends where points leave the grid
+      "Newton/Maximum iterations = 15\nNewton/Maximum backtracks = 4\n"
       "Boundary conditions/Displacement = bottom: y = 0; left: x = 0\n"
       "Boundary conditions/Gravity = 0, 1e6*t\n"
       "Time/Step size = 0.04\nTime/Minimum step size = 0.0025\n";

@@ -124,7 +124,8 @@ test_consistency()
     return endless.n_factorisations > 1 ? 0. : std::pow(0.85, x);
   });
   const NewtonReport report =
-    solve(endless, "Newton/Reuse factorisation = 0.9\n");
+    solve(endless,
+          "Newton/Reuse factorisation = 0.9\nNewton/Maximum iterations = 15\n");
   test::check("no more old matrices than iterations allowed",
               report.converged && report.n_iterations() == 17 &&
                 endless.n_factorisations == 2,
