@@ -42,7 +42,8 @@ test_materials(const std::vector<std::pair<std::string, std::string>> &laws,
 }
 
 /** R = ∂Π/∂(u, p) with Π = Σ V [ G/2 (tr b̄ - 3) + p (J - 1) - p²/(2K)
- * + κ (J - 1 - p/K)²/2 ] minus half the energy of the pressure projection, α/(2G) ∫ (p - p̃)² dv. */
+ * + κ (J - 1 - p/K)²/2 ] minus half the energy of the pressure projection,
+ * α/(2G) ∫ (p - p̃)² dv. */
 template <int dim>
 void
 test_potential()
