@@ -120,6 +120,16 @@ FLOWS = (
         full=True,
     ),
     Flow(
+        "extrusion, 16 cells on the die",
+        SCENES / "extrusion.prm",
+        (
+            ("force / slip lines', mean of t > 0.2",
+             mean_after(0.2, "Reaction x on die (N)", 1 / 257.1), "1"),
+        ),
+        mesh=("extrusion", {"n": 32}),
+        full=True,
+    ),
+    Flow(
         "rigid footing to w/B = 0.5",
         ROOT / "prm/footing_rigid/footing_rigid.prm",
         (("q/c_u", last("Force y on body by footing (N)", -2e-3), "5.94 (finite elements)"),),
