@@ -80,6 +80,19 @@ def necking(n, steps, full, kept=False):
     )
 
 
+def extrusion(cells):
+    return Flow(
+        f"extrusion, {cells} cells on the die",
+        SCENES / "extrusion.prm",
+        (
+            ("force / slip lines', mean of t > 0.2",
+             mean_after(0.2, "Reaction x on die (N)", 1 / 257.1), "1"),
+        ),
+        mesh=("extrusion", {"n": 2 * cells}),
+        full=True,
+    )
+
+
 FLOWS = (
     necking(10, 100, False),
     necking(10, 25, True),
@@ -109,26 +122,8 @@ FLOWS = (
         (("crest (m)", last("Displacement y of crest (m)"), "no reference"),),
         {"Quadrature/Type": "cell-filled"},
     ),
-    Flow(
-        "extrusion, 8 cells on the die",
-        SCENES / "extrusion.prm",
-        (
-            ("force / slip lines', mean of t > 0.2",
-             mean_after(0.2, "Reaction x on die (N)", 1 / 257.1), "1"),
-        ),
-        mesh=("extrusion", {"n": 16}),
-        full=True,
-    ),
-    Flow(
-        "extrusion, 16 cells on the die",
-        SCENES / "extrusion.prm",
-        (
-            ("force / slip lines', mean of t > 0.2",
-             mean_after(0.2, "Reaction x on die (N)", 1 / 257.1), "1"),
-        ),
-        mesh=("extrusion", {"n": 32}),
-        full=True,
-    ),
+    extrusion(8),
+    extrusion(16),
     Flow(
         "rigid footing to w/B = 0.5",
         ROOT / "prm/footing_rigid/footing_rigid.prm",
