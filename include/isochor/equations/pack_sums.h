@@ -33,8 +33,7 @@ namespace isochor
         of_pack.with_tangent    = kinematics.with_tangent;
       }
 
-      /** Add the points [@p begin, @p end) of @p law, one of those of @p
-       * kernel.
+      /** Add the points [@p begin, @p end) of @p law, a law of @p kernel.
        * @p mixed and @p pressure, the nodal values of p, are those of the
        * element, @p shape(q, I) is N_I at point q. */
       template <bool mixed, typename Shape>
