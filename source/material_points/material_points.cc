@@ -62,8 +62,10 @@ namespace isochor
       {
         n_history =
           std::max<unsigned int>(n_history, material->history_names().size());
-        dissipates.push_back(material->dissipates());
+        dissipates.push_back(mixed && material->dissipates());
       }
+    if (std::count(dissipates.begin(), dissipates.end(), 1) == 0)
+      dissipates.clear(); // none has to know its shear stress
     auto                            seeds = seeding.seeds(grid,
                                with_domains,
                                materials.size(),
@@ -270,7 +272,7 @@ namespace isochor
     arrays.radius.resize(point_layout.axisymmetric ? n : 0);
     arrays.material.resize(n);
     arrays.history.resize(n * std::size_t(point_layout.n_history));
-    arrays.shear_stress.assign(point_layout.n_history > 0 ? n : 0, 0.);
+    arrays.shear_stress.assign(dissipates.empty() ? 0 : n, 0.);
     arrays.velocity.resize(point_layout.dynamic ? n : 0);
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
@@ -386,7 +388,7 @@ namespace isochor
       arrays.history.data() + q * std::size_t(l.n_history);
     for (unsigned int i = 0; i < l.n_history; ++i)
       history[i] = properties[l.history + i];
-    if (l.n_history > 0 && dissipates[arrays.material[q]])
+    if (!dissipates.empty() && dissipates[arrays.material[q]])
       arrays.shear_stress[q] =
         deviator(load_symmetric<dim>(&properties[l.stress])).norm();
     if (l.dynamic)

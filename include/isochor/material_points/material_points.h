@@ -348,7 +348,9 @@ namespace isochor
     bool                       keeps_ancestry = false;
     bool                       keeps_surface  = false;
     bool                       has_one_field  = false;
-    std::vector<unsigned char> dissipates; ///< by number of the material
+    /** By number of the material, in u-p: whether it dissipates; empty if none
+     * does. */
+    std::vector<unsigned char> dissipates;
     PointLayout                point_layout;
     /** Another one after relocate(). */
     std::unique_ptr<Particles::ParticleHandler<dim>> particles;

@@ -123,7 +123,8 @@ namespace isochor
     std::vector<double> radius;
     std::vector<double> history; ///< n_history values a point
     /** |dev σ| (Pa) at the start of the step, of laws that dissipate, else 0;
-     * empty if there is no history. See MixedKernel::unseen_stiffness(). */
+     * empty if there are none, and in form u. See
+     * MixedKernel::unseen_stiffness(). */
     std::vector<double>         shear_stress;
     std::vector<Tensor<1, dim>> velocity, acceleration; ///< in dynamics
     /** What F maps to the domains, relative to the points, if the layout has
