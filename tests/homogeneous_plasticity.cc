@@ -51,44 +51,13 @@ sheared_neo_hookean(const unsigned int n_steps, const double increment)
            G * gamma}};
 }
 
-/** J2: trial state b <- f b fᵀ, radial return of G dev b to √(2/3) σ_Y, and of
- * b to determinant 1. Components xx, yy, zz, xy. */
+/** Tresca and J2: z neither strains nor flows; the elastic stretch in the plane
+ * is exp(±ε) at the angle α of the trial state b <- f b fᵀ, ε <= k/(2G) with
+ * the shear strength k, τ_1 = -τ_2 = 2Gε. Components xx, yy, zz, xy. */
 Stress
-sheared_j2(const unsigned int n_steps, const double h)
-{
-  Stress b = {{1, 1, 1, 0}}, s{};
-  for (unsigned int step = 0; step < n_steps; ++step)
-    {
-      b[0] += 2 * h * b[3] + h * h * b[1];
-      b[3] += h * b[1];
-      const double mean = (b[0] + b[1] + b[2]) / 3;
-      for (unsigned int i = 0; i < 4; ++i)
-        s[i] = shear_modulus * (b[i] - (i < 3 ? mean : 0));
-      const double norm =
-        std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2 * s[3] * s[3]);
-      const double factor =
-        std::min(1., std::sqrt(2. / 3) * yield_stress / norm);
-      for (double &s_i : s)
-        s_i *= factor;
-
-      const auto determinant = [&](const double I) {
-        const double q[] = {s[0] / shear_modulus + I,
-                            s[1] / shear_modulus + I,
-                            s[2] / shear_modulus + I,
-                            s[3] / shear_modulus};
-        return (q[0] * q[1] - q[3] * q[3]) * q[2] - 1;
-      };
-      const double I = root(determinant, 0.5, 3);
-      for (unsigned int i = 0; i < 4; ++i)
-        b[i] = s[i] / shear_modulus + (i < 3 ? I : 0);
-    }
-  return s;
-}
-
-/** Tresca: z neither strains nor flows; the elastic stretch in the plane is
- * exp(±ε) at the angle α of the trial state, ε <= c/(2G), τ_1 = -τ_2 = 2Gε. */
-Stress
-sheared_tresca(const unsigned int n_steps, const double h)
+sheared_plastic(const unsigned int n_steps,
+                const double       h,
+                const double       strength)
 {
   Stress       b = {{1, 1, 1, 0}}, s{};
   const double G = shear_modulus;
@@ -98,7 +67,7 @@ sheared_tresca(const unsigned int n_steps, const double h)
       b[3] += h * b[1];
       const double alpha2 = std::atan2(2 * b[3], b[0] - b[1]);
       const double strain =
-        std::min(0.5 * std::acosh((b[0] + b[1]) / 2), cohesion / (2 * G));
+        std::min(0.5 * std::acosh((b[0] + b[1]) / 2), strength / (2 * G));
       const double C = std::cosh(2 * strain), S = std::sinh(2 * strain);
       b = {{C + S * std::cos(alpha2),
             C - S * std::cos(alpha2),
@@ -110,6 +79,18 @@ sheared_tresca(const unsigned int n_steps, const double h)
             2 * G * strain * std::sin(alpha2)}};
     }
   return s;
+}
+
+Stress
+sheared_j2(const unsigned int n_steps, const double h)
+{
+  return sheared_plastic(n_steps, h, yield_stress / std::sqrt(3.));
+}
+
+Stress
+sheared_tresca(const unsigned int n_steps, const double h)
+{
+  return sheared_plastic(n_steps, h, cohesion);
 }
 
 /** Largest relative deviation from @p expected. */
@@ -166,14 +147,12 @@ Stress
 pulled_j2(const double lambda, double &lambda_y)
 {
   const auto stress = [&](const double f_y) {
-    const double J = lambda * f_y;
-    Stress       s = {
-            {std::pow(lambda, 2), std::pow(f_y, 2), 1., 0.}}; // then its deviator
-    const double mean = (s[0] + s[1] + s[2]) / 3;
+    const double J = lambda * f_y, mean = std::log(J) / 3;
+    Stress       s    = {{std::log(lambda), std::log(f_y), 0., 0.}}; // strains
     double       norm = 0;
     for (unsigned int i = 0; i < 3; ++i)
       {
-        s[i] = shear_modulus * std::pow(J, -2. / 3) * (s[i] - mean);
+        s[i] = 2 * shear_modulus * (s[i] - mean);
         norm += s[i] * s[i];
       }
     const double factor = std::min(1., std::sqrt(2. / 3 / norm) * yield_stress);

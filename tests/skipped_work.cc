@@ -205,12 +205,14 @@ test_features()
                 !lacks(*mixed, "stabilisation of the pressure") &&
                 difference(numbers_of(*plain), numbers_of(*zero)) == 0,
               "");
-  // a yield stress that nothing reaches: the elastic answer, with a history
-  const std::string j2 = block + "Material/Model = J2\nFormulation/Type = u-p\n"
-                                 "Material/J2/Yield stress = 1e9\n";
-  const auto        general   = test::run_scene<2>(j2);
-  const auto        symmetric = test::run_scene<2>(
-    j2 + "Material/J2/Symmetrize tangent = true\nNewton/Tolerance = 1e-10\n");
+  // strengths that nothing reaches: the elastic answer, with a history
+  const std::string strong = block + "Material/Model = Mohr-Coulomb\n"
+                                     "Formulation/Type = u-p\n"
+                                     "Material/Mohr-Coulomb/Cohesion = 1e9\n";
+  const auto        general =
+    test::run_scene<2>(strong + "Material/Mohr-Coulomb/Friction angle = 30\n");
+  const auto symmetric =
+    test::run_scene<2>(strong + "Newton/Tolerance = 1e-10\n");
   test::check("a law with a history and an unsymmetric tangent gets both",
               !lacks(*general, "history of the points") &&
                 !lacks(*general, "lower triangle of the matrix") &&

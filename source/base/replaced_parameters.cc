@@ -39,6 +39,8 @@ namespace isochor
       if (section == "Formulation" && name == "Project volume change")
         return "leave it out; the volumes of points don't drift any more, "
                "whatever the <Quadrature/Type>";
+      if (name == "Symmetrize tangent")
+        return "leave it out; the tangent is symmetric";
       if (section == "Formulation" && name == "PPP leaves out weight")
         return "leave it out; PPP does it without inertia, and with inertia "
                "<Stabilisation = OSS> does it better";

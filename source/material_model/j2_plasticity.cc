@@ -6,26 +6,28 @@
 #include <isochor/base/plain_message.h>
 #include <isochor/material_model/isochoric_elasticity.h>
 #include <isochor/material_model/j2_return.h>
+#include <isochor/material_model/logarithmic_strain.h>
 #include <isochor/material_model/material_model.h>
 #include <isochor/material_model/pack_response.h>
 #include <isochor/material_model/tensor_tools.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace isochor
 {
   /**
-   * Hyperelastic J2 plasticity with the multiplicative split F = F^e F^p
-   * (Simo 1988; Simo & Hughes 1998, Boxes 9.1 and 9.2). Elastic law
-   * dev τ = G dev b̄^e as in NeoHookean; yield function in Kirchhoff stress
-   *   f = |dev τ| - √(2/3) σ_y(α),
+   * J2 plasticity with the multiplicative split F = F^e F^p in principal
+   * elastic logarithmic strains (Simo 1992; Peric, Owen & Honnor 1992): the
+   * return map is that of small strains, and exact for proportional strains
+   * of any size. With b̄^e = ΔF b̄^e_n ΔF^T made isochoric, ε_A = ½ ln b̄^e_A,
+   *   dev τ_A = 2 G dev ε_A,
+   *   f = √(3/2) |dev τ| - σ_y(α),
    *   σ_y(α) = σ_Y + H α + (σ_∞ - σ_Y) (1 - exp(-δ α)),
-   * flow dev[L_v b̄^e] = -2/3 γ tr(b̄^e) n, n = dev τ / |dev τ|, and
-   * α̇ = √(2/3) γ, integrated by the radial return. Flow is isochoric.
+   *   √(3/2) |dev τ_trial| - 3 G Δα = σ_y(α_n + Δα).
+   * Flow is isochoric, p and θ^e are those of NeoHookean.
    *
    * History: the isochoric elastic left Cauchy-Green tensor b̄^e and the
    * equivalent plastic strain α.
@@ -46,11 +48,11 @@ namespace isochor
              double                *history,
              StressResponse<dim>   &response) const override;
 
-    /** But for Voce's hardening, whose return map iterates. */
+    /** In the plane, but for Voce's hardening, whose return map iterates. */
     bool
     evaluates_packs() const override
     {
-      return plasticity.saturation_exponent == 0;
+      return dim == 2 && plasticity.saturation_exponent == 0;
     }
 
     StressStatus
@@ -72,16 +74,26 @@ namespace isochor
     deviatoric_energy(const Tensor<2, dim> & /*F*/,
                       const double *history) const override
     {
-      return elasticity.shear_modulus / 2 *
-             (trace(load_symmetric<dim>(history)) - 3);
+      double square = 0;
+      for (const double value :
+           spectral_decomposition(SymmetricComponents<dim>::load(history))
+             .values)
+        square += std::pow(0.5 * std::log(value), 2);
+      return elasticity.shear_modulus * square;
     }
 
-    /** The exact linearisation holds a term n ⊗ dev(n²): see
-     * J2Return::plastic_modulus(). */
-    bool
-    has_symmetric_tangent() const override
+    /** ln b̄^e instead of b̄^e: it stays isochoric, and dev τ, linear in it,
+     * within the yield surface of the mean α (σ_y is concave). */
+    void
+    to_mean_values(double *history) const override
     {
-      return plasticity.symmetrize_tangent;
+      map_eigenvalues<dim>([](const double b) { return std::log(b); }, history);
+    }
+
+    void
+    from_mean_values(double *history) const override
+    {
+      map_eigenvalues<dim>([](const double e) { return std::exp(e); }, history);
     }
 
     double
@@ -122,7 +134,7 @@ namespace isochor
 
   private:
     IsotropicElasticity elasticity;
-    J2Return<dim>       plasticity;
+    J2Return            plasticity;
   };
 
 
@@ -138,9 +150,7 @@ namespace isochor
                         "1e4",
                         Patterns::Double(),
                         "Initial yield stress sigma_Y > 0 in uniaxial tension "
-                        "(Kirchhoff stress), in Pa. From a tenth of the shear "
-                        "modulus on the law differs from those in logarithmic "
-                        "strains by 2 % and more (doc/materials.md).");
+                        "(Kirchhoff stress), in Pa.");
       prm.declare_entry("Hardening modulus",
                         "0",
                         Patterns::Double(),
@@ -156,16 +166,6 @@ namespace isochor
                         Patterns::Double(),
                         "Voce hardening: the rate delta >= 0 of saturation "
                         "with equivalent plastic strain. 0 switches it off.");
-      prm.declare_entry("Symmetrize tangent",
-                        "auto",
-                        Patterns::Selection("auto|true|false"),
-                        "Replace the tangent by its symmetric part, so that a "
-                        "symmetric solver can be used, whose factorisation "
-                        "costs a quarter less. Stresses are not affected; "
-                        "Newton's method then converges linearly, with a rate "
-                        "of the order of sigma_Y/G. auto: where that is at "
-                        "most 0.02, as with most metals, also with the stress "
-                        "after a plastic strain of one.");
     }
     prm.leave_subsection();
   }
@@ -184,14 +184,6 @@ namespace isochor
       plasticity.hardening_modulus   = prm.get_double("Hardening modulus");
       plasticity.saturation_stress   = prm.get_double("Saturation stress");
       plasticity.saturation_exponent = prm.get_double("Saturation exponent");
-      constexpr double little        = 0.02;
-      const double     last_stress =
-        std::max(plasticity.yield_stress, plasticity.saturation_stress);
-      const std::string symmetrize = prm.get("Symmetrize tangent");
-      plasticity.symmetrize_tangent =
-        symmetrize == "true" ||
-        (symmetrize == "auto" && last_stress + plasticity.hardening_modulus <=
-                                   little * elasticity.shear_modulus);
     }
     prm.leave_subsection();
 
@@ -233,33 +225,6 @@ namespace isochor
 
 
 
-  /**
-   * The spherical part I of b̄^e = q + I 1 for a given deviator q, such that
-   * det b̄^e = 1: the largest root of I³ - |q|²/2 I + det q - 1 = 0. It is not
-   * above @p upper_bound, the value before a radial reduction of q, from where
-   * Newton's method falls onto it monotonically.
-   */
-  template <int dim>
-  static double
-  unimodular_mean(const SymmetricComponents<dim> &q, const double upper_bound)
-  {
-    const double half_q_q = 0.5 * q.norm_square();
-    const double constant = q.determinant() - 1;
-    double       mean     = upper_bound;
-    for (unsigned int iteration = 0; iteration < 50; ++iteration)
-      {
-        const double step = ((mean * mean - half_q_q) * mean + constant) /
-                            (3 * mean * mean - half_q_q);
-        mean -= step;
-        // each error is about the square of the one before
-        if (std::abs(step) <= 1e-9 * mean)
-          break;
-      }
-    return mean;
-  }
-
-
-
   template <int dim>
   StressStatus
   J2Plasticity<dim>::evaluate(const Kinematics<dim> &kinematics,
@@ -272,30 +237,23 @@ namespace isochor
     const SymmetricComponents<dim> b_bar =
       kinematics.isochoric_scale *
       push_forward(kinematics.F_increment, history_n);
-    const auto state = plasticity.return_map(b_bar,
-                                             history_n[alpha_index],
-                                             kinematics.with_tangent);
+    const LogarithmicStrain<dim, double> strain(b_bar);
+    const SymmetricComponents<dim>      &e = strain.deviator();
+    const auto                           state =
+      plasticity.evaluate(e.norm_square(), history_n[alpha_index]);
 
     set_elastic_volume_change(kinematics.J, response);
-    state.dev_stress.copy_to(response.deviatoric_stress);
+    (state.secant * e).copy_to(response.deviatoric_stress);
     if (kinematics.with_tangent)
-      copy_modulus<dim>(state.modulus, response.tangent);
+      copy_modulus<dim>(strain.modulus(state.secant, state.radial),
+                        response.tangent);
     if (kinematics.with_history)
       {
-        if (state.alpha == history_n[alpha_index])
-          b_bar.store(history);
-        else
-          {
-            // Simo keeps tr b̄^e over the return, and det b̄^e drifts from 1. The
-            // stress of this step doesn't depend on it; that of the next one
-            // does.
-            const SymmetricComponents<dim> q =
-              (1 / elasticity.shear_modulus) * state.dev_stress;
-            (q + unimodular_mean(q, b_bar.trace() / 3)).store(history);
-          }
         history[alpha_index] = state.alpha;
+        strain.left_cauchy_green(state.secant / (2 * elasticity.shear_modulus))
+          .store(history);
       }
-    return std::isfinite(state.of_all + kinematics.J) ?
+    return std::isfinite(e.norm_square() + state.alpha + kinematics.J) ?
              StressStatus::success :
              StressStatus::return_map_failed;
   }
@@ -305,26 +263,31 @@ namespace isochor
   template <int dim>
   StressStatus
   J2Plasticity<dim>::evaluate_pack(
-    const PackKinematics<dim>                         &kinematics,
-    const std::array<const double *, PointPack::size> &history_n,
-    PackResponse<dim>                                 &response) const
+    [[maybe_unused]] const PackKinematics<dim> &kinematics,
+    [[maybe_unused]] const std::array<const double *, PointPack::size>
+                                       &history_n,
+    [[maybe_unused]] PackResponse<dim> &response) const
   {
-    SymmetricComponents<dim, PointPack> b_n;
-    unrolled<b_n.n>([&](const auto i) {
-      b_n.entry[i] = PointPack(history_n[0][i], history_n[1][i]);
-    });
-    const PointPack alpha_n(history_n[0][b_n.n], history_n[1][b_n.n]);
-    const SymmetricComponents<dim, PointPack> b_bar =
-      kinematics.isochoric_scale *
-      push_forward_by<dim>(kinematics.F_increment, b_n.entry.data());
-    const auto state =
-      plasticity.return_map(b_bar, alpha_n, kinematics.with_tangent);
-    response.deviatoric_stress = state.dev_stress;
-    if (kinematics.with_tangent)
-      response.tangent = state.modulus;
-    return std::isfinite(sum(state.of_all + kinematics.J)) ?
-             StressStatus::success :
-             StressStatus::return_map_failed;
+    if constexpr (dim == 2)
+      {
+        SymmetricComponents<dim, PointPack> b_n;
+        unrolled<b_n.n>([&](const auto i) {
+          b_n.entry[i] = PointPack(history_n[0][i], history_n[1][i]);
+        });
+        const PointPack alpha_n(history_n[0][b_n.n], history_n[1][b_n.n]);
+        const LogarithmicStrain<dim, PointPack> strain(
+          kinematics.isochoric_scale *
+          push_forward_by<dim>(kinematics.F_increment, b_n.entry.data()));
+        const auto     &e          = strain.deviator();
+        const PointPack e_square   = e.norm_square();
+        const auto      state      = plasticity.evaluate(e_square, alpha_n);
+        response.deviatoric_stress = state.secant * e;
+        if (kinematics.with_tangent)
+          response.tangent = strain.modulus(state.secant, state.radial);
+        if (std::isfinite(sum(e_square + state.alpha + kinematics.J)))
+          return StressStatus::success;
+      }
+    return StressStatus::return_map_failed;
   }
 
   ISOCHOR_REGISTER_FOR_DIMENSION(MaterialModel, J2Plasticity, "J2")

@@ -6,7 +6,7 @@
 #include <isochor/base/plain_message.h>
 #include <isochor/material_model/material_model.h>
 #include <isochor/material_model/mohr_coulomb_return.h>
-#include <isochor/material_model/spectral_decomposition.h>
+#include <isochor/material_model/principal_stress.h>
 #include <isochor/material_model/tensor_tools.h>
 
 #include <algorithm>
@@ -18,25 +18,6 @@
 
 namespace isochor
 {
-  namespace
-  {
-    /** Apply @p function to the eigenvalues of the symmetric tensor stored in
-     * @p components. */
-    template <int dim, typename Function>
-    void
-    map_eigenvalues(const Function &function, double *components)
-    {
-      const auto spectrum =
-        spectral_decomposition(SymmetricComponents<dim>::load(components));
-      std::array<double, 3> values;
-      for (unsigned int A = 0; A < 3; ++A)
-        values[A] = function(spectrum.values[A]);
-      spectrum.store(values, components);
-    }
-  } // namespace
-
-
-
   /**
    * Perfectly plastic Mohr-Coulomb law at finite strain: quadratic Hencky
    * energy in the principal elastic logarithmic strains ε_A, trial state
@@ -177,24 +158,15 @@ namespace isochor
     IsotropicElasticity elasticity;
     MohrCoulombReturn   surface;
 
-    /** Tensors from principal values: see the class's documentation. */
+    /** Tensors from principal values. */
     void
     assemble_response(const SpectralDecomposition<dim>  &spectrum,
                       const MohrCoulombReturn::Vector   &strain,
-                      const std::array<unsigned int, 3> &order,
+                      const std::array<unsigned int, 3> &rank,
                       const MohrCoulombReturn::Trial    &trial,
                       const MohrCoulombReturn::Response &principal,
                       const bool                         with_tangent,
                       StressResponse<dim>               &response) const;
-
-    /** The Lie derivative of dev τ: see there. */
-    void
-    assemble_tangent(const SpectralDecomposition<dim>  &spectrum,
-                     const MohrCoulombReturn::Vector   &strain,
-                     const std::array<unsigned int, 3> &rank,
-                     const MohrCoulombReturn::Trial    &trial,
-                     const MohrCoulombReturn::Response &principal,
-                     StressResponse<dim>               &response) const;
 
     /** b^e after plastic flow, and what is added to its measure. */
     void
@@ -284,125 +256,59 @@ namespace isochor
 
 
 
-  /** x coth x; the series is exact to rounding where it is used. */
-  static inline double
-  x_coth_x(const double x)
-  {
-    const double y = x * x;
-    return y < 2.5e-3 ?
-             1 + y * (1. / 3 - y * (1. / 45 - y * (2. / 945 - y / 4725))) :
-             x / std::tanh(x);
-  }
-
-
-
-  /**
-   * τ = Σ_A τ_A(ε) n_A ⊗ n_A with the eigenvectors n_A of the trial b^e. Its
-   * Lie derivative is (Simo 1992; Bonet & Wood 2008, section 6.6)
-   *   Σ_AB (∂τ_A/∂ε_B - 2 τ_A δ_AB) m_A ⊗ m_B + Σ_{A<B} 4 g_AB N_AB ⊗ N_AB,
-   * m_A = n_A ⊗ n_A, N_AB = sym(n_A ⊗ n_B), and
-   *   g_AB = (τ_A b_B - τ_B b_A) / (b_A - b_B)
-   *        = (τ_A - τ_B)/x · (x coth x)/2 - (τ_A + τ_B)/2,  x = ε_A - ε_B,
-   * the second form being regular at x = 0. Applied to dev τ. In plane strain
-   * the direction of z, which comes last, is neither sheared nor stretched.
-   */
+  /** See PrincipalStress. @p rank: where the stress of eigenvector A stands in
+   * descending order. */
   template <int dim>
   void
   MohrCoulomb<dim>::assemble_response(
     const SpectralDecomposition<dim>  &spectrum,
     const MohrCoulombReturn::Vector   &strain,
-    const std::array<unsigned int, 3> &order,
+    const std::array<unsigned int, 3> &rank,
     const MohrCoulombReturn::Trial    &trial,
     const MohrCoulombReturn::Response &principal,
     const bool                         with_tangent,
     StressResponse<dim>               &response) const
   {
-    using Components         = typename SpectralDecomposition<dim>::Components;
-    constexpr unsigned int n = std::tuple_size<Components>::value;
-
-    // rank[A]: where the stress of eigenvector A stands in descending order
-    std::array<unsigned int, 3> rank;
-    for (unsigned int a = 0; a < 3; ++a)
-      rank[order[a]] = a;
-
     response.volumetric_strain           = principal.theta;
     response.volumetric_pressure_tangent = principal.dtheta_dmean;
 
-    // Components one by one: tensors that are written by numbers and read as
-    // vectors right afterwards made this function three times slower.
-    const std::array<Components, dim> &m = spectrum.dyads;
-    Components                         stress{}, volumetric{}, pressure{};
+    using Components = typename SpectralDecomposition<dim>::Components;
+    Components volumetric{}, pressure{};
     for (unsigned int A = 0; A < dim; ++A)
-      for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int i = 0; i < volumetric.size(); ++i)
         {
-          stress[i] += principal.s[rank[A]] * m[A][i];
-          volumetric[i] += principal.dtheta_dstrain[rank[A]] * m[A][i];
+          const double m_i = spectrum.dyads[A][i];
+          volumetric[i] += principal.dtheta_dstrain[rank[A]] * m_i;
           if (surface.sin_phi > 0)
-            pressure[i] += principal.ds_dmean[rank[A]] * m[A][i];
+            pressure[i] += principal.ds_dmean[rank[A]] * m_i;
         }
-    for (unsigned int i = 0; i < 6; ++i)
-      response.deviatoric_stress.access_raw_entry(i) = 0;
-    if (dim == 2)
-      response.deviatoric_stress.access_raw_entry(2) = principal.s[rank[2]];
-    for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int i = 0; i < volumetric.size(); ++i)
       {
-        response.deviatoric_stress.access_raw_entry(component_in_3d<dim>(i)) =
-          stress[i];
         response.volumetric_tangent.access_raw_entry(i) = volumetric[i];
         response.deviatoric_pressure_tangent.access_raw_entry(i) = pressure[i];
       }
-    if (with_tangent)
-      assemble_tangent(spectrum, strain, rank, trial, principal, response);
-  }
 
-
-
-  template <int dim>
-  inline void
-  MohrCoulomb<dim>::assemble_tangent(
-    const SpectralDecomposition<dim>  &spectrum,
-    const MohrCoulombReturn::Vector   &strain,
-    const std::array<unsigned int, 3> &rank,
-    const MohrCoulombReturn::Trial    &trial,
-    const MohrCoulombReturn::Response &principal,
-    StressResponse<dim>               &response) const
-  {
-    using Components = typename SpectralDecomposition<dim>::Components;
-    constexpr unsigned int             n = std::tuple_size<Components>::value;
-    const std::array<Components, dim> &m = spectrum.dyads;
-    std::array<double, n * n>          tangent{};
-    for (unsigned int A = 0; A < dim; ++A)
+    PrincipalStress stress;
+    stress.strain = strain;
+    for (unsigned int A = 0; A < 3; ++A)
       {
-        const unsigned int a = rank[A];
-        // row A of the first sum, in one piece
-        Components row{};
-        for (unsigned int B = 0; B < dim; ++B)
-          {
-            const double factor = principal.ds_dstrain[a][rank[B]] -
-                                  (A == B ? 2 * principal.s[a] : 0.);
-            for (unsigned int j = 0; j < n; ++j)
-              row[j] += factor * m[B][j];
-          }
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            tangent[i * n + j] += m[A][i] * row[j];
-
-        for (unsigned int B = A + 1; B < dim; ++B)
-          {
-            const unsigned int b = rank[B];
-            const double       secant =
-              surface.secant(trial, principal, std::min(a, b), std::max(a, b));
-            const double four_g =
-              2 * (secant * x_coth_x(strain[A] - strain[B]) - principal.s[a] -
-                   principal.s[b]);
-            const Components &N = spectrum.mixed_dyads[spectrum.pair(A, B)];
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int j = 0; j < n; ++j)
-                tangent[i * n + j] += four_g * N[i] * N[j];
-          }
+        stress.s[A] = principal.s[rank[A]];
+        for (unsigned int B = 0; B < 3; ++B)
+          stress.ds_dstrain[A][B] = principal.ds_dstrain[rank[A]][rank[B]];
       }
-    for (unsigned int i = 0; i < n * n; ++i)
-      response.tangent.access_raw_entry(i) = tangent[i];
+    stress.assemble_stress(spectrum, response.deviatoric_stress);
+    if (with_tangent)
+      copy_modulus<dim>(stress.modulus(spectrum,
+                                       [&](const unsigned int A,
+                                           const unsigned int B) {
+                                         const auto pair =
+                                           std::minmax(rank[A], rank[B]);
+                                         return surface.secant(trial,
+                                                               principal,
+                                                               pair.first,
+                                                               pair.second);
+                                       }),
+                        response.tangent);
   }
 
 
@@ -473,9 +379,12 @@ namespace isochor
     const MohrCoulombReturn::Response principal =
       at_pressure ? surface.evaluate_at(trial, *kinematics.pressure) :
                     surface.evaluate(trial);
+    std::array<unsigned int, 3> rank;
+    for (unsigned int a = 0; a < 3; ++a)
+      rank[order[a]] = a;
     assemble_response(spectrum,
                       strain,
-                      order,
+                      rank,
                       trial,
                       principal,
                       kinematics.with_tangent,

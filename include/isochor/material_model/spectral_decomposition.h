@@ -70,6 +70,10 @@ namespace isochor
   SpectralDecomposition<dim>
   spectral_decomposition(const SymmetricComponents<dim> &t);
 
+  template <>
+  SpectralDecomposition<3>
+  spectral_decomposition<3>(const SymmetricComponents<3> &t);
+
   // here, so that hot loops have it in registers
   template <>
   inline SpectralDecomposition<2>
