@@ -69,11 +69,9 @@ namespace isochor
 
     /** At a given mean stress beyond the apex, the share of the elastic shear
      * stiffness that the derivatives report in place of the exact one, which is
-     * zero: nothing would hold a body whose points are all there, the matrix is
-     * singular, and a step back fails. Newton's method only gets there another
-     * way; the stress is the apex's. 0.01 to 1 do it in about as many
-     * iterations. */
-    static constexpr double stiffness_at_apex = 0.1;
+     * zero: where all points around a node are there nothing would hold it, and
+     * the matrix is singular. So small that Newton's method doesn't see it. */
+    static constexpr double stiffness_at_apex = 1e-6;
 
     /** A trial state in principal space, in descending order. */
     struct Trial
