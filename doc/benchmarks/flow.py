@@ -93,6 +93,33 @@ def extrusion(cells):
     )
 
 
+def heavy_footing(cells):
+    return Flow(
+        f"footing on soil with weight and friction, {cells} cells on its half",
+        SCENES / "heavy_footing.prm",
+        (
+            ("force / exact",
+             last("Force y on body by boundary footing (N)", -1 / 153.06), "1"),
+        ),
+        mesh=("heavy_footing", {"n": cells}),
+        full=cells > 10,
+    )
+
+
+def spherical_cavity(cells, full):
+    name = "Force y on cavity by place (N)"
+    return Flow(
+        f"spherical cavity, {cells} cells over its radius",
+        SCENES / "cavity_sphere.prm",
+        (
+            ("pressure / exact at twice its radius", at(0.5, name, 1 / 60.544), "1"),
+            ("at three times", last(name, 1 / 97.684), "1"),
+        ),
+        {"Grid/Subdivisions": f"{9 * cells}, {9 * cells}"},
+        full=full,
+    )
+
+
 FLOWS = (
     necking(10, 100, False),
     necking(10, 25, True),
@@ -122,6 +149,23 @@ FLOWS = (
         (("crest (m)", last("Displacement y of crest (m)"), "no reference"),),
         {"Quadrature/Type": "cell-filled"},
     ),
+    Flow(
+        "cylindrical cavity, 4 cells over its radius",
+        SCENES / "cavity_cylinder.prm",
+        (
+            ("pressure / exact at three times its radius",
+             last("Force x on cavity by place (N)", 1 / 35.946), "1"),
+        ),
+    ),
+    spherical_cavity(4, False),
+    spherical_cavity(8, True),
+    Flow(
+        "shear to ten times the height",
+        SCENES / "shear_flow.prm",
+        (("shear stress / strength", last("Force x on top by place (N)"), "1"),),
+    ),
+    heavy_footing(7),
+    heavy_footing(13),
     extrusion(8),
     extrusion(16),
     Flow(

@@ -179,6 +179,14 @@ namespace isochor
         triangle.outer_faces = static_cast<unsigned int>(*value++);
         triangle.properties.assign(value, value + n_properties);
         value += n_properties;
+        const PointLayout &l = points.layout();
+        triangle.places.fill(centroid<2>(triangle.corners));
+        const auto from_point =
+          corners_at_start<2>(triangle.properties.data(), l);
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int d = 0; d < 2; ++d)
+            triangle.places[c][d] +=
+              from_point[c][d] - triangle.properties[l.displacement + d];
         triangles.push_back(triangle);
         link(triangles.size() - 1, true);
       }
@@ -240,6 +248,13 @@ namespace isochor
         if (!(worse > smallest && area(o, a, p) * area(o, a, b) > 0 &&
               area(o, p, b) * area(o, a, b) > 0))
           continue;
+        const auto has_face = [](const Triangle    &of,
+                                 const unsigned int opposite) {
+          return (of.outer_faces >> opposite & flags_of_face) != 0;
+        };
+        if ((has_face(first, pair.lost) && has_face(second, partner.kept)) ||
+            (has_face(first, pair.kept) && has_face(second, partner.lost)))
+          continue;
         // a face that stays the one opposite to a corner of the same point is
         // remembered by what acts on it
         if ((first.outer_faces >> pair.kept |
@@ -272,12 +287,15 @@ namespace isochor
         Triangle       &triangle    = triangles[pair.triangle];
         triangle.corners[pair.lost] = other.corners[partner.apex];
         triangle.number[pair.lost]  = other.number[partner.apex];
+        triangle.places[pair.lost]  = other.places[partner.apex];
         triangle.is_changed         = true;
         // opposite to what was lost: as before; to the apex: what the other
         // had; to the end that is kept: between the two
         triangle.outer_faces =
           (old[i].outer_faces & (flags_of_face << pair.lost)) |
           ((other.outer_faces >> partner.kept & flags_of_face) << pair.apex);
+        if (triangle.outer_faces >> pair.apex & flags_of_face)
+          triangle.places[pair.kept] = other.places[partner.lost];
         set_state({{old[i], other}}, {{pair, partner}}, triangle);
       }
     for (const Pair &pair : pairs)
@@ -333,6 +351,31 @@ namespace isochor
 
 
   void
+  DomainFlips::place_outer_face(const Triangle &triangle,
+                                PointDomain<2> &domain)
+  {
+    for (unsigned int c = 0; c < 3; ++c)
+      if (triangle.outer_faces >> c & flags_of_face)
+        {
+          auto              &R = domain.reference;
+          const unsigned int a = (c + 1) % 3, b = (c + 2) % 3;
+          const double       area_R = area(R[a], R[b], R[c]);
+          const Tensor<1, 2> face   = triangle.corners[b] - triangle.corners[a],
+                             was    = triangle.places[b] - triangle.places[a];
+          const double along = (triangle.corners[c] - triangle.corners[a]) *
+                               face / face.norm_square();
+          R[a] = triangle.places[a];
+          R[b] = triangle.places[b];
+          // cross_product_2d() turns clockwise
+          R[c] = R[a] + along * was -
+                 2 * area_R / was.norm_square() * cross_product_2d(was);
+          return;
+        }
+  }
+
+
+
+  void
   DomainFlips::store() const
   {
     const PointLayout &l = points.layout();
@@ -359,10 +402,17 @@ namespace isochor
             for (unsigned int d = 0; d < 2; ++d)
               domain.reference[c][d] -= triangle.properties[l.displacement + d];
           }
+        place_outer_face(triangle, domain);
         std::copy(triangle.properties.begin(),
                   triangle.properties.end(),
                   values.begin());
         store_domain<2>(domain, l, values);
+        const Tensor<2, 2> F = edge_matrix<2>(triangle.corners) *
+                               invert(edge_matrix<2>(domain.reference)) /
+                               domain_stretch<2>(triangle.properties.data(), l);
+        for (unsigned int i = 0; i < 2; ++i)
+          for (unsigned int j = 0; j < 2; ++j)
+            values[l.F + i * 2 + j] = F[i][j];
         particle->set_location(domain.location);
       }
   }

@@ -277,15 +277,9 @@ namespace isochor
         whole.reference[c] = part.domain.reference[from];
         whole.current[c]   = part.domain.current[from];
       }
-    Tensor<2, dim> was, is;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          was[d][c] = whole.reference[c + 1][d] - whole.reference[0][d];
-          is[d][c]  = whole.current[c + 1][d] - whole.current[0][d];
-        }
-    const Tensor<2, dim> F = is * invert(was);
-    const PointLayout   &l = points.layout();
+    const Tensor<2, dim> F = edge_matrix<dim>(whole.current) *
+                             invert(edge_matrix<dim>(whole.reference));
+    const PointLayout &l = points.layout();
     mean_state<dim>(
       first.properties, second.properties, F, l, materials, pair.properties);
     const double stretch = domain_stretch<dim>(pair.properties.data(), l);

@@ -283,25 +283,14 @@ namespace isochor
       domain.density * (volume(domain.corners) - r * domain.volume);
     if (!(filled > 0))
       return;
-    CornerVectors<dim> label;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          label[c + 1][d] = properties[l.domain + c * dim + d];
-          label[0][d] -= label[c + 1][d];
-        }
-    Tensor<2, dim> was, is;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          was[d][c] = label[c + 1][d] - label[0][d];
-          is[d][c]  = domain.corners[c + 1][d] - domain.corners[0][d];
-        }
+    const CornerVectors<dim> label =
+      corners_at_start<dim>(properties.data(), l);
     properties[l.volume] = filled;
     properties[l.mass] *= filled / (r * domain.filled);
-    properties[l.volume_gain] = filled / domain.at_start - 1;
-    const Tensor<2, dim> F_now =
-      is * invert(was) / domain_stretch<dim>(properties.data(), l);
+    properties[l.volume_gain]  = filled / domain.at_start - 1;
+    const Tensor<2, dim> F_now = edge_matrix<dim>(domain.corners) *
+                                 invert(edge_matrix<dim>(label)) /
+                                 domain_stretch<dim>(properties.data(), l);
     for (unsigned int i = 0; i < dim; ++i)
       {
         properties[l.displacement + i] += centre[i] - x[i];

@@ -24,6 +24,22 @@ namespace isochor
 
 
   template <int dim>
+  CornerVectors<dim>
+  corners_at_start(const double *properties, const PointLayout &l)
+  {
+    CornerVectors<dim> corners;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          corners[c + 1][d] = properties[l.domain + c * dim + d];
+          corners[0][d] -= corners[c + 1][d];
+        }
+    return corners;
+  }
+
+
+
+  template <int dim>
   std::vector<PointDomain<dim>>
   point_domains(const MaterialPoints<dim> &points)
   {
@@ -35,13 +51,8 @@ namespace isochor
         const auto           values = particle.get_properties();
         const Tensor<2, dim> F = deformation_gradient<dim>(values.data(), l);
         const double         stretch = domain_stretch<dim>(values.data(), l);
-        CornerVectors<dim>   corners;
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              corners[c + 1][d] = values[l.domain + c * dim + d];
-              corners[0][d] -= corners[c + 1][d];
-            }
+        const CornerVectors<dim> corners =
+          corners_at_start<dim>(values.data(), l);
         domains.emplace_back();
         PointDomain<dim> &domain = domains.back();
         domain.location          = particle.get_location();
@@ -229,6 +240,10 @@ namespace isochor
   seeded_volume<2>(const double *, const PointLayout &);
   template double
   seeded_volume<3>(const double *, const PointLayout &);
+  template CornerVectors<2>
+  corners_at_start<2>(const double *, const PointLayout &);
+  template CornerVectors<3>
+  corners_at_start<3>(const double *, const PointLayout &);
   template std::vector<PointDomain<2>>
   point_domains(const MaterialPoints<2> &);
   template void

@@ -39,7 +39,8 @@ namespace isochor
    * momentum are conserved, and det F is that of the volumes. The rest of the
    * state is their mean (mean_state()): what flows has no memory of its shape,
    * so that F says no more than V/V_0, and where a point was at t = 0 is known
-   * in the mean only.
+   * in the mean only; but F takes outer faces from where they were at t = 0,
+   * which conditions on surfaces go by, and no triangle gets two of them.
    *
    * The quality of a triangle is 4√3 A / Σ l², 1 if it is equilateral (Bank,
    * PLTMG, 1998). All ranks do the same, with all triangles that are poor and
@@ -67,6 +68,7 @@ namespace isochor
     struct Triangle
     {
       PointDomain<2>::Corners     corners;
+      PointDomain<2>::Corners     places; ///< at t = 0, of outer faces
       std::array<unsigned int, 3> number; ///< of the corners
       unsigned int                body, outer_faces;
       std::vector<double>         properties;
@@ -112,6 +114,11 @@ namespace isochor
     set_state(const std::array<Triangle, 2> &old,
               const Pairs                   &pairs,
               Triangle                      &triangle) const;
+    /** Change the reference corners of @p domain, with the corners of
+     * @p triangle, so that its outer face is where it was, with the same area.
+     */
+    static void
+    place_outer_face(const Triangle &triangle, PointDomain<2> &domain);
     /** Let own points know. */
     void
     store() const;

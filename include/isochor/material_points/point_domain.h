@@ -43,6 +43,25 @@ namespace isochor
   std::vector<PointDomain<dim>>
   point_domains(const MaterialPoints<dim> &points);
 
+  /** The corners of the domain of a point with these @p properties at t = 0,
+   * from the point. */
+  template <int dim>
+  CornerVectors<dim>
+  corners_at_start(const double *properties, const PointLayout &layout);
+
+  /** The edges from the first of the @p corners, points or vectors, as columns.
+   */
+  template <int dim, typename Corners>
+  Tensor<2, dim>
+  edge_matrix(const Corners &corners)
+  {
+    Tensor<2, dim> columns;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        columns[d][c] = corners[c + 1][d] - corners[0][d];
+    return columns;
+  }
+
   /** Let @p properties of a point tell where @p domain is: domain, ancestry,
    * and the displacement of the point to its location. */
   template <int dim>

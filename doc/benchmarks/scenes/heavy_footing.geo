@@ -1,0 +1,26 @@
+// Soil below one half of a strip footing; n: cells on it, about
+DefineConstant[ n = 13 ];
+Point(1) = {0, -4, 0};
+Point(2) = {7, -4, 0};
+Point(3) = {7, 0, 0};
+Point(4) = {1, 0, 0};
+Point(5) = {0, 0, 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 5};
+Line(5) = {5, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5};
+Plane Surface(1) = {1};
+Field[1] = MathEval;
+Field[1].F = Sprintf("(0.65 + 1.17 * Sqrt((x - 0.7) * (x - 0.7) + y * y)) / %g", n);
+Background Field = 1;
+Mesh.CharacteristicLengthExtendFromBoundary = 0;
+Mesh.CharacteristicLengthFromPoints = 0;
+Physical Curve("bottom") = {1};
+Physical Curve("right") = {2};
+Physical Curve("surface") = {3};
+Physical Curve("footing") = {4};
+Physical Curve("left") = {5};
+Physical Surface("soil") = {1};
+Mesh.MshFileVersion = 2.2;

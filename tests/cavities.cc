@@ -1,0 +1,92 @@
+/* ---------------------------------------------------------------------
+ * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
+ * SPDX-License-Identifier: LGPL-2.1-or-later
+ * --------------------------------------------------------------------- */
+
+// A cylindrical and a spherical cavity in incompressible, ideally plastic
+// material (J2) are expanded to 2.5 times their radius by moving their walls.
+// Domains at the wall are flattened, bisected and flipped, and the wall's faces
+// must still be known by where they were. The pressure is, with
+// r^n - R^n = a^n - 1, n = 2 and 3,
+//   p = ∫ (n - 1)/r min(2 n G ln(r/R), s) dr,  s = 2 σ_Y/√3 and σ_Y.
+
+#include <functional>
+
+#include "run_scene.h"
+
+using namespace isochor;
+
+namespace
+{
+  constexpr double G = 100, yield_stress = 1.7320508075688772;
+
+  /** p, for the radius @p a, 1 at first, and the outer radius @p b at t = 0. */
+  double
+  exact(const int n, const double a, const double b, const double strength)
+  {
+    const double last = std::pow(std::pow(b, n) + std::pow(a, n) - 1, 1. / n);
+    const unsigned int n_parts = 100000;
+    const double       ratio   = std::log(last / a) / n_parts;
+    double             sum     = 0;
+    for (unsigned int i = 0; i < n_parts; ++i)
+      {
+        const double r = a * std::exp((i + 0.5) * ratio);
+        const double R = std::pow(std::pow(r, n) - std::pow(a, n) + 1, 1. / n);
+        sum +=
+          (n - 1) * std::min(2 * n * G * std::log(r / R), strength) * ratio;
+      }
+    return sum;
+  }
+
+  void
+  test_cavity(const std::string &name,
+              const std::string &scene,
+              const std::string &column,
+              const double       force,
+              const double       tolerance)
+  {
+    const auto problem = test::run_scene<2>(
+      scene + "Quadrature/Type = CPDI\nFormulation/Geometry = axisymmetric\n"
+              "Material/Model = J2\nMaterial/Young modulus = 300\n"
+              "Material/Poisson ratio = 0.5\nMaterial/Density = 0\n"
+              "Material/J2/Yield stress = 1.7320508075688772\n"
+              "Time/Step size = 0.02\nTime/End time = 1\n");
+    test::check_error(name + ", pressure at 2.5 times its radius",
+                      test::relative(test::get(*problem, column), force),
+                      tolerance);
+    test::check_error(name + ", det F",
+                      std::max(1 - test::get(*problem, "Smallest J"),
+                               test::get(*problem, "Largest J") - 1),
+                      0.03);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  test::MPISession mpi(argc, argv);
+  const double     a = 2.5;
+  test_cavity("cylinder",
+              "Grid/Lower corner = 0.5, 0\nGrid/Upper corner = 20.5, 0.5\n"
+              "Grid/Subdivisions = 80, 2\n"
+              "Material points/Region = x > 1 && x < 20\n"
+              "Boundary conditions/Displacement = bottom: y=0; top: y=0\n"
+              "Boundary conditions/Surfaces of body = cavity: x < 1.01\n"
+              "Interaction: cavity - place/Displacement = x=1.5*t\n",
+              "Force x on cavity by place (N)",
+              exact(2, a, 20, 2 * yield_stress / std::sqrt(3.)) * test::pi * a,
+              0.002);
+  test_cavity("sphere",
+              "Grid/Upper corner = 9, 9\nGrid/Subdivisions = 36, 36\n"
+              "Material points/Region = x^2 + y^2 > 1 && x^2 + y^2 < 64\n"
+              "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
+              "Boundary conditions/Surfaces of body = "
+              "cavity: x^2 + y^2 < 1.02\n"
+              "Interaction: cavity - place/Displacement = "
+              "x=1.5*t*x/sqrt(x^2+y^2), y=1.5*t*y/sqrt(x^2+y^2)\n",
+              "Force y on cavity by place (N)",
+              exact(3, a, 8, yield_stress) * test::pi * a * a,
+              0.01);
+}
