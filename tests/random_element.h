@@ -82,8 +82,8 @@ struct RandomElement
           element.increment[I][a] = amplitude * random();
         element.pressure[I]          = 0.3 * G * random();
         element.pressure_at_start[I] = 0.3 * G * random();
-        // Where tension comes to the apex of a cone, edges lie too close together
-        // for finite differences.
+        // Where tension comes to the apex of a cone, edges lie too close
+        // together for finite differences.
         if (depends_on_pressure)
           element.pressure[I] = -std::abs(element.pressure[I]);
       }

@@ -300,9 +300,14 @@ namespace isochor
             kernel.add_force(forces.get(key, g));
             continue;
           }
+        // R = r / F_θθ, not X: flips give a point the mean of what flows in
+        const double *const history =
+          step.points.history.data() +
+          face.q * static_cast<std::size_t>(step.points.n_history);
         const typename InteractionKernel<dim>::Measure measure{
           start.weight * face.area * element.facing[g][chosen] *
-            thickness(step.kernel.axisymmetric, start.X[0]),
+            thickness(step.kernel.axisymmetric,
+                      start.x[0] / step.kernel.hoop_stretch(history)),
           element.gamma,
           step.has_inertia ? 1. : 0.,
           element.area_ratio,

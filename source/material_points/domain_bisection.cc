@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 #include <utility>
 
 namespace isochor
@@ -315,6 +317,18 @@ namespace isochor
         return;
       }
     const auto [a, b] = edge_corners<dim>[edge];
+    // an edge halved that often is rounding
+    if (domain.n_halvings >= std::numeric_limits<double>::digits)
+      {
+        std::ostringstream place;
+        place << domain.location;
+        AssertThrow(false,
+                    ExcMessage("The domain of a material point, at (" +
+                               place.str() +
+                               "), is flat: the deformation is too large for "
+                               "<Quadrature/Type = CPDI>, as where flow parts "
+                               "before a tip."));
+      }
     for (const auto &[kept, lost] :
          {std::make_pair(a, b), std::make_pair(b, a)})
       {
