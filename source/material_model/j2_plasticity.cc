@@ -20,7 +20,7 @@ namespace isochor
 {
   /**
    * J2 plasticity with the multiplicative split F = F^e F^p in principal
-   * elastic logarithmic strains (Simo 1992; Peric, Owen & Honnor 1992): the
+   * elastic logarithmic strains (Simo 1992; Perić, Owen & Honnor 1992): the
    * return map is that of small strains, and exact for proportional strains
    * of any size. With b̄^e = ΔF b̄^e_n ΔF^T made isochoric, ε_A = ½ ln b̄^e_A,
    *   dev τ_A = 2 G dev ε_A,
