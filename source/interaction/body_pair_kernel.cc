@@ -280,7 +280,11 @@ namespace isochor
       element.is_tied ? tie : laws.of(face, face_met);
     const PartnerPlace<dim> place =
       place_of_law(element, law, at, du, x, y, with_matrix);
-    double A = face.area * thickness(step.kernel.axisymmetric, own.X[0]);
+    // R = r / F_θθ, as in InteractionTerm
+    double A =
+      face.area *
+      thickness(step.kernel.axisymmetric,
+                own.start[0] / step.kernel.hoop_stretch(face.history.data()));
     if (!element.is_tied)
       A *= facing(face.normal_now, face_met.normal_now);
     const typename InteractionKernel<dim>::Measure measure{
