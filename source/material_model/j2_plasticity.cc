@@ -74,12 +74,7 @@ namespace isochor
     deviatoric_energy(const Tensor<2, dim> & /*F*/,
                       const double *history) const override
     {
-      double square = 0;
-      for (const double value :
-           spectral_decomposition(SymmetricComponents<dim>::load(history))
-             .values)
-        square += std::pow(0.5 * std::log(value), 2);
-      return elasticity.shear_modulus * square;
+      return elasticity.shear_modulus * square_of_shear<dim>(history);
     }
 
     /** ln b̄^e instead of b̄^e: it stays isochoric, and dev τ, linear in it,

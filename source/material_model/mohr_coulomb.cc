@@ -64,15 +64,7 @@ namespace isochor
     deviatoric_energy(const Tensor<2, dim> & /*F*/,
                       const double *history) const override
     {
-      double sum = 0, square = 0; // of ε^e = 1/2 ln b^e
-      for (const double value :
-           spectral_decomposition(SymmetricComponents<dim>::load(history))
-             .values)
-        {
-          sum += 0.5 * std::log(value);
-          square += std::pow(0.5 * std::log(value), 2);
-        }
-      return elasticity.shear_modulus * (square - sum * sum / 3);
+      return elasticity.shear_modulus * square_of_shear<dim>(history);
     }
 
     /** ln b^e instead of b^e: τ is linear in it, and the elastic domain is

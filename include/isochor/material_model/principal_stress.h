@@ -31,6 +31,25 @@ namespace isochor
 
 
 
+  /** dev ε : dev ε of the logarithmic strain ε = ½ ln b of the symmetric tensor
+   * b stored in @p components. */
+  template <int dim>
+  inline double
+  square_of_shear(const double *components)
+  {
+    double sum = 0, square = 0;
+    for (const double b :
+         spectral_decomposition(SymmetricComponents<dim>::load(components))
+           .values)
+      {
+        sum += 0.5 * std::log(b);
+        square += std::pow(0.5 * std::log(b), 2);
+      }
+    return square - sum * sum / 3;
+  }
+
+
+
   /** x coth x; the series is exact to rounding where it is used. */
   inline double
   x_coth_x(const double x)
