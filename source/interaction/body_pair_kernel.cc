@@ -237,6 +237,34 @@ namespace isochor
 
 
   template <int dim>
+  typename InteractionKernel<dim>::Measure
+  BodyPairKernel<dim>::measure_of(const PairElement<dim> &element,
+                                  const FaceCopy<dim>    &face_met,
+                                  const double            share) const
+  {
+    const FaceCopy<dim> &face = *own.face;
+    // R = r / F_θθ, as in InteractionTerm
+    double A =
+      face.area *
+      thickness(step.kernel.axisymmetric,
+                own.start[0] / step.kernel.hoop_stretch(face.history.data()));
+    if (!element.is_tied)
+      A *= facing(face.normal_now, face_met.normal_now);
+    return {share * A / BodySurface<dim>::n_gauss,
+            2 * face.gamma * share,
+            step.has_inertia ? 1. : 0.,
+            face.area_ratio,
+            rounding_of_contact(2 * face.gamma * share, face.area_per_volume),
+            step.unknowns_at_start != nullptr && step.step_size() > 0 &&
+                element.has_start ?
+              &element.start :
+              nullptr,
+            step.end_weight};
+  }
+
+
+
+  template <int dim>
   EvaluationStatus
   BodyPairKernel<dim>::evaluate(const PairElement<dim> &element,
                                 const bool              with_matrix)
@@ -280,24 +308,7 @@ namespace isochor
       element.is_tied ? tie : laws.of(face, face_met);
     const PartnerPlace<dim> place =
       place_of_law(element, law, at, du, x, y, with_matrix);
-    // R = r / F_θθ, as in InteractionTerm
-    double A =
-      face.area *
-      thickness(step.kernel.axisymmetric,
-                own.start[0] / step.kernel.hoop_stretch(face.history.data()));
-    if (!element.is_tied)
-      A *= facing(face.normal_now, face_met.normal_now);
-    const typename InteractionKernel<dim>::Measure measure{
-      share * A / BodySurface<dim>::n_gauss,
-      2 * face.gamma * share,
-      step.has_inertia ? 1. : 0.,
-      face.area_ratio,
-      rounding_of_contact(2 * face.gamma * share, face.area_per_volume),
-      step.unknowns_at_start != nullptr && step.step_size() > 0 &&
-          element.has_start ?
-        &element.start :
-        nullptr,
-      step.end_weight};
+    const auto measure = measure_of(element, face_met, share);
     kernel.add(law, place, measure);
     result.meets = true;
     result.force = measure.weight * kernel.mean_traction();

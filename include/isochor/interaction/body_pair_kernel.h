@@ -124,6 +124,12 @@ namespace isochor
                  const Tensor<1, dim>      &x,
                  const Tensor<1, dim>      &y,
                  const bool                 with_matrix);
+    /** Weight, γ and start of this place of the element, whose other side,
+     * @p face_met, takes 1 - @p share of what is averaged. */
+    typename InteractionKernel<dim>::Measure
+    measure_of(const PairElement<dim> &element,
+               const FaceCopy<dim>    &face_met,
+               const double            share) const;
 
     const StepContext<dim>           &step;
     const NodalUnknowns<dim>          nodal;
