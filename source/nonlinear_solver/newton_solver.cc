@@ -103,6 +103,8 @@ namespace isochor
       force    = std::max({force, norms.force_scale, first(norms)});
       pressure = std::max(pressure, norms.pressure);
       started  = started || !norms.pending;
+      if (!norms.pending)
+        lowest = std::min(lowest, norms.displacement);
     }
 
     double
@@ -168,15 +170,15 @@ namespace isochor
      * Whether the line search takes @p norms, coming from @p old. The largest
      * residual of the pressure equation is no scale where a body hardly changes
      * its volume, as at Poisson ratio zero: what there is may be rounding, or
-     * of higher order in the strains. So it may grow there while forces fall.
+     * of higher order in the strains. So it may grow there while forces fall
+     * below all before: else the two could fall by turns without end.
      */
     bool
     is_progress(const ResidualNorms &norms, const ResidualNorms &old) const
     {
       constexpr double small = 1e-4; // against strains as large as the forces
       return merit(norms) < merit(old) ||
-             (std::isfinite(merit(norms)) &&
-              norms.displacement < old.displacement &&
+             (std::isfinite(merit(norms)) && norms.displacement < lowest &&
               norms.pressure < small * force * norms.volume_per_force);
     }
 
@@ -189,6 +191,7 @@ namespace isochor
 
     bool   started = false;
     double force = 0, pressure = 0;
+    double lowest = std::numeric_limits<double>::max(); ///< of the forces
   };
 
 
