@@ -154,6 +154,31 @@ test_other_start()
     }
 }
 
+/** Forces and volumes fall by turns, and half of a correction would solve it.
+ */
+void
+test_cycle()
+{
+  const auto    is_between = [](const double x) { return x != std::floor(x); };
+  const auto    is_even = [](const double x) { return std::fmod(x, 2) == 0; };
+  MadeUpProblem cycle(0, [&](const double x) {
+    return x == 0 ? 1. : is_between(x) ? 0. : is_even(x) ? 5.2e-4 : 5.4e-4;
+  });
+  cycle.problem.assemble = [&, forces = cycle.problem.assemble](const bool m) {
+    ResidualNorms norms    = forces(m);
+    norms.pressure         = cycle.x == 0        ? 1. :
+                             is_between(cycle.x) ? 0. :
+                             is_even(cycle.x)    ? 4.4e-3 :
+                                                   4.3e-3;
+    norms.volume_per_force = 1e3;
+    return norms;
+  };
+  const NewtonReport report = solve(cycle, "Newton/Reuse factorisation = 0\n");
+  test::check("forces and volumes don't fall by turns without end",
+              report.converged && report.n_iterations() < 8,
+              std::to_string(report.n_iterations()) + ' ' + report.failure);
+}
+
 /** A block between clamps is drawn into flow. From where the residual is small
  * enough for the zones to be known, r_{k+1} <= 100 r_k^2 down to rounding. */
 void
@@ -289,6 +314,7 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_consistency();
   test_other_start();
+  test_cycle();
   test_plastic("u");
   test_plastic("u-p");
   test_no_change_of_volume();
