@@ -272,34 +272,27 @@ namespace isochor
     const PointLayout   &l          = points.layout();
     auto                 particle   = domain.particle;
     const auto           properties = particle->get_properties();
-    const auto           material   = properties[l.material];
-    const Tensor<2, dim> F  = deformation_gradient<dim>(properties.data(), l);
-    const Point<dim>     x  = particle->get_location(),
-                     centre = centroid<dim>(domain.corners);
-    // in axisymmetry what passes is of rings, and R = r/F_θθ
-    const double r = l.axisymmetric ? x[0] / centre[0] : 1.;
-    const double filled =
-      r * domain.filled +
-      domain.density * (volume(domain.corners) - r * domain.volume);
-    if (!(filled > 0))
-      return;
+    const Tensor<2, dim> F = deformation_gradient<dim>(properties.data(), l);
+    const Point<dim>     centre = centroid<dim>(domain.corners);
     const CornerVectors<dim> label =
       corners_at_start<dim>(properties.data(), l);
-    properties[l.volume] = filled;
-    properties[l.mass] *= filled / (r * domain.filled);
-    properties[l.volume_gain]  = filled / domain.at_start - 1;
+    if (!move_domain(particle->get_location(),
+                     domain.volume,
+                     centre,
+                     volume(domain.corners),
+                     l,
+                     properties.data()))
+      return;
     const Tensor<2, dim> F_now = edge_matrix<dim>(domain.corners) *
                                  invert(edge_matrix<dim>(label)) /
                                  domain_stretch<dim>(properties.data(), l);
     for (unsigned int i = 0; i < dim; ++i)
-      {
-        properties[l.displacement + i] += centre[i] - x[i];
-        for (unsigned int j = 0; j < dim; ++j)
-          properties[l.F + i * dim + j] = F_now[i][j];
-      }
+      for (unsigned int j = 0; j < dim; ++j)
+        properties[l.F + i * dim + j] = F_now[i][j];
     particle->set_location(centre);
-    materials[static_cast<unsigned int>(material)]->scale_elastic_volume(
-      determinant(F_now) / determinant(F), &properties[l.history]);
+    materials[static_cast<unsigned int>(properties[l.material])]
+      ->scale_elastic_volume(determinant(F_now) / determinant(F),
+                             &properties[l.history]);
   }
 
 

@@ -100,6 +100,32 @@ namespace isochor
 
 
   template <int dim>
+  bool
+  move_domain(const Point<dim>  &from,
+              const double       volume_before,
+              const Point<dim>  &centre,
+              const double       volume,
+              const PointLayout &l,
+              double            *properties)
+  {
+    const double V_0     = properties[l.volume],
+                 r       = l.axisymmetric ? from[0] / centre[0] : 1.,
+                 density = l.axisymmetric ? properties[l.history] : 1.,
+                 filled  = r * V_0 + density * (volume - r * volume_before);
+    if (!(filled > 0))
+      return false;
+    properties[l.volume] = filled;
+    properties[l.mass] *= filled / (r * V_0);
+    properties[l.volume_gain] =
+      filled / V_0 * (1 + properties[l.volume_gain]) - 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      properties[l.displacement + d] += centre[d] - from[d];
+    return true;
+  }
+
+
+
+  template <int dim>
   Point<dim>
   centroid(const typename PointDomain<dim>::Corners &corners)
   {
@@ -250,6 +276,13 @@ namespace isochor
   store_domain(const PointDomain<2> &,
                const PointLayout &,
                const ArrayView<double> &);
+  template bool
+  move_domain<2>(const Point<2> &,
+                 const double,
+                 const Point<2> &,
+                 const double,
+                 const PointLayout &,
+                 double *);
   template Point<2>
   centroid<2>(const typename PointDomain<2>::Corners &);
   template double
@@ -265,6 +298,13 @@ namespace isochor
   store_domain(const PointDomain<3> &,
                const PointLayout &,
                const ArrayView<double> &);
+  template bool
+  move_domain<3>(const Point<3> &,
+                 const double,
+                 const Point<3> &,
+                 const double,
+                 const PointLayout &,
+                 double *);
   template Point<3>
   centroid<3>(const typename PointDomain<3>::Corners &);
   template double

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/material_points/domain_collapse.h>
 #include <isochor/material_points/domain_flips.h>
 #include <isochor/material_points/point_refinement.h>
 
@@ -110,6 +111,25 @@ namespace isochor
                                           points.layout(),
                                           materials));
       return flowing;
+    }
+
+    /** Flip and collapse what flows. How many points are gone, on all ranks.
+     */
+    unsigned int
+    reshape_domains(MaterialPoints<2>                &points,
+                    const BackgroundGrid<2>          &grid,
+                    const PointLocator<2>            &locator,
+                    const PointMerging<2>::Materials &materials)
+    {
+      FlowingTriangles   mesh(points, grid, materials);
+      const unsigned int n_flips = DomainFlips(mesh).flip(),
+                         n_gone  = DomainCollapse(mesh).collapse();
+      if (n_flips + n_gone > 0)
+        {
+          mesh.store();
+          points.relocate(locator);
+        }
+      return n_gone;
     }
 
     template <int dim>
@@ -282,8 +302,8 @@ namespace isochor
                         follows,
                         share > 0 ? least_points : 0));
         if constexpr (dim == 2)
-          if (follows && DomainFlips(points, grid, materials).flip() > 0)
-            points.relocate(locator);
+          if (follows)
+            n_removed += reshape_domains(points, grid, locator, materials);
       }
     else
       // parts may still be too large; bounded, as each is a fourth or fifth

@@ -231,11 +231,8 @@ namespace isochor
           ArrayView<double> properties) { state[q] = properties.data(); });
     sum_to_nodes(
       step, [&](const unsigned int q) { return state[q][l.mass]; }, weight);
-    std::vector<unsigned int> fields = {l.velocity, l.acceleration};
-    if (l.with_excess)
-      fields.push_back(l.excess);
     const PointArrays<dim> &arrays = step.points;
-    for (const unsigned int field : fields)
+    for (const unsigned int field : l.vectors_by_mass())
       for (unsigned int d = field; d < field + dim; ++d)
         {
           sum_to_nodes(

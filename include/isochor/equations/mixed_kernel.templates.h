@@ -218,7 +218,9 @@ namespace isochor
                             N);
         const double kappa =
           mixed ? unseen_stiffness(points, q) : 1 / inverse_K;
-        const double excess  = response.volumetric_strain - p * inverse_K;
+        const double excess = response.volumetric_strain - p * inverse_K;
+        if (mixed && is_astray(kappa, excess))
+          return EvaluationStatus::unseen_volume;
         const double p_force = p - change + kappa * excess;
         sums.add_stress(response, V, p_force, factor, with_matrix);
         if (kappa > 0 && with_matrix)

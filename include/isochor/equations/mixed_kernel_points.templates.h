@@ -287,6 +287,8 @@ namespace isochor
           const double kappa =
             mixed ? kernel.unseen_stiffness(points, q) : 1 / inverse_K;
           const double excess = response.volumetric_strain - p * inverse_K;
+          if (mixed && kernel.is_astray(kappa, excess))
+            return EvaluationStatus::unseen_volume;
           const double change = element.pressure_change(
             [&](const unsigned int I) { return stencil.shape[I]; });
           const double                   p_force = p - change + kappa * excess;

@@ -5,28 +5,13 @@
 #ifndef isochor_domain_flips_h
 #define isochor_domain_flips_h
 
-#include <isochor/material_model/material_model.h>
-#include <isochor/material_points/material_points.h>
-#include <isochor/material_points/place_table.h>
-#include <isochor/material_points/point_domain.h>
+#include <isochor/material_points/flowing_triangles.h>
 
 #include <array>
-#include <map>
-#include <memory>
-#include <set>
-#include <vector>
 
 namespace isochor
 {
   using namespace dealii;
-
-  /** Whether the domain of a point is one of material that flows, whose domains
-   * may change: it has passed material on (UnseenVolume). */
-  template <int dim>
-  bool
-  is_flowing(const double                                           *properties,
-             const PointLayout                                      &layout,
-             const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials);
 
   /**
    * Gives the domains of material that flows better shapes, in the plane: two
@@ -42,40 +27,21 @@ namespace isochor
    * in the mean only; but F takes outer faces from where they were at t = 0,
    * which conditions on surfaces go by, and no triangle gets two of them.
    *
-   * The quality of a triangle is 4√3 A / Σ l², 1 if it is equilateral (Bank,
-   * PLTMG, 1998). All ranks do the same, with all triangles that are poor and
-   * their neighbours, the worst first, so that it does not matter whose they
-   * are.
+   * The worst are first.
    */
   class DomainFlips
   {
   public:
-    using Materials = std::vector<std::unique_ptr<MaterialModel<2>>>;
+    DomainFlips(FlowingTriangles &mesh)
+      : mesh(mesh)
+    {}
 
-    /** Domains with a lower quality look for a neighbour to flip with. */
-    static constexpr double poor = 0.5;
-
-    DomainFlips(MaterialPoints<2>       &points,
-                const BackgroundGrid<2> &grid,
-                const Materials         &materials);
-
-    /** Flip what is better then. How many flips there were, on all ranks; if
-     * any, points are no longer where the handler believes. Collective. */
+    /** Flip what is better then. How many flips there were. */
     unsigned int
     flip();
 
   private:
-    struct Triangle
-    {
-      PointDomain<2>::Corners     corners;
-      PointDomain<2>::Corners     places; ///< at t = 0, of outer faces
-      std::array<unsigned int, 3> number; ///< of the corners
-      unsigned int                body, outer_faces;
-      std::vector<double>         properties;
-      bool                        is_changed = false;
-    };
-    /** Body and numbers of the two corners. */
-    using Edge = std::array<unsigned int, 3>;
+    using Triangle = FlowingTriangles::Triangle;
     /** Two triangles, by number, that share an edge. */
     struct Pair
     {
@@ -86,22 +52,6 @@ namespace isochor
     };
     using Pairs = std::array<Pair, 2>;
 
-    Edge
-    edge(const Triangle &triangle, const unsigned int opposite) const;
-    /** The corners of those of the @p flowing domains that are poor, on all
-     * ranks. Collective. */
-    PlaceTable<2>
-    corners_of_poor(const std::vector<PointDomain<2>> &flowing) const;
-    /** Find the triangles that are poor on any rank, and what shares an edge
-     * with them. Collective. */
-    void
-    collect();
-    /** What collect() brought from a rank. */
-    void
-    add_triangles(const std::vector<double> &values, PlaceTable<2> &corners);
-    /** Let @p triangle be known at its edges, or no longer. */
-    void
-    link(const unsigned int triangle, const bool is_there);
     /** The neighbour with which @p triangle is best off; false if it stays as
      * it is. */
     bool
@@ -114,23 +64,8 @@ namespace isochor
     set_state(const std::array<Triangle, 2> &old,
               const Pairs                   &pairs,
               Triangle                      &triangle) const;
-    /** Change the reference corners of @p domain, with the corners of
-     * @p triangle, so that its outer face is where it was, with the same area.
-     */
-    static void
-    place_outer_face(const Triangle &triangle, PointDomain<2> &domain);
-    /** Let own points know. */
-    void
-    store() const;
 
-    MaterialPoints<2>       &points;
-    const BackgroundGrid<2> &grid;
-    const Materials         &materials;
-    std::vector<Triangle>    triangles;
-    unsigned int             first_own = 0; ///< its number
-    /** The points of this rank among the triangles. */
-    std::vector<Particles::ParticleIterator<2>> own;
-    std::map<Edge, std::set<unsigned int>>      sides; ///< by edge: triangles
+    FlowingTriangles &mesh;
   };
 } // namespace isochor
 

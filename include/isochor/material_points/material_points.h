@@ -89,6 +89,19 @@ namespace isochor
       return volume_gain + 1;
     }
 
+    /** Where the vectors begin whose sums weighted with masses are conserved.
+     */
+    std::vector<unsigned int>
+    vectors_by_mass() const
+    {
+      std::vector<unsigned int> fields;
+      if (dynamic)
+        fields = {velocity, acceleration};
+      if (with_excess)
+        fields.push_back(excess);
+      return fields;
+    }
+
     PointLayout() = default;
     PointLayout(const unsigned int dim,
                 const unsigned int n_history,

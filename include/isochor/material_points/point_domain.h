@@ -70,6 +70,20 @@ namespace isochor
                const PointLayout       &layout,
                const ArrayView<double> &properties);
 
+  /** Let @p properties of a point tell what it has when the faces of its domain
+   * have moved through the material, which stays, at the density of t = 0: V_0
+   * and mass, and the displacement to where its centroid has come, @p from
+   * where. The volumes are in the plane in axisymmetry, where rings of R =
+   * r/F_θθ pass. False, and all is as before, if nothing would be left. */
+  template <int dim>
+  bool
+  move_domain(const Point<dim>  &from,
+              const double       volume_before,
+              const Point<dim>  &centre,
+              const double       volume,
+              const PointLayout &layout,
+              double            *properties);
+
   /** The mean of the corners. */
   template <int dim>
   Point<dim>
