@@ -136,16 +136,16 @@ namespace isochor
 
 
   double
-  DomainCollapse::shortness(const unsigned int i) const
+  DomainCollapse::shortest_in_cells(const unsigned int i) const
   {
     const Triangle &triangle = mesh.triangles[i];
-    const auto      lengths  = edge_lengths(triangle.corners);
-    double          least    = shortest_edge(triangle.corners);
+    const Corners   in_cell  = map_corners(triangle.to_unit, triangle.corners);
+    const auto      lengths  = edge_lengths(in_cell);
+    double          least    = shortest_edge(in_cell);
     for (unsigned int c = 0; c < 3; ++c)
       if (triangle.has_face(c))
-        least =
-          std::min(least, 2 * std::abs(area_of(triangle.corners)) / lengths[c]);
-    return least / triangle.short_length;
+        least = std::min(least, 2 * std::abs(area_of(in_cell)) / lengths[c]);
+    return least;
   }
 
 
@@ -153,11 +153,12 @@ namespace isochor
   std::vector<typename DomainCollapse::Move>
   DomainCollapse::find_moves(const unsigned int i) const
   {
-    const Triangle    &triangle = mesh.triangles[i];
-    const auto         lengths  = edge_lengths(triangle.corners);
+    const Triangle &triangle = mesh.triangles[i];
+    const auto      lengths =
+      edge_lengths(map_corners(triangle.to_unit, triangle.corners));
     const unsigned int c =
       std::min_element(lengths.begin(), lengths.end()) - lengths.begin();
-    if (lengths[c] < triangle.short_length)
+    if (lengths[c] < FlowingTriangles::short_in_cells)
       {
         std::vector<Move> moves = {contraction(i, (c + 1) % 3, (c + 2) % 3),
                                    contraction(i, (c + 2) % 3, (c + 1) % 3)};
@@ -364,8 +365,9 @@ namespace isochor
   {
     std::set<std::pair<double, unsigned int>> queue;
     const auto                                add = [&](const unsigned int i) {
-      const double length = shortness(i);
-      if (!mesh.triangles[i].is_gone && length < 1)
+      const double length = shortest_in_cells(i);
+      if (!mesh.triangles[i].is_gone &&
+          length < FlowingTriangles::short_in_cells)
         queue.emplace(length, i);
     };
     for (unsigned int i = 0; i < mesh.triangles.size(); ++i)
@@ -376,7 +378,7 @@ namespace isochor
         // each move takes a triangle away, so that this ends
         const auto [length, i] = *queue.begin();
         queue.erase(queue.begin());
-        if (mesh.triangles[i].is_gone || length != shortness(i))
+        if (mesh.triangles[i].is_gone || length != shortest_in_cells(i))
           continue;
         for (const Move &move : find_moves(i))
           if (is_possible(move))

@@ -176,9 +176,9 @@ namespace isochor
   {
     std::set<std::pair<double, unsigned int>> queue;
     const auto                                add = [&](const unsigned int i) {
-      const double q = quality(mesh.triangles[i].corners);
-      if (q < FlowingTriangles::poor)
-        queue.emplace(q, i);
+      const auto &triangle = mesh.triangles[i];
+      if (FlowingTriangles::is_poor(triangle.corners, triangle.to_unit))
+        queue.emplace(quality(triangle.corners), i);
     };
     for (unsigned int i = 0; i < mesh.triangles.size(); ++i)
       add(i);

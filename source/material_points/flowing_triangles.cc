@@ -29,6 +29,15 @@ namespace isochor
   }
 
 
+  PointDomain<2>::Corners
+  map_corners(const Tensor<2, 2> &map, const PointDomain<2>::Corners &corners)
+  {
+    PointDomain<2>::Corners mapped;
+    for (unsigned int c = 0; c < 3; ++c)
+      mapped[c] = Point<2>(map * corners[c]);
+    return mapped;
+  }
+
   std::array<double, 3>
   edge_lengths(const PointDomain<2>::Corners &corners)
   {
@@ -78,10 +87,24 @@ namespace isochor
 
 
 
-  double
-  FlowingTriangles::short_length(const PointDomain<2> &domain) const
+  Tensor<2, 2>
+  FlowingTriangles::to_unit(const unsigned int cell) const
   {
-    return short_in_cells * std::sqrt(2 * grid.geometry().measure(domain.cell));
+    const auto  &gradients = grid.geometry().gradients(cell);
+    Tensor<2, 2> map;
+    for (unsigned int d = 0; d < 2; ++d)
+      map[d] = gradients[d + 1];
+    return map;
+  }
+
+
+
+  bool
+  FlowingTriangles::is_poor(const PointDomain<2>::Corners &corners,
+                            const Tensor<2, 2>            &to_unit)
+  {
+    return quality(corners) < poor &&
+           quality(map_corners(to_unit, corners)) < poor;
   }
 
 
@@ -92,8 +115,9 @@ namespace isochor
   {
     std::vector<double> places;
     for (const PointDomain<2> &domain : flowing)
-      if (quality(domain.current) < poor ||
-          shortest_edge(domain.current) < short_length(domain))
+      if (const Tensor<2, 2> map = to_unit(domain.cell);
+          is_poor(domain.current, map) ||
+          shortest_edge(map_corners(map, domain.current)) < short_in_cells)
         for (const Point<2> &corner : domain.current)
           places.insert(places.end(), {corner[0], corner[1]});
     PlaceTable<2> corners(scale_of_places(grid));
@@ -141,7 +165,8 @@ namespace isochor
           values.insert(values.end(), {corner[0], corner[1]});
         values.push_back(points.body_of(*particles[i]));
         values.push_back(flowing[i].outer_faces);
-        values.push_back(short_length(flowing[i]));
+        const Tensor<2, 2> map = to_unit(flowing[i].cell);
+        values.insert(values.end(), map.begin_raw(), map.end_raw());
         const auto properties = particles[i]->get_properties();
         values.insert(values.end(), properties.begin(), properties.end());
       }
@@ -170,9 +195,10 @@ namespace isochor
             triangle.corners[c] = Point<2>(value[0], value[1]);
             triangle.number[c]  = corners.find_or_add(triangle.corners[c]);
           }
-        triangle.body         = static_cast<unsigned int>(*value++);
-        triangle.outer_faces  = static_cast<unsigned int>(*value++);
-        triangle.short_length = *value++;
+        triangle.body        = static_cast<unsigned int>(*value++);
+        triangle.outer_faces = static_cast<unsigned int>(*value++);
+        std::copy(value, value + 4, triangle.to_unit.begin_raw());
+        value += 4;
         triangle.properties.assign(value, value + n_properties);
         value += n_properties;
         const PointLayout &l = points.layout();

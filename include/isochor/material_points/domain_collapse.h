@@ -52,10 +52,10 @@ namespace isochor
       Star         vanishing;      ///< of these
     };
 
-    /** Of the shortest edge, or of a corner to its opposite edge on the
-     * surface; over what is short. */
+    /** The length of the shortest edge, or from a corner to its opposite edge
+     * on the surface. */
     double
-    shortness(const unsigned int triangle) const;
+    shortest_in_cells(const unsigned int triangle) const;
     /** The moves that would take a triangle away, the better one first. */
     std::vector<Move>
     find_moves(const unsigned int triangle) const;

@@ -42,6 +42,9 @@ namespace isochor
     return quality(corners[0], corners[1], corners[2]);
   }
 
+  PointDomain<2>::Corners
+  map_corners(const Tensor<2, 2> &map, const PointDomain<2>::Corners &corners);
+
   /** The lengths of the edges opposite to the corners. */
   std::array<double, 3>
   edge_lengths(const PointDomain<2>::Corners &corners);
@@ -66,7 +69,11 @@ namespace isochor
 
     /** Triangles with a lower quality are poor. */
     static constexpr double poor = 0.5;
-    /** Edges are short that have less than this length in cells: nodes see
+    /** If they are so in their cell, too, which may be long itself. */
+    static bool
+    is_poor(const PointDomain<2>::Corners &corners,
+            const Tensor<2, 2>            &to_unit);
+    /** Edges are short that have less than this length, in cells: nodes see
      * nothing of what they do. */
     static constexpr double short_in_cells = 0.2;
 
@@ -76,7 +83,7 @@ namespace isochor
       PointDomain<2>::Corners     places; ///< at t = 0, of outer faces
       std::array<unsigned int, 3> number; ///< of the corners
       unsigned int                body, outer_faces;
-      double                      short_length; ///< what is short there (m)
+      Tensor<2, 2>                to_unit; ///< FlowingTriangles::to_unit()
       std::vector<double>         properties;
       bool                        is_changed = false, is_gone = false;
 
@@ -140,8 +147,9 @@ namespace isochor
      * short edge, on all ranks. Collective. */
     PlaceTable<2>
     corners_of_poor(const std::vector<PointDomain<2>> &flowing) const;
-    double
-    short_length(const PointDomain<2> &domain) const;
+    /** What maps a cell to a unit triangle. */
+    Tensor<2, 2>
+    to_unit(const unsigned int cell) const;
     /** What comes from a rank. */
     void
     add_triangles(const std::vector<double> &values, PlaceTable<2> &corners);
