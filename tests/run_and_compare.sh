@@ -4,6 +4,8 @@
 # What it prints is left in output, the differences from EXPECTED in diff.
 numdiff=$1 expected=$2
 shift 2
+# there may be more ranks than cores, with one thread each
+export OMPI_MCA_rmaps_base_oversubscribe=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 rm -f stdout output diff
 "$@" >stdout 2>&1
 code=$?
