@@ -78,4 +78,5 @@ main(int argc, char **argv)
     for (const double psi : {30., 10., 0.})
       test_block<2>(formulation, psi);
   test_block<3>("u-p", 30);
+  return 0;
 }

@@ -169,4 +169,5 @@ main(int argc, char **argv)
   test_idle("statics", "", true);
   test_idle("dynamics, CPDI", dynamics + "Quadrature/Type = CPDI\n", true);
   test_idle("dynamics", dynamics, false);
+  return 0;
 }

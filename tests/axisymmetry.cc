@@ -378,4 +378,5 @@ main(int argc, char **argv)
   test_tube_in_3d();
   if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
     test_errors();
+  return 0;
 }

@@ -343,4 +343,5 @@ main(int argc, char **argv)
                    "subsection Time\nset Step size = 0.5\nend\n"),
              1,
              {"left the background grid", "Enlarge"});
+  return 0;
 }

@@ -366,4 +366,5 @@ main(int argc, char **argv)
   test_squeezed();
   test_pushed();
   test_rounded_region();
+  return 0;
 }

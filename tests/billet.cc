@@ -84,4 +84,5 @@ main(int argc, char **argv)
   test::check_error("rough plates, against a fine grid",
                     std::abs(section / 0.3075e6 - 1),
                     0.1);
+  return 0;
 }

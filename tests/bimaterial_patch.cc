@@ -158,4 +158,5 @@ main(int argc, char **argv)
   test_patch("slanted, Q1",
              slanted,
              "Formulation/Type = u\nGrid/Shape functions = Q1\n");
+  return 0;
 }

@@ -208,4 +208,5 @@ main(int argc, char **argv)
                                  "Formulation/Type = u-p\n"
                                  "Linear solver/Solver = Block FGMRES\n"),
                     5e-3);
+  return 0;
 }

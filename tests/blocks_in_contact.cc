@@ -163,4 +163,5 @@ main(int argc, char **argv)
                 gap,
                 "");
   test_blocks("u", 1e6, 1, "Formulation/Type = u\n");
+  return 0;
 }

@@ -495,4 +495,5 @@ main(int argc, char **argv)
   test_probe();
   test_restart("box", "");
   test_restart("adaptive", adaptive);
+  return 0;
 }

@@ -55,4 +55,5 @@ main(int argc, char **argv)
   test_message("Material points/Region = y < 1 || (y > 2 && y < 2.5) || "
                "(y > 3 && y < 3.5)",
                two);
+  return 0;
 }

@@ -455,4 +455,5 @@ main(int argc, char **argv)
   test_loaded_area();
   test_sections();
   test_stretched_after_a_long_way();
+  return 0;
 }

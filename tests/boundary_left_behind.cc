@@ -194,4 +194,5 @@ main(int argc, char **argv)
   test::check("a body that the boundary doesn't touch",
               apart.warning.empty(),
               apart.warning);
+  return 0;
 }

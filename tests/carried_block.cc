@@ -58,4 +58,5 @@ main(int argc, char **argv)
                       "Grid/Subdivisions = 4, 4, 32\n"
                       "Dynamics/Initial velocity = 0, 0, 1\n");
     }
+  return 0;
 }

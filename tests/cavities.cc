@@ -89,4 +89,5 @@ main(int argc, char **argv)
               "Force y on cavity by place (N)",
               exact(3, a, 8, yield_stress) * test::pi * a * a,
               0.005);
+  return 0;
 }

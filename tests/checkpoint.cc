@@ -490,4 +490,5 @@ main(int argc, char **argv)
         result = run(MPI_COMM_SELF, b, {resume});
       expect_error("other number of processes", result, " processes. Resume");
     }
+  return 0;
 }

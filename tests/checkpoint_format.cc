@@ -142,4 +142,5 @@ main(int argc, char **argv)
     "another kind of file",
     [&](const std::string &name) { std::ofstream(name) << "text"; },
     "is no checkpoint of 2D and of this version");
+  return 0;
 }

@@ -166,4 +166,5 @@ main(int argc, char **argv)
                           20,
                           100);
     }
+  return 0;
 }

@@ -100,4 +100,5 @@ main(int argc, char **argv)
   test_vibration(6, 0.4, false);
   test_vibration(6, 0.8, false);
   test_impact();
+  return 0;
 }

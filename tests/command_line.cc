@@ -36,7 +36,6 @@ namespace
   }
 
 
-
   void
   test_edit_distance()
   {
@@ -497,4 +496,5 @@ main(int argc, char **argv)
   test_failing_runs();
   test_printed_parameters();
   test_effective_parameters();
+  return 0;
 }

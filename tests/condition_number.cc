@@ -58,4 +58,5 @@ main(int argc, char **argv)
   std::cout << "Laplacian, relative to the exact: "
             << scaled_condition_number(tridiagonal(n, 2., -1.)) * tan * tan
             << std::endl;
+  return 0;
 }

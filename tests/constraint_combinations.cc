@@ -394,4 +394,5 @@ main(int argc, char **argv)
   test_warnings();
   test_guided_plates("Material/Poisson ratio = 0.3\n");
   test_guided_plates(up);
+  return 0;
 }

@@ -279,4 +279,5 @@ main(int argc, char **argv)
   test_sphere();
   test_slab();
   test_slab_scenes();
+  return 0;
 }

@@ -138,4 +138,5 @@ main(int argc, char **argv)
   test_newton({"u-p", "none", 1., 0.499}, 1e-10);
   test_newton({"u-p", "PPP", 1., 0.499}, 1e-10);
   test_newton({"u-p", "PPP", 8., 0.5}, 1e-10);
+  return 0;
 }

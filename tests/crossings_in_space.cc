@@ -67,4 +67,5 @@ main(int argc, char **argv)
                  "Dynamics/Inertia = true\n"
                  "Grid reset/Steps between resets = 1\n");
   test_idle_ranks();
+  return 0;
 }

@@ -246,4 +246,5 @@ main(int argc, char **argv)
   test_what_ties_carry();
   test_vertical_cut("cell-filled");
   test_vertical_cut("CPDI");
+  return 0;
 }

@@ -184,4 +184,5 @@ main(int argc, char **argv)
       test_view<2>(type);
       test_view<3>(type);
     }
+  return 0;
 }

@@ -59,4 +59,5 @@ main(int argc, char **argv)
           "x < 0.055 && (x-0.03)^2 + (y-0.05)^2 > 1e-4\n"
           "Time/Step size = 0.05\n",
           "Reaction y on top (N)");
+  return 0;
 }

@@ -226,4 +226,5 @@ main(int argc, char **argv)
   test_moved_surface(
     "5*t^2", [](const double) { return 10.; }, 50);
   test_long_domains();
+  return 0;
 }

@@ -96,4 +96,5 @@ main(int argc, char **argv)
               missing.empty() && all_explanations().size() <= 45 &&
                 all_explanations().size() > 20,
               std::to_string(all_explanations().size()) + " " + missing);
+  return 0;
 }

@@ -106,4 +106,5 @@ main(int argc, char **argv)
   test_base_that_spreads();
   test_bar_that_is_twisted();
   test_fold();
+  return 0;
 }

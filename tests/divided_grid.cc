@@ -283,4 +283,5 @@ main(int argc, char **argv)
   test_rigid_floor();
   test_resume("");
   test_resume("Grid reset/Steps between resets = 3\n");
+  return 0;
 }

@@ -74,4 +74,5 @@ main(int argc, char **argv)
                        clamp,
                      false),
          {});
+  return 0;
 }

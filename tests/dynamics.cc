@@ -221,4 +221,5 @@ main(int argc, char **argv)
   test_momentum();
   test_vibration();
   std::cerr.rdbuf(terminal);
+  return 0;
 }

@@ -213,4 +213,5 @@ main()
   test_general_way<3, 3>();
   test_general_way<3, 4>();
   test_axisymmetry();
+  return 0;
 }

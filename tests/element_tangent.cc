@@ -200,4 +200,5 @@ main()
   test_all<2>();
   test_all<3>();
   test_work_of_mean_pressure();
+  return 0;
 }

@@ -455,4 +455,5 @@ main(int argc, char **argv)
                 0.003);
   test_pressures_that_no_node_feels();
   std::cerr.rdbuf(terminal);
+  return 0;
 }

@@ -444,4 +444,5 @@ main(int argc, char **argv)
   test_reset();
   test_sides();
   test_full_disk();
+  return 0;
 }

@@ -174,4 +174,5 @@ main(int argc, char **argv)
   test_friction_on_kept_grid();
   test_exchanged_axes();
   test_sparse_points();
+  return 0;
 }

@@ -67,4 +67,5 @@ main(int argc, char **argv)
                27 * test::pi,
                0.2,
                "Formulation/Geometry = axisymmetric\n");
+  return 0;
 }

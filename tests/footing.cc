@@ -191,4 +191,5 @@ main(int argc, char **argv)
   test_splitting<2>();
   test_splitting<3>();
   test_scene();
+  return 0;
 }

@@ -75,4 +75,5 @@ main(int argc, char **argv)
       }
   for (const unsigned int side : {1, 2, 5})
     test_side<3>(side, "u", "0.3", 4e4, "Grid/Diagonals = alternating\n");
+  return 0;
 }

@@ -175,4 +175,5 @@ main(int argc, char **argv)
                     test::relative(force(1), force(16)),
                     0.1);
   test_border();
+  return 0;
 }

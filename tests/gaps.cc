@@ -99,4 +99,5 @@ main(int argc, char **argv)
       test_gap<3>("(x - 0.5)^2 + (y - 0.2)^2 + (z - 0.5)^2 > 0.13^2", split);
     }
   test_own_cavity();
+  return 0;
 }

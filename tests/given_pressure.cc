@@ -278,4 +278,5 @@ main()
   test_closed_forms();
   test_all<2>();
   test_all<3>();
+  return 0;
 }

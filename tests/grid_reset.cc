@@ -458,4 +458,5 @@ main(int argc, char **argv)
     test_vibration(steps);
   test_momentum();
   test_when();
+  return 0;
 }

@@ -138,4 +138,5 @@ main(int argc, char **argv)
   test_incompressible("kept grid", "Grid reset/Steps between resets = 5\n");
   test_standing_wave("Grid/Subdivisions = 16, 20\n");
   test_landing();
+  return 0;
 }

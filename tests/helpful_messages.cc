@@ -316,4 +316,5 @@ main(int argc, char **argv)
   test_wandering_volumes();
   test_untouched();
   test_summary();
+  return 0;
 }

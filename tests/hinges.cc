@@ -90,4 +90,5 @@ main(int argc, char **argv)
   test::MPISession mpi(argc, argv);
   test_change_of_grid();
   test_restart();
+  return 0;
 }

@@ -356,4 +356,5 @@ main(int argc, char **argv)
   test_patch<3>("Neo-Hookean", 0.499);
   test_states(1, 1e-9, 1e-9);
   test_states(5, 1e-9, 1e-9);
+  return 0;
 }

@@ -226,4 +226,5 @@ main(int argc, char **argv)
   test_shear("Mohr-Coulomb", sheared_tresca);
   test_tension("J2", pulled_j2, 2 / std::sqrt(3.) * yield_stress);
   test_tension("Mohr-Coulomb", pulled_tresca, 2 * cohesion);
+  return 0;
 }

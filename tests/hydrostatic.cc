@@ -167,4 +167,5 @@ main(int argc, char **argv)
       test_block("cell-filled", formulation, 6, 0., 1e-11);
       test_block("CPDI", formulation, 4, 0., 1e-11);
     }
+  return 0;
 }

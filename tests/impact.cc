@@ -134,4 +134,5 @@ main(int argc, char **argv)
   test_smooth_start("-0.05*t^2");
   test_flush_rod("u");
   test_flush_rod("u-p"); // did not start in an earlier version
+  return 0;
 }

@@ -340,4 +340,5 @@ main(int argc, char **argv)
   test_contact();
   test_ring();
   test_conflicts();
+  return 0;
 }

@@ -395,4 +395,5 @@ main(int argc, char **argv)
   test::check("no cut takes more than a tenth of beta",
               smallest > 0.9 * whole,
               std::to_string(smallest) + " of " + std::to_string(whole));
+  return 0;
 }

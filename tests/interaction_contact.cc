@@ -358,4 +358,5 @@ main(int argc, char **argv)
   test_hertz();
   test_bush();
   test_punch();
+  return 0;
 }

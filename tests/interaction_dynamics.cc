@@ -280,4 +280,5 @@ main(int argc, char **argv)
   test_carried("a wall",
                wall + "Rigid body: wall/Motion = x=0.1*t\n"
                       "Interaction: body - wall/Law = unilateral\n");
+  return 0;
 }

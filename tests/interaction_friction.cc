@@ -241,4 +241,5 @@ main(int argc, char **argv)
   test_dissipation();
   test_alike();
   test_restart();
+  return 0;
 }

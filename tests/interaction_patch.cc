@@ -290,4 +290,5 @@ main(int argc, char **argv)
   test_half_planes<3>(u, 0.3, 0.3, true);
   test_half_planes<3>(u_p, 0.4999, 0.3, true);
   test_half_planes<3>(u_p, 0.5, 0.3, false);
+  return 0;
 }

@@ -262,4 +262,5 @@ main(int argc, char **argv)
     check<3>(forms[3],
              {name + free, tool + moves + "rx, ry, rz\n" + inertia},
              laws);
+  return 0;
 }

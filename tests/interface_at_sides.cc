@@ -164,4 +164,5 @@ main(int argc, char **argv)
                                  grid);
     }
   test_layer_at_hanging_nodes();
+  return 0;
 }

@@ -246,4 +246,5 @@ main(int argc, char **argv)
   test_ranks_without_rows();
   test_multigrid();
   test_choice();
+  return 0;
 }

@@ -202,4 +202,5 @@ main(int argc, char **argv)
   test_second_body();
   test_chance();
   test_corner();
+  return 0;
 }

@@ -105,4 +105,5 @@ main(int argc, char **argv)
                             1),
                           steps == "1" ? 0.01 : 0.012);
       }
+  return 0;
 }

@@ -313,4 +313,5 @@ main(int argc, char **argv)
   test::check("wrong where both are nearly incompressible",
               std::abs(incompressible) > 0.05,
               std::to_string(incompressible));
+  return 0;
 }

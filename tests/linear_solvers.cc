@@ -410,4 +410,5 @@ main(int argc, char **argv)
     }
   out() << "MUMPS in particular" << std::endl;
   check_mumps();
+  return 0;
 }

@@ -153,4 +153,5 @@ main(int argc, char **argv)
   test_failure();
   test_smallest_step();
   test_output();
+  return 0;
 }

@@ -63,4 +63,5 @@ main(int argc, char **argv)
   test_region<3>("y < 0.54 || y > 0.55", 6, filled);
   test_region<3>("x^2 + y^2 + z^2 < 1", 6, no_message);
   test_region<3>("(x - 0.5)^2 + y^2 + z^2 > 0.2", 6, no_message);
+  return 0;
 }

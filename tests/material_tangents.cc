@@ -385,4 +385,5 @@ main()
 {
   test_all<2>();
   test_all<3>();
+  return 0;
 }

@@ -26,7 +26,7 @@ namespace isochor
     template <int dim>
     std::string
     write_mesh(const std::string                                  &name,
-               const std::vector<Point<dim>>                      &vertices,
+               const std::vector<dealii::Point<dim>>              &vertices,
                const std::vector<CellData<dim>>                   &cells,
                const std::vector<std::string>                     &sides,
                const std::function<bool(const unsigned int vertex,
@@ -84,9 +84,10 @@ namespace isochor
     template <int dim>
     std::string
     write_image_of_box(
-      const std::string                                   &name,
-      const std::vector<unsigned int>                     &subdivisions,
-      const std::function<Point<dim>(const Point<dim> &)> &place)
+      const std::string               &name,
+      const std::vector<unsigned int> &subdivisions,
+      const std::function<dealii::Point<dim>(const dealii::Point<dim> &)>
+        &place)
     {
       const StructuredGrid<dim> grid(subdivisions, {});
       const auto                vertices = grid.vertices(place);

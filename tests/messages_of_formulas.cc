@@ -130,4 +130,5 @@ main(int argc, char **argv)
   std::filesystem::create_directory("scene_checks");
   test_formulas();
   test_conditions();
+  return 0;
 }

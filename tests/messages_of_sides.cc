@@ -138,4 +138,5 @@ main(int argc, char **argv)
   test_shared_cells();
   test_layers_of_one_domain();
   test_rounded_zones();
+  return 0;
 }

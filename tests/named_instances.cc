@@ -321,4 +321,5 @@ main(int argc, char **argv)
   test_objects();
   test_restart();
   test_messages();
+  return 0;
 }

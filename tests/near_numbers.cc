@@ -142,4 +142,5 @@ main(int argc, char *argv[])
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_numbers<2>(32);
   test_numbers<3>(8);
+  return 0;
 }

@@ -319,4 +319,5 @@ main(int argc, char **argv)
   test_plastic("u-p");
   test_no_change_of_volume();
   test_just_above_tolerance();
+  return 0;
 }

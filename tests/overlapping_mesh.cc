@@ -116,4 +116,5 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_dimension<2>();
   test_dimension<3>();
+  return 0;
 }

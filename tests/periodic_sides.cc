@@ -44,7 +44,7 @@ namespace
 void
 test_shear()
 {
-  const std::string up    = ::up + "Material/Poisson ratio = 0.45\n";
+  const std::string u_p   = up + "Material/Poisson ratio = 0.45\n";
   const double      G     = 3e4 / 2.9;
   const std::string pairs = "left: right; bottom: top, x = 0.3*t";
   const auto        check = [&](const std::string &name,
@@ -65,13 +65,13 @@ test_shear()
   check("u, kept grid", u + keep, 3e4 / 2.6);
   for (const std::string quadrature : {"points", "cell-filled", "CPDI"})
     check("u-p, " + quadrature,
-          up + "Quadrature/Type = " + quadrature + '\n',
+          u_p + "Quadrature/Type = " + quadrature + '\n',
           G);
-  check("u-p, Block FGMRES", up + "Linear solver/Solver = Block FGMRES\n", G);
+  check("u-p, Block FGMRES", u_p + "Linear solver/Solver = Block FGMRES\n", G);
   const auto in_space =
     test::run_scene<3>(cell<3>("left: right; bottom: top, x = 0.3*t; front: "
                                "back") +
-                       up + "Quadrature/Type = CPDI\n");
+                       u_p + "Quadrature/Type = CPDI\n");
   test::check_error("shear, 3D",
                     std::abs(
                       force(*in_space, "x", "bottom and top") / (0.3 * G) - 1),
@@ -159,4 +159,5 @@ main(int argc, char **argv)
   test_tension();
   test_shift();
   test_mismatch();
+  return 0;
 }

@@ -285,4 +285,5 @@ main(int argc, char **argv)
   test_surface_loads();
   test_cylinder();
   test_footing();
+  return 0;
 }

@@ -136,4 +136,5 @@ main()
 {
   test_schemes();
   test_names();
+  return 0;
 }

@@ -463,4 +463,5 @@ main(int argc, char **argv)
   check_orientation();
   check_errors<2>();
   check_errors<3>();
+  return 0;
 }

@@ -355,4 +355,5 @@ main(int argc, char **argv)
   test_jumps();
   test_refined_base("u");
   test_refined_base("u-p");
+  return 0;
 }

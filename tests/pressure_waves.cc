@@ -125,4 +125,5 @@ main(int argc, char **argv)
     "0.4999, 20 cells, Q1", 0.4999, 20, "Grid/Shape functions = Q1\n", 0.006);
   test_period<3>("in space, 0.499, 10 cells", 0.499, 10, "", 0.003);
   test_layers();
+  return 0;
 }

@@ -335,4 +335,5 @@ main(int argc, char **argv)
       test_cut("cell-filled", formulation, elastic, true);
       test_cut("CPDI", formulation, elastic, true);
     }
+  return 0;
 }

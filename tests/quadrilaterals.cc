@@ -291,4 +291,5 @@ main(int argc, char **argv)
   test_membrane("u", 0.33, 0.321595, 0.35);
   test_membrane("u-p", 0.499, 0.276467, 0.45);
   test_dynamics();
+  return 0;
 }

@@ -423,4 +423,5 @@ main(int argc, char **argv)
   check_particles<2>("hole");
   check_particles<3>("box");
   check_particles<3>("L");
+  return 0;
 }

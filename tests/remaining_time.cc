@@ -76,4 +76,5 @@ main(int argc, char **argv)
   test::MPISession mpi(argc, argv);
   test_estimate();
   test_format();
+  return 0;
 }

@@ -310,4 +310,5 @@ main(int argc, char **argv)
     if (tried.count(one.name) == 0)
       others += " " + one.name + ";";
   std::cout << "Not tried:" << others << std::endl;
+  return 0;
 }

@@ -177,4 +177,5 @@ main(int argc, char **argv)
   test_vibrating_tube();
   test_ring();
   test_sliding_cut();
+  return 0;
 }

@@ -244,4 +244,5 @@ main()
 {
   test_all<2>();
   test_all<3>();
+  return 0;
 }

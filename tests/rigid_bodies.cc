@@ -413,4 +413,5 @@ main()
   test_dynamics_in_space();
   test_state();
   test_errors();
+  return 0;
 }

@@ -471,4 +471,5 @@ main(int argc, char **argv)
   test_torsion();
   test_spin();
   test_mass();
+  return 0;
 }

@@ -131,4 +131,5 @@ main(int argc, char **argv)
                      "Boundary conditions/Surfaces of body = top: y > 0.99\n"
                      "Interaction: top - lid/Law = tie\n");
   check_picture("a box in space", 12);
+  return 0;
 }

@@ -374,4 +374,5 @@ main()
   test_boxes_in_space();
   test_round_body();
   test_errors();
+  return 0;
 }

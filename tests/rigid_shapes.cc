@@ -282,4 +282,5 @@ main()
   test_plugin();
   test_formulas();
   test_errors();
+  return 0;
 }

@@ -489,4 +489,5 @@ main(int argc, char **argv)
   test_meshes();
   test_small_mistakes();
   test_runs();
+  return 0;
 }

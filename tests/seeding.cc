@@ -432,4 +432,5 @@ main(int argc, char **argv)
   for (const unsigned int n : {8, 27, 32, 64})
     test_corner_orders(n);
   test_exchanged_axes();
+  return 0;
 }

@@ -60,4 +60,5 @@ main(int argc, char **argv)
   test::check("then they do",
               test::get(*touching, force) < -10,
               std::to_string(test::get(*touching, force)));
+  return 0;
 }

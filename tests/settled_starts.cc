@@ -186,4 +186,5 @@ main(int argc, char **argv)
   test_changing_grids();
   test_free_nodes();
   test_acceleration_of_points();
+  return 0;
 }

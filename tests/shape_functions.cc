@@ -304,4 +304,5 @@ main(int argc, char **argv)
   test_tangent<3, 3>();
   test_tangent<3, 4>();
   test_limits();
+  return 0;
 }

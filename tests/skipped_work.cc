@@ -238,4 +238,5 @@ main(int argc, char *argv[])
   test_output();
   test_empty_cells();
   test_features();
+  return 0;
 }

@@ -69,4 +69,5 @@ main(int argc, char **argv)
   test_square("0", "=");
   test_square("0", ">=");
   test_square("1", ">=");
+  return 0;
 }

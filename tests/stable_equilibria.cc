@@ -111,4 +111,5 @@ main(int argc, char **argv)
   test_column("u");
   test_column("u-p");
   test_flow();
+  return 0;
 }

@@ -263,4 +263,5 @@ main(int argc, char **argv)
   test_sudden_motion();
   test_no_measure();
   test_statics();
+  return 0;
 }

@@ -370,4 +370,5 @@ main()
                 mc + "Dilation angle = 1\nend",
                 "<Mohr-Coulomb/Dilation angle>");
   test_pressure_is_needed();
+  return 0;
 }

@@ -177,4 +177,5 @@ main(int argc, char **argv)
     "Grid/Upper corner = 1.25, 0.5, 0.25\nGrid/Subdivisions = 5, 4, 1\n"
     "Material points/Region = x < 1 && y > 0 && y < 0.25\n",
     "0, -5*t, 0");
+  return 0;
 }

@@ -303,4 +303,5 @@ main(int argc, char **argv)
   test_other_body();
   test_unbounded_acceleration();
   test_switches();
+  return 0;
 }

@@ -288,4 +288,5 @@ main(int argc, char **argv)
   test_layers();
   test_partners();
   test_messages();
+  return 0;
 }

@@ -58,4 +58,5 @@ main(int argc, char **argv)
           "after step 3, t = 0.75",
           "after step 4, t = 1",
           "are kept with the ending '.old'"});
+  return 0;
 }

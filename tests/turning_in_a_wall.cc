@@ -95,4 +95,5 @@ main(int argc, char **argv)
   for (const std::string nu : {"0.3", "0.4999"})
     for (const std::string interval : {"1", "0"})
       test_ring(nu, interval);
+  return 0;
 }

@@ -191,4 +191,5 @@ main(int argc, char **argv)
   test_positions();
   test_walls();
   test_conflicts();
+  return 0;
 }

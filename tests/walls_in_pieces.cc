@@ -186,4 +186,5 @@ main(int argc, char **argv)
   test_surface();
   test_sliding();
   test_contradiction();
+  return 0;
 }

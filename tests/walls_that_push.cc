@@ -185,4 +185,5 @@ main(int argc, char **argv)
   test_rims();
   test_weight();
   test_laws();
+  return 0;
 }

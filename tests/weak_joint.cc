@@ -97,4 +97,5 @@ main(int argc, char **argv)
   const double thin =
     error_of_force("u-p", 0.5 / 16, "Material points/Points per cell = 4\n");
   test::check_error("half a cell thick", std::abs(thin), 3e-3);
+  return 0;
 }

@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/mpi_sums.h>
 #include <isochor/equations/equation_layout.h>
 #include <isochor/equations/nodal_constraints.h>
 

@@ -84,20 +84,22 @@ namespace isochor
     };
 
     void
-    check(const int error, const char *call)
-    {
-      AssertThrow(error >= 0,
-                  ExcMessage(std::string("Trilinos: ") + call + " returned " +
-                             std::to_string(error) + "."));
-    }
-
-    void
     sort_and_remove_copies(std::vector<int> &numbers)
     {
       std::sort(numbers.begin(), numbers.end());
       numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     }
   } // namespace
+
+
+
+  void
+  check_trilinos(const int error, const char *call)
+  {
+    AssertThrow(error >= 0,
+                ExcMessage(std::string("Trilinos: ") + call + " returned " +
+                           std::to_string(error) + "."));
+  }
 
 
 
@@ -126,13 +128,14 @@ namespace isochor
       length.empty() ? 0 : *std::max_element(length.begin(), length.end()), 0.);
     for (unsigned int row = 0; row < length.size(); ++row)
       if (length[row] > 0)
-        check(matrix->InsertMyValues(row,
-                                     length[row],
-                                     zeros.data(),
-                                     pattern.column.data() + start[row]),
-              "InsertMyValues");
-    check(matrix->FillComplete(domain, range), "FillComplete");
-    check(matrix->OptimizeStorage(), "OptimizeStorage");
+        check_trilinos(matrix->InsertMyValues(row,
+                                              length[row],
+                                              zeros.data(),
+                                              pattern.column.data() +
+                                                start[row]),
+                       "InsertMyValues");
+    check_trilinos(matrix->FillComplete(domain, range), "FillComplete");
+    check_trilinos(matrix->OptimizeStorage(), "OptimizeStorage");
     return matrix;
   }
 

@@ -25,14 +25,6 @@ namespace isochor
         -1, numbers.size(), numbers.data(), 0, Epetra_MpiComm(comm));
     }
 
-    void
-    check(const int error, const char *call)
-    {
-      AssertThrow(error >= 0,
-                  ExcMessage(std::string("Trilinos: ") + call + " returned " +
-                             std::to_string(error) + "."));
-    }
-
     std::vector<bool>
     is_in_field(const SparseSystem &A, const SparseSystem::Field field)
     {
@@ -93,8 +85,8 @@ namespace isochor
     for (std::size_t i = 0; i < owned_row.size(); ++i)
       number_of_owned[owned_position[i]] = begin + owned_row[i];
     const Epetra_Import to_local(system_local, system_owned);
-    check(number_of_local.Import(number_of_owned, to_local, ::Insert),
-          "Import");
+    check_trilinos(number_of_local.Import(number_of_owned, to_local, ::Insert),
+                   "Import");
 
     std::vector<int> local_numbers(is_owned.size()), owned_numbers;
     for (std::size_t i = 0; i < row_of.size(); ++i)
@@ -242,8 +234,8 @@ namespace isochor
   {
     int    *offsets, *indices;
     double *values;
-    check(block->ExtractCrsDataPointers(offsets, indices, values),
-          "ExtractCrsDataPointers");
+    check_trilinos(block->ExtractCrsDataPointers(offsets, indices, values),
+                   "ExtractCrsDataPointers");
     std::vector<int> next(offsets, offsets + rows.is_owned.size());
     for_each_entry(A, [&](unsigned int r, unsigned int, std::size_t k) {
       action(values[next[r]++], k);
@@ -312,17 +304,19 @@ namespace isochor
   TrilinosBlock::vmult(TrilinosWrappers::MPI::Vector       &dst,
                        const TrilinosWrappers::MPI::Vector &src) const
   {
-    check(matrix().Multiply(false,
-                            src.trilinos_vector(),
-                            dst.trilinos_vector()),
-          "Multiply");
+    check_trilinos(matrix().Multiply(false,
+                                     src.trilinos_vector(),
+                                     dst.trilinos_vector()),
+                   "Multiply");
   }
 
   void
   TrilinosBlock::Tvmult(TrilinosWrappers::MPI::Vector       &dst,
                         const TrilinosWrappers::MPI::Vector &src) const
   {
-    check(matrix().Multiply(true, src.trilinos_vector(), dst.trilinos_vector()),
-          "Multiply");
+    check_trilinos(matrix().Multiply(true,
+                                     src.trilinos_vector(),
+                                     dst.trilinos_vector()),
+                   "Multiply");
   }
 } // namespace isochor

@@ -21,6 +21,10 @@ namespace isochor
 {
   using namespace dealii;
 
+  /** Throw if @p error, which Trilinos' @p call returned, is one. */
+  void
+  check_trilinos(const int error, const char *call);
+
   /** Which entries a rank contributes to a matrix: row r has those from
    * start[r] up to start[r + 1], their columns ascending. Rows and columns by
    * local numbers, of which larger ones stand for larger global ones. */
