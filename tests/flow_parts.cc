@@ -115,4 +115,5 @@ main(int argc, char **argv)
   push("cone",
        180 * test::pi,
        "Rigid body: tool/Shape = cone\nFormulation/Geometry = axisymmetric\n");
+  return 0;
 }

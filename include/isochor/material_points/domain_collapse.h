@@ -88,13 +88,22 @@ namespace isochor
     void
     apply(const Move &move);
 
-    /** Join what vanishes with a neighbour. The areas of the star then. */
-    std::vector<double>
+    /** Centroid and area of what is a triangle or two. */
+    struct Place
+    {
+      Point<2> centre;
+      double   area;
+    };
+
+    /** Join what vanishes with a neighbour. Where the star is then, before its
+     * corner moves. */
+    std::vector<Place>
     join(const Move &move);
 
-    /** Give @p to what @p from has, with which it shares an edge. */
+    /** Give @p to, at @p place, what @p from has, with which it shares an edge.
+     */
     void
-    pass_on(const Triangle &from, Triangle &to) const;
+    pass_on(const Triangle &from, Triangle &to, Place &place) const;
 
     FlowingTriangles &mesh;
   };
