@@ -16,10 +16,8 @@ namespace isochor
 {
   namespace
   {
-    using Corners = PointDomain<2>::Corners;
-
     double
-    area_of(const Corners &corners)
+    area_of(const PointDomain<2>::Corners &corners)
     {
       return area(corners[0], corners[1], corners[2]);
     }
@@ -109,36 +107,62 @@ namespace isochor
     return move;
   }
 
+  double
+  DomainCollapse::foot(const Corners &corners, const unsigned int apex)
+  {
+    const Point<2>    &a    = corners[(apex + 1) % 3];
+    const Tensor<1, 2> face = corners[(apex + 2) % 3] - a;
+    return (corners[apex] - a) * face / face.norm_square();
+  }
+
+
+
   typename DomainCollapse::Move
   DomainCollapse::rise_to_surface(const unsigned int i,
                                   const unsigned int apex) const
   {
     const Triangle    &triangle = mesh.triangles[i];
     const unsigned int a = (apex + 1) % 3, b = (apex + 2) % 3;
-    const Tensor<1, 2> face = triangle.corners[b] - triangle.corners[a];
-    const double along = (triangle.corners[apex] - triangle.corners[a]) * face /
-                         face.norm_square();
+    const double       along = foot(triangle.corners, apex);
     return {triangle.number[apex],
             triangle.number[apex],
-            triangle.corners[a] + along * face,
+            triangle.corners[a] +
+              along * (triangle.corners[b] - triangle.corners[a]),
             triangle.places[a] +
               along * (triangle.places[b] - triangle.places[a]),
             triangles_at(triangle.body, triangle.number[apex]),
             {i}};
   }
 
+
+
+  unsigned int
+  DomainCollapse::face_below(const Triangle &triangle)
+  {
+    for (unsigned int c = 0; c < 3; ++c)
+      if (triangle.has_face(c))
+        if (const double along = foot(triangle.corners, c);
+            along > 0 && along < 1)
+          return c;
+    return 3;
+  }
+
+
+
   double
   DomainCollapse::shortest_in_cells(const unsigned int i) const
   {
     const Triangle &triangle = mesh.triangles[i];
     const Corners   in_cell  = map_corners(triangle.to_unit, triangle.corners);
-    const auto      lengths  = edge_lengths(in_cell);
-    double          least    = shortest_edge(in_cell);
-    for (unsigned int c = 0; c < 3; ++c)
-      if (triangle.has_face(c))
-        least = std::min(least, 2 * std::abs(area_of(in_cell)) / lengths[c]);
-    return least;
+    const double    edge     = shortest_edge(in_cell);
+    const unsigned int face  = face_below(triangle);
+    return face == 3 ? edge :
+                       std::min(edge,
+                                2 * std::abs(area_of(in_cell)) /
+                                  edge_lengths(in_cell)[face]);
   }
+
+
 
   std::vector<typename DomainCollapse::Move>
   DomainCollapse::find_moves(const unsigned int i) const
@@ -148,19 +172,16 @@ namespace isochor
       edge_lengths(map_corners(triangle.to_unit, triangle.corners));
     const unsigned int c =
       std::min_element(lengths.begin(), lengths.end()) - lengths.begin();
-    if (lengths[c] < FlowingTriangles::short_in_cells)
-      {
-        std::vector<Move> moves = {contraction(i, (c + 1) % 3, (c + 2) % 3),
-                                   contraction(i, (c + 2) % 3, (c + 1) % 3)};
-        if (bend(moves[1]) < bend(moves[0]))
-          std::swap(moves[0], moves[1]);
-        return moves;
-      }
-    for (unsigned int face = 0; face < 3; ++face)
-      if (triangle.has_face(face))
-        return {rise_to_surface(i, face)};
-    return {};
+    if (!(lengths[c] < FlowingTriangles::short_in_cells))
+      return {rise_to_surface(i, face_below(triangle))};
+    std::vector<Move> moves = {contraction(i, (c + 1) % 3, (c + 2) % 3),
+                               contraction(i, (c + 2) % 3, (c + 1) % 3)};
+    if (bend(moves[1]) < bend(moves[0]))
+      std::swap(moves[0], moves[1]);
+    return moves;
   }
+
+
 
   double
   DomainCollapse::bend(const Move &move) const
@@ -186,7 +207,9 @@ namespace isochor
       return std::numeric_limits<double>::infinity();
     const Tensor<1, 2> before = gone - ends[0].first,
                        after  = ends[1].first - gone;
-    return 1 - before * after / (before.norm() * after.norm());
+    const double cosine       = before * after / (before.norm() * after.norm());
+    return cosine > std::sqrt(0.5) ? 1 - cosine :
+                                     std::numeric_limits<double>::infinity();
   }
 
   bool
@@ -349,9 +372,10 @@ namespace isochor
   {
     std::set<std::pair<double, unsigned int>> queue;
     const auto                                add = [&](const unsigned int i) {
-      const double length = shortest_in_cells(i);
-      if (!mesh.triangles[i].is_gone &&
-          length < FlowingTriangles::short_in_cells)
+      const Triangle &triangle = mesh.triangles[i];
+      const double    length = shortest_in_cells(i);
+      if (!triangle.is_gone && length < FlowingTriangles::short_in_cells &&
+          FlowingTriangles::is_poor(triangle.corners, triangle.to_unit))
         queue.emplace(length, i);
     };
     for (unsigned int i = 0; i < mesh.triangles.size(); ++i)

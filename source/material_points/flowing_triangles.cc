@@ -92,8 +92,8 @@ namespace isochor
   {
     const auto  &gradients = grid.geometry().gradients(cell);
     Tensor<2, 2> map;
-    for (unsigned int d = 0; d < 2; ++d)
-      map[d] = gradients[d + 1];
+    map[0] = gradients[1] + gradients[2] / 2;
+    map[1] = std::sqrt(3.) / 2 * gradients[2];
     return map;
   }
 
@@ -115,9 +115,7 @@ namespace isochor
   {
     std::vector<double> places;
     for (const PointDomain<2> &domain : flowing)
-      if (const Tensor<2, 2> map = to_unit(domain.cell);
-          is_poor(domain.current, map) ||
-          shortest_edge(map_corners(map, domain.current)) < short_in_cells)
+      if (is_poor(domain.current, to_unit(domain.cell)))
         for (const Point<2> &corner : domain.current)
           places.insert(places.end(), {corner[0], corner[1]});
     PlaceTable<2> corners(scale_of_places(grid));

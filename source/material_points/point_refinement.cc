@@ -285,6 +285,9 @@ namespace isochor
     };
     if (with_domains)
       {
+        if constexpr (dim == 2)
+          if (follows)
+            n_removed += reshape_domains(points, grid, locator, materials);
         const auto flowing  = find_flowing(follows, points, materials);
         const auto is_large = [&](const PointDomain<dim> &domain) {
           const auto &geometry = locator.geometry();
@@ -301,9 +304,6 @@ namespace isochor
                         is_large,
                         follows,
                         share > 0 ? least_points : 0));
-        if constexpr (dim == 2)
-          if (follows)
-            n_removed += reshape_domains(points, grid, locator, materials);
       }
     else
       // parts may still be too large; bounded, as each is a fourth or fifth

@@ -101,8 +101,10 @@ namespace isochor
   double
   LoadStepping::next_target() const
   {
-    return output_interval > 0 ?
-             std::min(end, (reached_output + 1) * output_interval) :
+    const double output = (reached_output + 1) * output_interval;
+    // of 3 x 0.3 and 0.9 one counts
+    return output_interval > 0 && output < (1 - rounding::accumulated) * end ?
+             output :
              end;
   }
 

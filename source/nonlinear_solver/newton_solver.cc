@@ -233,9 +233,6 @@ namespace isochor
             return "a material point was turned inside out (det F <= 0)";
           case EvaluationStatus::return_map_failed:
             return "the stress of a material point could not be found";
-          case EvaluationStatus::unseen_volume:
-            return "a material point changed its volume by half, unseen by the "
-                   "nodes";
           default:
             return "the residual is not a number";
         }

@@ -9,7 +9,6 @@
 #include <isochor/material_points/material_points.h>
 
 #include <array>
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -24,8 +23,7 @@ namespace isochor
   {
     success           = 0,
     inverted_point    = 1,
-    return_map_failed = 2,
-    unseen_volume     = 3 ///< MixedKernel::is_astray()
+    return_map_failed = 2
   };
 
   /**
@@ -327,17 +325,6 @@ namespace isochor
                  (1 + stress *
                         materials[points.material[q]]->inverse_bulk_modulus()) :
                0.;
-    }
-
-    /** Whether a point has changed its volume by half, by its @p excess e, and
-     * no node sees it, where @p kappa resists that: as equilibrium goes it is
-     * another one than that sought, far from it, of neighbours that exchange
-     * their volumes. */
-    static bool
-    is_astray(const double kappa, const double excess)
-    {
-      constexpr double most = 0.5;
-      return kappa > 0 && std::abs(excess) > most;
     }
 
     /** S_e,IJ = α/G V (M_IJ - 1/(d+1)²) of a cell. */

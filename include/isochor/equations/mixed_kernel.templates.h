@@ -187,7 +187,7 @@ namespace isochor
               }
           }
         kinematics.F = F_increment * points.F[q];
-        kinematics.J = determinant(kinematics.F);
+        kinematics.J = det_F(F_increment, points.F[q]);
         if (!(kinematics.J > 0))
           return EvaluationStatus::inverted_point;
         double p = 0;
@@ -218,9 +218,7 @@ namespace isochor
                             N);
         const double kappa =
           mixed ? unseen_stiffness(points, q) : 1 / inverse_K;
-        const double excess = response.volumetric_strain - p * inverse_K;
-        if (mixed && is_astray(kappa, excess))
-          return EvaluationStatus::unseen_volume;
+        const double excess  = response.volumetric_strain - p * inverse_K;
         const double p_force = p - change + kappa * excess;
         sums.add_stress(response, V, p_force, factor, with_matrix);
         if (kappa > 0 && with_matrix)
@@ -369,7 +367,7 @@ namespace isochor
     kinematics.with_tangent    = false;
     kinematics.with_history    = true;
     kinematics.F               = increment.F_increment * points.F[q];
-    kinematics.J               = determinant(kinematics.F);
+    kinematics.J               = det_F(increment.F_increment, points.F[q]);
     if (axisymmetric)
       kinematics.J *= increment.hoop_increment * hoop_stretch(old_history);
     if (mixed && material.depends_on_pressure())

@@ -248,7 +248,7 @@ namespace isochor
             points.history.data() + q * std::size_t(points.n_history);
           kinematics.set_increment(F_increment);
           kinematics.F = F_increment * points.F[q];
-          kinematics.J = determinant(kinematics.F);
+          kinematics.J = det_F(F_increment, points.F[q]);
           if (hoop)
             {
               kinematics.hoop_increment = 1 + u_r / points.radius[q];
@@ -287,8 +287,6 @@ namespace isochor
           const double kappa =
             mixed ? kernel.unseen_stiffness(points, q) : 1 / inverse_K;
           const double excess = response.volumetric_strain - p * inverse_K;
-          if (mixed && kernel.is_astray(kappa, excess))
-            return EvaluationStatus::unseen_volume;
           const double change = element.pressure_change(
             [&](const unsigned int I) { return stencil.shape[I]; });
           const double                   p_force = p - change + kappa * excess;

@@ -73,9 +73,6 @@ namespace isochor
                 const PointPack kappa(kernel.unseen_stiffness(points, q),
                                       kernel.unseen_stiffness(points, r)),
                   excess = of_pack.J - 1. - p * law.inverse_K;
-                if (kernel.is_astray(kappa[0], excess[0]) ||
-                    kernel.is_astray(kappa[1], excess[1]))
-                  return EvaluationStatus::unseen_volume;
                 add_stress(V, V * (p + kappa * excess) * of_pack.J);
                 if (of_pack.with_tangent)
                   bulk += V * kappa * of_pack.J * of_pack.J;

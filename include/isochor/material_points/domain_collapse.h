@@ -14,13 +14,13 @@ namespace isochor
   using namespace dealii;
 
   /**
-   * Takes triangles out of the domains of material that flows, in the plane,
-   * that the grid can't see: they become shorter and shorter where flow parts,
-   * before a tip, and where it meets, behind a pole. A short edge collapses:
-   * one of its ends goes to the other, and the triangles at the edge are gone
-   * (edge collapse of Hoppe et al., Mesh optimization, SIGGRAPH 1993). A corner
-   * within the body that is that near to an edge on the surface comes to the
-   * surface.
+   * Takes poor triangles out of the domains of material that flows, in the
+   * plane, that the grid can't see: they become shorter and shorter where flow
+   * parts, before a tip, and where it meets, behind a pole. A short edge
+   * collapses: one of its ends goes to the other, and the triangles at the edge
+   * are gone (edge collapse of Hoppe et al., Mesh optimization, SIGGRAPH 1993).
+   * A corner within the body that is that near to an edge on the surface comes
+   * to the surface.
    *
    * The material stays where it is: a triangle takes what its edges pass over,
    * at the density of t = 0, and what is left of the vanishing ones goes to a
@@ -41,6 +41,7 @@ namespace isochor
 
   private:
     using Triangle = FlowingTriangles::Triangle;
+    using Corners  = PointDomain<2>::Corners;
     using Star     = std::vector<unsigned int>;
     /** Of a corner to another one or onto the surface. */
     struct Move
@@ -52,8 +53,16 @@ namespace isochor
       Star         vanishing;      ///< of these
     };
 
-    /** The length of the shortest edge, or from a corner to its opposite edge
-     * on the surface. */
+    /** Where the perpendicular from the corner @p apex meets the opposite edge,
+     * 0 to 1 if within it. */
+    static double
+    foot(const Corners &corners, const unsigned int apex);
+    /** The edge on the surface, by its opposite corner, that this corner can
+     * come to; 3 if there is none. */
+    static unsigned int
+    face_below(const Triangle &triangle);
+    /** The length of the shortest edge, or from a corner to the edge on the
+     * surface that it can come to. */
     double
     shortest_in_cells(const unsigned int triangle) const;
     /** The moves that would take a triangle away, the better one first. */
@@ -79,9 +88,9 @@ namespace isochor
     bool
     is_possible(const Move &move) const;
 
-    /** How much the surface is bent at the corner that goes, 0 to 2; less than
-     * that if the corner is within the body, infinite if it can't go along an
-     * edge on the surface. */
+    /** How much the surface is bent at the corner that goes: less than 0 if the
+     * corner is within the body, infinite if it can't go along an edge on the
+     * surface or that is bent by 45 degrees, as where a surface ends. */
     double
     bend(const Move &move) const;
 

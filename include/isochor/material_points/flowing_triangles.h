@@ -97,8 +97,8 @@ namespace isochor
     /** Body and numbers of the two corners. */
     using Edge = std::array<unsigned int, 3>;
 
-    /** Find the triangles that are poor or have a short edge, on any rank, and
-     * what touches them. Collective. */
+    /** Find the triangles that are poor on any rank, and what touches them.
+     * Collective. */
     FlowingTriangles(MaterialPoints<2>       &points,
                      const BackgroundGrid<2> &grid,
                      const Materials         &materials);
@@ -143,11 +143,11 @@ namespace isochor
     std::vector<Triangle>    triangles;
 
   private:
-    /** The corners of those of the @p flowing domains that are poor or have a
-     * short edge, on all ranks. Collective. */
+    /** The corners of those of the @p flowing domains that are poor, on all
+     * ranks. Collective. */
     PlaceTable<2>
     corners_of_poor(const std::vector<PointDomain<2>> &flowing) const;
-    /** What maps a cell to a unit triangle. */
+    /** What maps a cell to an equilateral triangle with edges of length 1. */
     Tensor<2, 2>
     to_unit(const unsigned int cell) const;
     /** What comes from a rank. */
