@@ -90,10 +90,20 @@ namespace isochor
   Tensor<2, 2>
   FlowingTriangles::to_unit(const unsigned int cell) const
   {
-    const auto  &gradients = grid.geometry().gradients(cell);
+    const auto  &geometry = grid.geometry();
     Tensor<2, 2> map;
-    map[0] = gradients[1] + gradients[2] / 2;
-    map[1] = std::sqrt(3.) / 2 * gradients[2];
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        const auto [least, most] =
+          std::minmax_element(geometry.vertex_indices(cell).begin(),
+                              geometry.vertex_indices(cell).end(),
+                              [&](const unsigned int a, const unsigned int b) {
+                                return geometry.vertices()[a][d] <
+                                       geometry.vertices()[b][d];
+                              });
+        map[d][d] =
+          1 / (geometry.vertices()[*most][d] - geometry.vertices()[*least][d]);
+      }
     return map;
   }
 

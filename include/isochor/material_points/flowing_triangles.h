@@ -147,7 +147,7 @@ namespace isochor
      * ranks. Collective. */
     PlaceTable<2>
     corners_of_poor(const std::vector<PointDomain<2>> &flowing) const;
-    /** What maps a cell to an equilateral triangle with edges of length 1. */
+    /** What scales the extents of a cell to 1. */
     Tensor<2, 2>
     to_unit(const unsigned int cell) const;
     /** What comes from a rank. */
