@@ -82,7 +82,7 @@ namespace isochor
       return EvaluationStatus::inverted_point;
     kinematics.set_increment(F_increment);
     kinematics.F = F_increment * domain.F;
-    kinematics.J = det_F(F_increment, domain.F);
+    kinematics.J = determinant(kinematics.F);
     double u_r   = 0;
     if (hoop)
       {

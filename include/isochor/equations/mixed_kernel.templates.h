@@ -187,7 +187,7 @@ namespace isochor
               }
           }
         kinematics.F = F_increment * points.F[q];
-        kinematics.J = det_F(F_increment, points.F[q]);
+        kinematics.J = determinant(kinematics.F);
         if (!(kinematics.J > 0))
           return EvaluationStatus::inverted_point;
         double p = 0;
@@ -367,7 +367,7 @@ namespace isochor
     kinematics.with_tangent    = false;
     kinematics.with_history    = true;
     kinematics.F               = increment.F_increment * points.F[q];
-    kinematics.J               = det_F(increment.F_increment, points.F[q]);
+    kinematics.J               = determinant(kinematics.F);
     if (axisymmetric)
       kinematics.J *= increment.hoop_increment * hoop_stretch(old_history);
     if (mixed && material.depends_on_pressure())

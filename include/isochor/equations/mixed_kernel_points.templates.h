@@ -248,7 +248,7 @@ namespace isochor
             points.history.data() + q * std::size_t(points.n_history);
           kinematics.set_increment(F_increment);
           kinematics.F = F_increment * points.F[q];
-          kinematics.J = det_F(F_increment, points.F[q]);
+          kinematics.J = determinant(kinematics.F);
           if (hoop)
             {
               kinematics.hoop_increment = 1 + u_r / points.radius[q];

@@ -27,16 +27,6 @@ namespace isochor
     return F;
   }
 
-  /** J = det(ΔF F_n), as the product: of a face that has been drawn out by
-   * orders of magnitude F has large entries whose determinant is lost in
-   * rounding, but stays the same in all iterations of a step. */
-  template <int dim>
-  double
-  det_F(const Tensor<2, dim> &F_increment, const Tensor<2, dim> &F_n)
-  {
-    return determinant(F_increment) * determinant(F_n);
-  }
-
   /**
    * The nodal unknowns of a step, to be read: displacement increments and, in
    * the u-p form, pressures. Everything that interpolates them does it through
