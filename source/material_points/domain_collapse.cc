@@ -188,7 +188,6 @@ namespace isochor
   {
     Point<2>                               gone;
     std::vector<std::pair<Point<2>, bool>> ends; // of faces; the kept corner?
-    bool                                   is_wrinkle = true;
     for (const unsigned int i : move.star)
       {
         const Triangle    &triangle = mesh.triangles[i];
@@ -200,10 +199,6 @@ namespace isochor
               const unsigned int end = 3 - c - opposite;
               ends.emplace_back(triangle.corners[end],
                                 triangle.number[end] == move.kept);
-              is_wrinkle =
-                is_wrinkle &&
-                (triangle.to_unit * (triangle.corners[end] - gone)).norm() <
-                  FlowingTriangles::short_in_cells;
             }
       }
     if (ends.empty())
@@ -213,9 +208,8 @@ namespace isochor
     const Tensor<1, 2> before = gone - ends[0].first,
                        after  = ends[1].first - gone;
     const double cosine       = before * after / (before.norm() * after.norm());
-    return cosine > std::sqrt(0.5) || is_wrinkle ?
-             1 - cosine :
-             std::numeric_limits<double>::infinity();
+    return cosine > std::sqrt(0.5) ? 1 - cosine :
+                                     std::numeric_limits<double>::infinity();
   }
 
   bool

@@ -155,18 +155,17 @@ namespace isochor
           ring += part[i][l.volume] * centre[0] / part[i][l.history];
       }
     const unsigned int larger = of_part[1] > of_part[0] ? 1 : 0;
-    Tensor<2, 2>       F      = deformation_gradient<2>(part[larger].data(), l);
     const double       V_0    = part[0][l.volume] + part[1][l.volume];
-    F *= std::sqrt((of_part[0] + of_part[1]) / V_0 / determinant(F));
     mean_state<2>(part[0].data(),
                   part[1].data(),
-                  F,
+                  deformation_gradient<2>(part[larger].data(), l),
                   l,
                   mesh.materials,
                   triangle.properties);
     if (l.axisymmetric)
       triangle.properties[l.history] =
         centroid<2>(triangle.corners)[0] * V_0 / ring;
+    mesh.fill((of_part[0] + of_part[1]) / V_0, triangle);
   }
 
 

@@ -338,8 +338,7 @@ namespace isochor
             values[l.F + i * 2 + j] = F[i][j];
         particle->set_location(domain.location);
       }
-    if (!vanishing.empty())
-      points.handler().remove_particles(vanishing);
+    points.handler().remove_particles(vanishing); // collective
   }
 
 

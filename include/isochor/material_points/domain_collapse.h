@@ -90,8 +90,7 @@ namespace isochor
 
     /** How much the surface is bent at the corner that goes: less than 0 if the
      * corner is within the body, infinite if it can't go along an edge on the
-     * surface or that is bent by 45 degrees, as where a surface ends, and isn't
-     * a wrinkle, with short edges on both sides. */
+     * surface or that is bent by 45 degrees, as where a surface ends. */
     double
     bend(const Move &move) const;
 

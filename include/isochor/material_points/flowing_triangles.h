@@ -133,7 +133,7 @@ namespace isochor
     link(const unsigned int triangle, const bool is_there);
 
     /** Let own points know. Those that are gone leave the handler; where the
-     * others are it doesn't know. */
+     * others are it doesn't know. Collective. */
     void
     store();
 
