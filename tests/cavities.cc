@@ -79,7 +79,7 @@ main(int argc, char **argv)
               exact(2, a, 20, 2 * yield_stress / std::sqrt(3.)) * test::pi * a,
               0.0005);
   test_cavity("sphere",
-              "Grid/Upper corner = 9, 9\nGrid/Subdivisions = 36, 36\n"
+              "Grid/Upper corner = 9, 9\nGrid/Subdivisions = 40, 40\n"
               "Material points/Region = x^2 + y^2 > 1 && x^2 + y^2 < 64\n"
               "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
               "Boundary conditions/Surfaces of body = "
