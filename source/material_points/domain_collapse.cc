@@ -107,16 +107,6 @@ namespace isochor
     return move;
   }
 
-  double
-  DomainCollapse::foot(const Corners &corners, const unsigned int apex)
-  {
-    const Point<2>    &a    = corners[(apex + 1) % 3];
-    const Tensor<1, 2> face = corners[(apex + 2) % 3] - a;
-    return (corners[apex] - a) * face / face.norm_square();
-  }
-
-
-
   typename DomainCollapse::Move
   DomainCollapse::rise_to_surface(const unsigned int i,
                                   const unsigned int apex) const
@@ -176,7 +166,12 @@ namespace isochor
       return {rise_to_surface(i, face_below(triangle))};
     std::vector<Move> moves = {contraction(i, (c + 1) % 3, (c + 2) % 3),
                                contraction(i, (c + 2) % 3, (c + 1) % 3)};
-    if (bend(moves[1]) < bend(moves[0]))
+    const auto        order = [&](const Move &move, const unsigned int gone) {
+      return std::make_pair(static_cast<float>(bend(move)),
+                            FlowingTriangles::tie_break(
+                              triangle.corners[gone]));
+    };
+    if (order(moves[1], (c + 2) % 3) < order(moves[0], (c + 1) % 3))
       std::swap(moves[0], moves[1]);
     return moves;
   }
@@ -202,13 +197,13 @@ namespace isochor
             }
       }
     if (ends.empty())
-      return -1;
+      return -std::numeric_limits<double>::infinity();
     if (ends.size() != 2 || ends[0].second == ends[1].second)
       return std::numeric_limits<double>::infinity();
     const Tensor<1, 2> before = gone - ends[0].first,
                        after  = ends[1].first - gone;
     const double cosine       = before * after / (before.norm() * after.norm());
-    return cosine > std::sqrt(0.5) ? 1 - cosine :
+    return cosine > std::sqrt(0.5) ? -cosine :
                                      std::numeric_limits<double>::infinity();
   }
 
@@ -217,7 +212,7 @@ namespace isochor
   {
     const unsigned int material = mesh.layout().material;
     const bool         is_rise  = move.kept == move.gone;
-    if (!std::isfinite(bend(move)))
+    if (bend(move) > 0)
       return false;
     double worst = 1, worst_before = 1;
     for (const unsigned int i : move.star)
@@ -370,13 +365,13 @@ namespace isochor
   unsigned int
   DomainCollapse::collapse()
   {
-    std::set<std::pair<double, unsigned int>> queue;
-    const auto                                add = [&](const unsigned int i) {
+    std::set<FlowingTriangles::Turn> queue;
+    const auto                       add = [&](const unsigned int i) {
       const Triangle &triangle = mesh.triangles[i];
-      const double    length = shortest_in_cells(i);
+      const double    length   = shortest_in_cells(i);
       if (!triangle.is_gone && length < FlowingTriangles::short_in_cells &&
           FlowingTriangles::is_poor(triangle.corners, triangle.to_unit))
-        queue.emplace(length, i);
+        queue.insert(mesh.turn(length, i));
     };
     for (unsigned int i = 0; i < mesh.triangles.size(); ++i)
       add(i);
@@ -384,9 +379,11 @@ namespace isochor
     while (!queue.empty())
       {
         // each move takes a triangle away, so that this ends
-        const auto [length, i] = *queue.begin();
+        const auto         next = *queue.begin();
+        const unsigned int i    = std::get<2>(next);
         queue.erase(queue.begin());
-        if (mesh.triangles[i].is_gone || length != shortest_in_cells(i))
+        if (mesh.triangles[i].is_gone ||
+            next != mesh.turn(shortest_in_cells(i), i))
           continue;
         for (const Move &move : find_moves(i))
           if (is_possible(move))

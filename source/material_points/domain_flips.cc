@@ -44,7 +44,7 @@ namespace isochor
   {
     const PointLayout &l        = mesh.layout();
     const Triangle    &first    = mesh.triangles[triangle];
-    double             smallest = quality(first.corners);
+    float              smallest = quality(first.corners);
     bool               is_found = false;
     for (unsigned int c = 0; c < 3; ++c)
       {
@@ -61,12 +61,13 @@ namespace isochor
                      0,
                      second.place_of(first.number[pair.lost]),
                      second.place_of(first.number[pair.kept])};
-        partner.apex       = 3 - partner.kept - partner.lost;
-        const Point<2> &o  = first.corners[pair.apex],
-                       &a  = first.corners[pair.kept],
-                       &b  = first.corners[pair.lost],
-                       &p  = second.corners[partner.apex];
-        const double worse = std::min(quality(o, a, p), quality(o, p, b));
+        partner.apex      = 3 - partner.kept - partner.lost;
+        const Point<2> &o = first.corners[pair.apex],
+                       &a = first.corners[pair.kept],
+                       &b = first.corners[pair.lost],
+                       &p = second.corners[partner.apex];
+        // as floats: of equal ones rounding must not decide
+        const float worse = std::min(quality(o, a, p), quality(o, p, b));
         // both on the same side of the new diagonal as before
         if (!(worse > smallest && area(o, a, p) * area(o, a, b) > 0 &&
               area(o, p, b) * area(o, a, b) > 0))
@@ -173,11 +174,11 @@ namespace isochor
   unsigned int
   DomainFlips::flip()
   {
-    std::set<std::pair<double, unsigned int>> queue;
-    const auto                                add = [&](const unsigned int i) {
+    std::set<FlowingTriangles::Turn> queue;
+    const auto                       add = [&](const unsigned int i) {
       const auto &triangle = mesh.triangles[i];
       if (FlowingTriangles::is_poor(triangle.corners, triangle.to_unit))
-        queue.emplace(quality(triangle.corners), i);
+        queue.insert(mesh.turn(quality(triangle.corners), i));
     };
     for (unsigned int i = 0; i < mesh.triangles.size(); ++i)
       add(i);
@@ -185,10 +186,12 @@ namespace isochor
     while (!queue.empty())
       {
         // each flip makes the worst of two better, so that this ends
-        const auto [q, i] = *queue.begin();
+        const auto         next = *queue.begin();
+        const unsigned int i    = std::get<2>(next);
         queue.erase(queue.begin());
         Pairs pairs;
-        if (q != quality(mesh.triangles[i].corners) || !find_partner(i, pairs))
+        if (next != mesh.turn(quality(mesh.triangles[i].corners), i) ||
+            !find_partner(i, pairs))
           continue;
         flip(pairs);
         ++n_flips;

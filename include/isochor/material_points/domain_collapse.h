@@ -53,10 +53,6 @@ namespace isochor
       Star         vanishing;      ///< of these
     };
 
-    /** Where the perpendicular from the corner @p apex meets the opposite edge,
-     * 0 to 1 if within it. */
-    static double
-    foot(const Corners &corners, const unsigned int apex);
     /** The edge on the surface, by its opposite corner, that this corner can
      * come to; 3 if there is none. */
     static unsigned int
@@ -88,9 +84,10 @@ namespace isochor
     bool
     is_possible(const Move &move) const;
 
-    /** How much the surface is bent at the corner that goes: less than 0 if the
-     * corner is within the body, infinite if it can't go along an edge on the
-     * surface or that is bent by 45 degrees, as where a surface ends. */
+    /** How much the surface is bent at the corner that goes: minus the cosine
+     * of the angle, -infinite if the corner is within the body, infinite if it
+     * can't go along an edge on the surface or that is bent by 45 degrees, as
+     * where a surface ends. */
     double
     bend(const Move &move) const;
 

@@ -7,13 +7,13 @@
 
 #include <isochor/material_model/material_model.h>
 #include <isochor/material_points/place_table.h>
-#include <isochor/material_points/point_domain.h>
+#include <isochor/material_points/triangle_shape.h>
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
 #include <set>
+#include <tuple>
 #include <vector>
 
 namespace isochor
@@ -27,34 +27,6 @@ namespace isochor
   is_flowing(const double                                           *properties,
              const PointLayout                                      &layout,
              const std::vector<std::unique_ptr<MaterialModel<dim>>> &materials);
-
-  /** Positive if the corners go around it counter-clockwise. */
-  double
-  area(const Point<2> &a, const Point<2> &b, const Point<2> &c);
-
-  /** 4√3 A / Σ l², 1 if the triangle is equilateral (Bank, PLTMG, 1998). */
-  double
-  quality(const Point<2> &a, const Point<2> &b, const Point<2> &c);
-
-  inline double
-  quality(const PointDomain<2>::Corners &corners)
-  {
-    return quality(corners[0], corners[1], corners[2]);
-  }
-
-  PointDomain<2>::Corners
-  map_corners(const Tensor<2, 2> &map, const PointDomain<2>::Corners &corners);
-
-  /** The lengths of the edges opposite to the corners. */
-  std::array<double, 3>
-  edge_lengths(const PointDomain<2>::Corners &corners);
-
-  inline double
-  shortest_edge(const PointDomain<2>::Corners &corners)
-  {
-    const std::array<double, 3> lengths = edge_lengths(corners);
-    return *std::min_element(lengths.begin(), lengths.end());
-  }
 
   /**
    * Domains of material that flows, in the plane, that have poor shapes, with
@@ -96,6 +68,24 @@ namespace isochor
     };
     /** Body and numbers of the two corners. */
     using Edge = std::array<unsigned int, 3>;
+
+    /** By which turns are taken: a measure; where it is the same but for
+     * rounding (as float, of equal triangles, or of an edge seen by both), how
+     * far along a direction that no lattice has. So that neither rounding nor
+     * the number of ranks decides. */
+    using Turn = std::tuple<float, double, unsigned int>;
+    static double
+    tie_break(const Point<2> &place)
+    {
+      return place[0] + numbers::SQRT2 * place[1];
+    }
+    Turn
+    turn(const double measure, const unsigned int triangle) const
+    {
+      return {static_cast<float>(measure),
+              tie_break(centroid<2>(triangles[triangle].corners)),
+              triangle};
+    }
 
     /** Find the triangles that are poor on any rank, and what touches them.
      * Collective. */
