@@ -165,12 +165,12 @@ test_rotation(const std::string &material, const double nu)
                           std::max(worst.F, worst.location),
                           1e-12);
         // The pressure is K times a strain that is rounded: K/E = 167 for ν =
-        // 0.499. (1.014e-12 of E with OpenBLAS' kernels for AVX-512, below
-        // 1e-12 with others.)
+        // 0.499. (1.01e-12 of E with OpenBLAS' kernels for AVX-512, 1.75e-12
+        // with the general ones, below 1e-12 with others.)
         const double K = 1 / (3 * (1 - 2 * nu)); // over E
         test::check_error("no stress in a rotation, " + label,
                           std::max(worst.stress, worst.pressure) / 70,
-                          1e-14 * std::max(100., K));
+                          2e-14 * std::max(50., K));
       }
 }
 
@@ -354,7 +354,8 @@ main(int argc, char **argv)
     }
   test_patch<2>("Neo-Hookean", 0.499);
   test_patch<3>("Neo-Hookean", 0.499);
-  test_states(1, 1e-9, 1e-9);
+  // a pressure is up to K/E = 167 times the error of a strain
+  test_states(1, 1e-9, 2e-9);
   test_states(5, 1e-9, 1e-9);
   return 0;
 }

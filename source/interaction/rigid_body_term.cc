@@ -300,6 +300,19 @@ namespace isochor
 
 
   template <int dim>
+  std::optional<double>
+  RigidBodyTerm<dim>::kinetic_energy() const
+  {
+    std::optional<double> energy;
+    for (const auto &one : bodies)
+      if (one->body.has_free_components())
+        energy = energy.value_or(0) + one->body.kinetic_energy();
+    return energy;
+  }
+
+
+
+  template <int dim>
   std::string
   RigidBodyTerm<dim>::save_state() const
   {

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -84,7 +85,8 @@ namespace isochor
       sum_over_ranks(sums, result.step.grid.communicator());
       stabilisation.advance(result.step, result.unknowns, old_weight(result));
       if (result.time.step == 0)
-        initial_energy = sums[old_strain] + sums[old_kinetic];
+        initial_energy = sums[old_strain] + sums[old_kinetic] +
+                         kinetic_energy_of_conditions(result).value_or(0);
       const double stabilisation_energy =
         stabilisation.stored + result.subscale_energy;
       strain_energy = sums[strain] + stabilisation_energy;
@@ -125,10 +127,11 @@ namespace isochor
         }
       sum_over_ranks(sums, result.step.grid.communicator());
 
-      balance = {sums[6],
-                 strain_energy + plastic_sum,
-                 external_sum + initial_energy,
-                 stiffness};
+      const auto of_conditions = kinetic_energy_of_conditions(result);
+      balance                  = {sums[6] + of_conditions.value_or(0),
+                                  strain_energy + plastic_sum,
+                                  external_sum + initial_energy,
+                                  stiffness};
       if (!l.dynamic && !in_statics)
         return;
       statistics.set("Strain energy (J)", strain_energy);
@@ -138,6 +141,8 @@ namespace isochor
                      balance.supplied - balance.internal - balance.kinetic);
       if (!l.dynamic)
         return;
+      if (of_conditions)
+        statistics.set("Kinetic energy of rigid bodies (J)", *of_conditions);
       for (unsigned int a = 0; a < dim; ++a)
         statistics.set(std::string("Momentum ") + "xyz"[a] + " (kg m/s)",
                        sums[a]);
@@ -307,6 +312,17 @@ namespace isochor
                                   (stored - old_stored));
           }
       return sums;
+    }
+
+    static std::optional<double>
+    kinetic_energy_of_conditions(const StepResult<dim> &result)
+    {
+      std::optional<double> energy;
+      for (const auto *const condition :
+           with_role<const HasMass<dim>>(result.conditions))
+        if (const auto part = condition->kinetic_energy())
+          energy = energy.value_or(0) + *part;
+      return result.points.layout().dynamic ? energy : std::nullopt;
     }
 
     /** What the stabilisation takes for the body's weight at the start of the

@@ -249,6 +249,22 @@ namespace isochor
 
 
   template <int dim>
+  double
+  RigidInertia<dim>::kinetic_energy(const RigidMotion<dim> &motion) const
+  {
+    double energy = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      if (motion.is_free(d))
+        energy += mass / 2 * velocity[d] * velocity[d];
+    // rotations that move are all free or none is
+    if (motion.has_free_rotations())
+      energy += angular_velocity * scale(moments, angular_velocity) / 2;
+    return energy;
+  }
+
+
+
+  template <int dim>
   void
   RigidInertia<dim>::save(std::ostream &state) const
   {

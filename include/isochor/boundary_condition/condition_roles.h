@@ -9,6 +9,7 @@
 #include <isochor/grid/prescribed_motion.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -198,6 +199,22 @@ namespace isochor
     /** Of the step that BoundaryCondition::evaluate() has looked at. */
     virtual const std::vector<LoadOnSupport> &
     loads_on_supports() const = 0;
+  };
+
+
+
+  /** A boundary condition with a mass of its own. */
+  template <int dim>
+  class HasMass
+  {
+  public:
+    virtual ~HasMass() = default;
+
+    /** Of what is free to move (J), if anything is, at the start of the step
+     * or, after BoundaryCondition::advance(), at its end; the same on all
+     * ranks. */
+    virtual std::optional<double>
+    kinetic_energy() const = 0;
   };
 
 

@@ -9,6 +9,7 @@
 #include <isochor/rigid_body/rigid_body.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,8 @@ namespace isochor
   class RigidBodyTerm : public BoundaryCondition<dim>,
                         public ConstrainsNodes<dim>,
                         public HasControlNodes<dim>,
-                        public ActsByAssembly<dim>
+                        public ActsByAssembly<dim>,
+                        public HasMass<dim>
   {
   public:
     using Bodies = std::vector<std::shared_ptr<RigidBodyInScene<dim>>>;
@@ -114,6 +116,8 @@ namespace isochor
              Statistics             &statistics) const override;
     void
     advance(const StepContext<dim> &step, const NodalField &unknowns) override;
+    std::optional<double>
+    kinetic_energy() const override;
     std::string
     save_state() const override;
     void

@@ -136,6 +136,12 @@ namespace isochor
     {
       inertia.accelerate(forces, rotation_in_space(), motion);
     }
+    /** Of what is free (J), at the start of the step. */
+    double
+    kinetic_energy() const
+    {
+      return inertia.kinetic_energy(motion);
+    }
     /** The step to @p time has converged. */
     void
     advance(const double       time,

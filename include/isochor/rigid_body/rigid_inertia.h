@@ -103,6 +103,10 @@ namespace isochor
             const Values       &increments,
             const Tensor<2, 3> &rotation);
 
+    /** Of what is free in @p motion (J). */
+    double
+    kinetic_energy(const RigidMotion<dim> &motion) const;
+
     void
     save(std::ostream &state) const;
     void
