@@ -54,7 +54,7 @@ namespace isochor
     in_space.set_increment(
       extended(kinematics.F_increment, kinematics.hoop_increment));
     in_space.F            = extended(kinematics.F, history[0]);
-    in_space.J            = determinant(in_space.F);
+    in_space.J            = kinematics.J;
     in_space.pressure     = kinematics.pressure;
     in_space.with_tangent = kinematics.with_tangent;
     in_space.with_history = kinematics.with_history;

@@ -248,12 +248,14 @@ namespace isochor
           auto              &R = domain.reference;
           const unsigned int a = (c + 1) % 3, b = (c + 2) % 3;
           const double       area_R = area(R[a], R[b], R[c]);
-          const Tensor<1, 2> face   = triangle.corners[b] - triangle.corners[a],
-                             was    = triangle.places[b] - triangle.places[a];
+          const Tensor<1, 2> face   = triangle.corners[b] - triangle.corners[a];
+          Tensor<1, 2>       was    = triangle.places[b] - triangle.places[a];
+          const Point<2>     middle = triangle.places[a] + was / 2;
+          was *= std::max(1., face.norm() / (largest_stretch * was.norm()));
           const double along = (triangle.corners[c] - triangle.corners[a]) *
                                face / face.norm_square();
-          R[a] = triangle.places[a];
-          R[b] = triangle.places[b];
+          R[a] = middle - was / 2;
+          R[b] = middle + was / 2;
           // cross_product_2d() turns clockwise
           R[c] = R[a] + along * was -
                  2 * area_R / was.norm_square() * cross_product_2d(was);
