@@ -98,6 +98,7 @@ SCENES = {
     "pipe": Scene(
         "pipe/pipe.prm", ("pipe.geo", 2, {"n": 8}, "pipe.msh"), {}, BODY_MESH
     ),
+    "cone": Scene("cone/cone.prm", ("cone.geo", 2, {"n": 6}, "cone.msh")),
     "shallow_ironing": Scene(
         "shallow_ironing/shallow_ironing.prm",
         ("ironing.geo", 2, {"h": 0.2}, "ironing.msh"),
@@ -180,6 +181,14 @@ def pipe(axes, directory):
     axes.fill(np.cos(angle), np.sin(angle) - 0.3, color=solid_view.GREY)
 
 
+def cone(axes, directory):
+    window = (-6.5, 6.5, -9, 0.8)
+    plane(axes, directory, STRAIN, window=window, mirror=True, limits=(0, 2))
+    x = np.array([0, 0.17, 1, 1])
+    y = np.array([-8, -7.9, -6.47, 0.8])
+    axes.fill([*x, *-x[::-1]], [*y, *y[::-1]], color=solid_view.GREY)
+
+
 def ring_compression(axes, directory):
     """Half of the ring, its section turned about the axis."""
     data = output.read_points(directory)
@@ -221,6 +230,7 @@ PICTURES = {
     "bearing": lambda a, d: plane(a, d, "cauchy_stress_xy", limits=(-1.5e6, 1.5e6)),
     "ring_compression": ring_compression,
     "pipe": pipe,
+    "cone": cone,
     "shallow_ironing": lambda a, d: plane(a, d, "cauchy_stress_yy", limits=(-500, 500)),
     "stl_tool": lambda a, d: solid(
         a,

@@ -28,7 +28,11 @@ for directory in sys.argv[1:]:
 points = output.read_points(sys.argv[-1])
 output.plot_points(axes[0], points, "equivalent_plastic_strain")
 axes[0].set(xlim=(0, 5), ylim=(-10, 1.5))
-for value, name in ((9.72, "Teh & Houlsby 1991"), (10.77, "Lu et al. 2004")):
+for value, name in (
+    (9.7, "Teh & Houlsby 1991, smooth"),
+    (10.8, "Lu et al. 2004, smooth"),
+    (12.1, "both, rough"),
+):
     axes[1].axhline(value, color="k", linestyle=":", linewidth=1)
     axes[1].text(0.1, value + 0.1, name, fontsize=8)
 axes[1].set(xlabel="depth / radius", ylabel="force / (c_u π R²)", ylim=(0, 13))

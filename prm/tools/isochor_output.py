@@ -124,8 +124,8 @@ def _part(data):
 def body_mesh(data):
     """The body as a mesh: positions of its vertices (n, 3), and its cells, those
     of the subdomains in @p data, or without subdomains in 2D triangles between
-    the points. Subdomains of a material have a vertex in common where they had
-    one at t = 0; it lies in the mean of their corners."""
+    the points. Subdomains of a material have a vertex in common where their corners
+    are at the same place."""
     if "corners" not in data:
         triangles = Triangulation(*data["position"][:, :2].T)
         edges = data["position"][triangles.triangles]
@@ -134,23 +134,22 @@ def body_mesh(data):
         allowed = 3 * _spacing(data)[triangles.triangles].max(axis=1)
         return data["position"], triangles.triangles[edges.max(axis=1) < allowed]
     n, n_corners, _ = data["corners"].shape
-    places = data["reference"].reshape(-1, 3)
-    edge = np.linalg.norm(data["reference"][:, 0] - data["reference"][:, 1], axis=1)
+    corners = data["corners"].reshape(-1, 3)
+    edge = np.linalg.norm(data["corners"][:, 0] - data["corners"][:, 1], axis=1)
     kind = _part(data)
     # 1e-3 of an edge, but more than single precision rounds
-    size = max(1e-3 * np.percentile(edge, 5), 3e-6 * np.abs(places).max())
-    label = np.arange(len(places))
+    size = max(1e-3 * np.percentile(edge, 5), 3e-6 * np.abs(corners).max())
+    label = np.arange(len(corners))
     for shift in np.ndindex(2, 2, 2):  # equal places may be rounded apart
         key = np.column_stack(
-            [np.round(places / size + np.array(shift) / 2), np.repeat(kind, n_corners)]
+            [np.round(corners / size + np.array(shift) / 2), np.repeat(kind, n_corners)]
         )
         group = np.unique(key, axis=0, return_inverse=True)[1]
-        least = np.full(group.max() + 1, len(places))
+        least = np.full(group.max() + 1, len(corners))
         np.minimum.at(least, group, label)
         label = least[group]
     cells = np.unique(label, return_inverse=True)[1]
     count = np.bincount(cells)
-    corners = data["corners"].reshape(-1, 3)
     vertices = [np.bincount(cells, corners[:, d]) / count for d in range(3)]
     return np.column_stack(vertices), cells.reshape(n, n_corners)
 

@@ -307,8 +307,8 @@ namespace isochor
                                       history.data());
             const Tensor<2, dim> new_gradient =
               gradient * invert(gradient + unit_symmetric_tensor<dim>());
-            sums[plastic] += V * (power(old_state, gradient, hoop - 1) / 2 +
-                                  power(state, new_gradient, 1 - 1 / hoop) / 2 -
+            sums[plastic] += V * (old_state.power(gradient, hoop - 1) / 2 +
+                                  state.power(new_gradient, 1 - 1 / hoop) / 2 -
                                   (stored - old_stored));
           }
       return sums;
@@ -317,12 +317,11 @@ namespace isochor
     static std::optional<double>
     kinetic_energy_of_conditions(const StepResult<dim> &result)
     {
-      std::optional<double> energy;
-      for (const auto *const condition :
-           with_role<const HasMass<dim>>(result.conditions))
-        if (const auto part = condition->kinetic_energy())
-          energy = energy.value_or(0) + *part;
-      return result.points.layout().dynamic ? energy : std::nullopt;
+      const auto with_mass = with_role<const HasMass<dim>>(result.conditions);
+      Assert(with_mass.size() <= 1, ExcInternalError());
+      return with_mass.empty() || !result.points.layout().dynamic ?
+               std::nullopt :
+               with_mass[0]->kinetic_energy();
     }
 
     /** What the stabilisation takes for the body's weight at the start of the
@@ -339,19 +338,6 @@ namespace isochor
       if (kernel.axisymmetric)
         weight[0] = 0.;
       return weight;
-    }
-
-    /** τ : @p gradient, with @p hoop its component out of the plane. */
-    static double
-    power(const typename MixedKernel<dim>::PointState &state,
-          const Tensor<2, dim>                        &gradient,
-          const double                                 hoop)
-    {
-      double sum = state.cauchy_stress[2][2] * hoop;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          sum += state.cauchy_stress[i][j] * gradient[i][j];
-      return sum * state.J;
     }
 
     /** The unknowns that the step started with. */

@@ -272,6 +272,17 @@ namespace isochor
       SymmetricTensor<2, 3> cauchy_stress;
       double                pressure;          ///< p, from the nodes or K θ^e
       double                volumetric_strain; ///< θ^e
+
+      /** τ : @p gradient, with @p hoop its component out of the plane. */
+      double
+      power(const Tensor<2, dim> &gradient, const double hoop) const
+      {
+        double sum = cauchy_stress[2][2] * hoop;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            sum += cauchy_stress[i][j] * gradient[i][j];
+        return sum * J;
+      }
     };
 
     /** Of @p increment Kinematics::set_increment() and hoop_increment are set,
