@@ -48,9 +48,10 @@ namespace isochor
     /** Edges are short that have less than this length, in cells: nodes see
      * nothing of what they do. */
     static constexpr double short_in_cells = 0.2;
-    /** Where flow parts, faces on the surface are stretched without end. Where
-     * they were at t = 0 is known to this part of their length: more would only
-     * be rounding in F, whose largest entry it is. */
+    /** Where flow parts, faces on the surface are stretched without end. By
+     * more than this F doesn't know of: where a face was at t = 0 is known to a
+     * thousandth of its length, as det F of larger entries would be rounding.
+     */
     static constexpr double largest_stretch = 1e3;
 
     struct Triangle
