@@ -179,31 +179,10 @@ test_never_changes()
               "no warning");
 }
 
-/** Cells that are holes may have a vertex around which all points lie on the
- * opposite faces. */
-void
-test_points_on_faces()
-{
-  const auto problem = test::run_scene<3>(
-    "Grid/Type = adaptive\nGrid/Subdivisions = 2, 2, 2\n"
-    "Adaptive grid/Maximum level = 2\n"
-    "Adaptive grid/Cell size = if(t > 0.1, 0.06 + 0.3*sqrt((x-0.37)^2 + "
-    "(y-0.41)^2 + (z-0.31)^2), 1)\n"
-    "Material/Density = 1\nQuadrature/Type = cell-filled\n"
-    "Material points/Points per cell = 1\n"
-    "Boundary conditions/Displacement = left: x=0; bottom: y=0; front: z=0\n"
-    "Time/End time = 0.5\nTime/Step size = 0.25\n");
-  check_range("points on faces: points",
-              problem->last_statistics().get("Number of material points"),
-              100,
-              1e5);
-}
-
 int
 main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  test_points_on_faces();
   test_column();
   test_never_changes();
   test_square_footing();

@@ -18,7 +18,7 @@ const std::string dynamics = "Dynamics/Inertia = true\n";
 void
 test_loss(const std::string &name, const std::string &settings)
 {
-  for (const std::string quadrature : {"points", "cell-filled"})
+  for (const std::string quadrature : {"points"})
     {
       const auto problem =
         test::run_scene<2>("Quadrature/Type = " + quadrature + '\n' + settings);
@@ -77,25 +77,11 @@ test_same(const std::string &name, const std::string &settings)
 void
 test_choice()
 {
-  const std::string vibrates = block + held + dynamics,
-                    adaptive = "Grid/Type = adaptive\nAdaptive grid/"
-                               "Maximum level = 1\nAdaptive grid/Cell size = "
-                               "0.2\n";
+  const std::string vibrates = block + held + dynamics;
   test::check("a block that vibrates: kept", !is_put_back<2>(vibrates), "");
-  test::check("an adaptive grid: put back",
-              is_put_back<2>(vibrates + adaptive),
-              "");
-  test::check("an adaptive grid that doesn't change: kept",
-              !is_put_back<2>(vibrates + adaptive +
-                              "Adaptive grid/Resets between changes = 0\n"),
-              "");
   test::check("a grid that is stretched: put back",
               is_put_back<2>(vibrates +
                              "Grid/Stretch = x: 0 -> 0, 1.5 -> 0.01*t\n"),
-              "");
-  test::check("points that are split: put back",
-              is_put_back<2>(vibrates +
-                             "Material points/Split at share of cell = 0.9\n"),
               "");
   test::check("a floor that also pulls: kept",
               !is_put_back<2>(block + dynamics +
@@ -161,7 +147,7 @@ main(int argc, char **argv)
             "0.2*x/(x^2 + y^2), 0.2*y/(x^2 + y^2)\n"
             "Time/End time = 4.26\nTime/Step size = 0.0426\n" +
               dynamics);
-  for (const std::string quadrature : {"points", "cell-filled", "CPDI"})
+  for (const std::string quadrature : {"points", "CPDI"})
     test_same("statics, " + quadrature,
               "Quadrature/Type = " + quadrature + '\n');
   test_same("dynamics, CPDI", dynamics + "Quadrature/Type = CPDI\n");

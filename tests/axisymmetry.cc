@@ -83,7 +83,7 @@ namespace
                                1),
                       1e-8);
         }
-    for (const std::string type : {"points", "cell-filled", "CPDI"})
+    for (const std::string type : {"points", "CPDI"})
       {
         const auto problem =
           run_scene<2>(scene +

@@ -165,7 +165,7 @@ main(int argc, char **argv)
              {"Ghost penalty", "Cut cells/Extension"});
   test_entry("a quadrature of earlier versions",
              "Quadrature",
-             "Type = cell-filled + boundary",
+             "Type = cell-filled",
              {"is gone", "<Quadrature/Type = CPDI>"});
   test_entry("displacements of the body",
              "Boundary conditions",
@@ -251,11 +251,11 @@ main(int argc, char **argv)
              {"Points per cell", "into 5 equal parts", "Choose 1, 3, 4, 6, 9"});
   const std::string five = "subsection Material points\n"
                            "set Points per cell = 5\nend\n";
-  test_scene("no such division on an adaptive grid",
-             scene(five + "subsection Grid\nset Type = adaptive\nend\n"
-                          "subsection Quadrature\nset Type = points\nend\n"),
+  test_scene("an adaptive grid without subdomains",
+             scene("subsection Grid\nset Type = adaptive\nend\n"
+                   "subsection Quadrature\nset Type = points\nend\n"),
              1,
-             {"Points per cell", "into 5 equal parts", "Choose 1, 3, 4, 6, 9"});
+             {"Quadrature/Type = points", "CPDI", "Grid/Type"});
   test_scene("no such rule for points without domains",
              scene(five + "subsection Quadrature\nset Type = points\nend\n"),
              1,

@@ -36,7 +36,7 @@ namespace isochor
   ISOCHOR_REGISTER_FOR_DIMENSION(Postprocessor, Watch, "Z: after all others")
 } // namespace isochor
 
-const std::vector<std::string> quadratures = {"points", "cell-filled", "CPDI"};
+const std::vector<std::string> quadratures = {"points", "CPDI"};
 
 /** What the simplex is away from x, by samples of it: an upper bound that is
  * too large by a small part of its size. */

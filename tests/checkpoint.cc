@@ -131,7 +131,7 @@ namespace
 void
 test_kept_grid(const MPI_Comm comm)
 {
-  for (const std::string type : {"cell-filled", "CPDI"})
+  for (const std::string type : {"CPDI"})
     {
       const std::vector<std::pair<std::string, std::string>> lazy = {
         {"Grid reset/Steps between resets", "3"},
@@ -242,8 +242,9 @@ void
 test_split_points(const MPI_Comm comm)
 {
   const std::vector<std::pair<std::string, std::string>> shrinking = {
-    {"Quadrature/Type", "cell-filled"},
-    {"Material points/Split at share of cell", "0.1"},
+    {"Quadrature/Type", "CPDI"},
+    {"Material points/Points per cell", "4"},
+    {"Material points/Split at share of cell", "0.3"},
     {"Grid/Stretch", "y: 0 -> 0, 4 -> -6*t"}};
   const std::string a = "checkpoint-split-a", b = "checkpoint-split-b";
   const Result      whole = run(comm, a, shrinking);
@@ -275,7 +276,7 @@ test_adaptive_grid(const MPI_Comm comm)
 {
   // the body ends in the middle of cells, and their levels don't suffice
   std::streambuf *const errors = std::cerr.rdbuf(nullptr);
-  for (const std::string type : {"cell-filled", "CPDI"})
+  for (const std::string type : {"CPDI"})
     {
       const std::vector<std::pair<std::string, std::string>> adaptive = {
         {"Grid/Type", "adaptive"},

@@ -244,7 +244,6 @@ main(int argc, char **argv)
   test_one_sided<3>("CPDI", 1.);
   test_thin_body();
   test_what_ties_carry();
-  test_vertical_cut("cell-filled");
   test_vertical_cut("CPDI");
   return 0;
 }

@@ -44,8 +44,8 @@ main(int argc, char **argv)
   expect("up and down, CPDI",
          messages<2>(cycles, false),
          {"WARNING energy balance", "<Grid reset/Steps between resets>"});
-  expect("up and down, cell-filled",
-         messages<2>(cycles + "Quadrature/Type = cell-filled\n"
+  expect("up and down, points",
+         messages<2>(cycles + "Quadrature/Type = points\n"
                               "Boundary conditions/Gravity = 0, sin(2*pi*t)\n",
                      false),
          {"WARNING energy balance", "<Quadrature/Type = CPDI>"});

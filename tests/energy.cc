@@ -457,7 +457,7 @@ main(int argc, char **argv)
   for (const std::string resets : {"0", "1"})
     test_spins(resets);
   test_box<2>("points", "none");
-  for (const std::string quadrature : {"points", "cell-filled", "CPDI"})
+  for (const std::string quadrature : {"points", "CPDI"})
     test_box<2>(quadrature, "OSS");
   test_box<3>("CPDI", "OSS");
   const std::string block = "x >= 0 && x <= 1 && y >= 0 && y <= 1";
@@ -478,16 +478,11 @@ main(int argc, char **argv)
   // the forces are those of some time within the step
   test_walls(
     "1-cos(t)", [](const double t) { return std::cos(t); }, 0.2 * 0.01);
-  for (const std::string quadrature : {"points", "cell-filled", "CPDI"})
+  for (const std::string quadrature : {"points", "CPDI"})
     test_spin(quadrature, "u");
   test_spin("CPDI", "u-p");
-  test_losses("cell-filled",
-              "Quadrature/Type = cell-filled\n"
-              "Grid reset/Steps between resets = 1\n",
-              0.015,
-              0.2);
   test_losses("CPDI", "Quadrature/Type = CPDI\n", -0.002, 0.003);
-  for (const std::string quadrature : {"points", "cell-filled"})
+  for (const std::string quadrature : {"points"})
     test_losses("kept grid, " + quadrature,
                 "Quadrature/Type = " + quadrature +
                   "\nGrid reset/Steps between resets = 0\n",

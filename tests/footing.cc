@@ -85,59 +85,6 @@ test_wall_that_lets_go()
       }
 }
 
-/** One point per cell becomes dim + 2; volume, mass, momentum, centre and
- * second moment stay. The parts of a point with the volume V are at the
- * distance r from it, 2π r² = V in 2D, so that the sum over m x·x gains
- * 3/4 m r²; likewise in 3D. */
-template <int dim>
-void
-test_splitting()
-{
-  const auto sums = [&](const std::string &split) {
-    const auto problem = test::run_scene<dim>(
-      std::string("Grid/Subdivisions = ") + (dim == 2 ? "4, 4" : "3, 3, 3") +
-      "\nMaterial points/Points per cell = 1\n"
-      "Material/Density = 3\nDynamics/Inertia = true\n"
-      "Dynamics/Initial velocity = x, y*0" +
-      (dim == 3 ? ", 0" : "") +
-      "\nTime/End time = 1e-9\nTime/Step size = 1e-9\n"
-      "Material points/Split at share of cell = " +
-      split + '\n');
-    const PointLayout    &l = problem->material_points().layout();
-    std::array<double, 6> sum{};
-    for (const auto &point : problem->material_points().handler())
-      {
-        const auto       values = point.get_properties();
-        const double     m      = values[l.mass];
-        const Point<dim> x      = point.get_location();
-        sum[0] += 1;
-        sum[1] += values[l.volume];
-        sum[2] += m;
-        sum[3] += m * values[l.velocity];
-        sum[4] += m * x[0];
-        sum[5] += m * x.square();
-      }
-    sum_over_ranks(sum, MPI_COMM_WORLD);
-    return sum;
-  };
-  const auto        whole = sums("0"), parts = sums("0.5");
-  const std::string d = std::to_string(dim) + "D";
-  test::check("number of parts, " + d,
-              parts[0] == (dim + 2) * whole[0],
-              std::to_string(parts[0] / whole[0]));
-  for (const unsigned int i : {1, 2, 3, 4})
-    test::check_error("conserved quantity " + std::to_string(i) + ", " + d,
-                      std::abs(parts[i] / whole[i] - 1),
-                      i == 3 ? 1e-6 : 1e-12);
-  const double V = 1. / whole[0], // of each point
-    gain         = dim == 2 ? 3. / 4 * V / (2 * numbers::PI) :
-                              3. / 5 * (1 - std::pow(5., -2. / 3)) *
-                        std::pow(V * 3 / (4 * numbers::PI), 2. / 3);
-  test::check_error("second moment, " + d,
-                    std::abs((parts[5] - whole[5]) / (3 * gain) - 1),
-                    1e-6);
-}
-
 /** The scene of the footing to w = B/2 in 20 steps: load, volume, points. */
 void
 test_scene()
@@ -188,8 +135,6 @@ main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_wall_that_lets_go();
-  test_splitting<2>();
-  test_splitting<3>();
   test_scene();
   return 0;
 }

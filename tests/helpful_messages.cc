@@ -123,7 +123,7 @@ namespace
       "a load on faces that the body covers in part",
       messages<2>(
         "Grid/Subdivisions = 8, 8\nMaterial points/Region = "
-        "x*x+y*y > 0.16\nQuadrature/Type = cell-filled\nBoundary conditions/Displacement = "
+        "x*x+y*y > 0.16\nQuadrature/Type = points\nBoundary conditions/Displacement = "
         "left: x=0; bottom: y=0\nBoundary conditions/Surfaces "
         "of body = bore: x*x+y*y < 0.25\nBoundary "
         "conditions/Pressure on body = bore: 1e3*t\n"),

@@ -164,7 +164,6 @@ main(int argc, char **argv)
   for (const std::string formulation : {"u", "u-p"})
     {
       test_block("points", formulation, 6, 0.1, 1.);
-      test_block("cell-filled", formulation, 6, 0., 1e-11);
       test_block("CPDI", formulation, 4, 0., 1e-11);
     }
   return 0;

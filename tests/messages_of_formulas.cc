@@ -54,7 +54,7 @@ namespace
                words);
       }
     const std::string inside     = region + "x < 0.509\n";
-    const std::string no_domains = "Quadrature/Type = cell-filled\n"
+    const std::string no_domains = "Quadrature/Type = points\n"
                                    "Material points/Points per cell = 4\n";
     expect("a region that is a little larger than the points' cells",
            messages<2>(inside + no_domains),

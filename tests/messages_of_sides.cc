@@ -57,7 +57,7 @@ namespace
         true,
         2);
     };
-    for (const std::string quadrature : {"points", "cell-filled"})
+    for (const std::string quadrature : {"points"})
       {
         expect("materials in the same cells, " + quadrature,
                layers(quadrature, "0.5625", "1e8"),

@@ -233,7 +233,7 @@ test_no_change_of_volume()
       {
         const auto problem = test::run_scene<2>(
           "Grid/Upper corner = 2, 1.25\nGrid/Subdivisions = 16, 10\n"
-          "Formulation/Type = u-p\nQuadrature/Type = cell-filled\n"
+          "Formulation/Type = u-p\nQuadrature/Type = points\n"
           "Material points/Region = y < 1\n"
           "Material points/Materials in zones = 2: x > 1\n"
           "Material/Young modulus = 1e6\nMaterial 2/Young modulus = 3e6\n"

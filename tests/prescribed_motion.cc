@@ -327,20 +327,11 @@ main(int argc, char **argv)
                     domains = "Quadrature/Type = CPDI\n";
   test_block<2>("t^3, 2D, u", "100*t^3", jerk, u + domains, 2e-3);
   test_block<2>("t^3, 2D, u-p", "100*t^3", jerk, mixed + domains, 2e-3);
-  test_block<2>("t^3, 2D, cell-filled",
-                "100*t^3",
-                jerk,
-                u + "Quadrature/Type = cell-filled\n",
-                2e-3);
   test_block<3>("t^3, 3D, u", "100*t^3", jerk, u + domains, 2e-3);
   test_block<3>("t^3, 3D, u-p", "100*t^3", jerk, mixed + domains, 2e-3);
   test_block<2>("1 - cos, 2D, u", "1 - cos(10*t)", waves, u + domains, 2e-3);
   test_all_pushed<2>("t^3, 2D, u", "100*t^3", jerk, u + domains);
   test_all_pushed<2>("t^3, 2D, u-p", "100*t^3", jerk, mixed + domains);
-  test_all_pushed<2>("t^3, 2D, cell-filled",
-                     "100*t^3",
-                     jerk,
-                     u + "Quadrature/Type = cell-filled\n");
   test_all_pushed<3>("t^3, 3D, u", "100*t^3", jerk, u + domains);
   test_all_pushed<2>(
     "t^2, 2D, u", "10*t^2", [](const double) { return 20.; }, u + domains);

@@ -208,13 +208,13 @@ namespace
      true},
     {"rounded to the points",
      good + "Material points/Region = y < 0.6\n"
-            "Quadrature/Type = cell-filled\n",
+            "Quadrature/Type = points\n",
      "Quadrature/Type = CPDI\n",
      true},
     {"surface in part off the body",
      "Grid/Subdivisions = 8, 8\n"
      "Material points/Region = x*x+y*y > 0.16\n"
-     "Quadrature/Type = cell-filled\n"
+     "Quadrature/Type = points\n"
      "Boundary conditions/Displacement = left: x=0; bottom: y=0\n"
      "Boundary conditions/Surfaces of body = bore: x*x+y*y < 0.25\n"
      "Boundary conditions/Pressure on body = bore: 1e3*t\n",

@@ -236,20 +236,15 @@ namespace
       {{"Material points/Points per cell = 4",
         "Material points/Lattice spacing = 0.125",
         "Material points/Points per cell"}},
-      {{"Material points/Merge points = always",
-        "",
-        "Material points/Merge points"}}};
+      {{"Material points/Split at share of cell = 1",
+        "Quadrature/Type = points",
+        "Material points/Split at share of cell"}}};
     for (const auto &c : cases)
       {
         expect("without effect: " + c[0] + (c[1].empty() ? "" : ", ") + c[1],
                messages<2>(good + c[1] + "\n" + c[0] + "\n"),
                {"WARNING", "no effect", c[2]});
       }
-    expect("a tolerance where nothing is merged",
-           messages<2>(good + "Grid/Type = adaptive\nMaterial points/Merge "
-                              "points = never\n"
-                              "Material points/Merging tolerance = 1\n"),
-           {"WARNING", "no effect", "Material points/Merging tolerance"});
     expect("the default in other words",
            messages<2>(good + "Formulation/Type = u\nFormulation/"
                               "PPP coefficient = 1.0\n"),
@@ -279,7 +274,7 @@ namespace
     expect("points without domains don't have to fit",
            messages<2>(good +
                        "Material points/Points per cell in zones = 9: y > "
-                       "0.5\nQuadrature/Type = cell-filled\n"),
+                       "0.5\nQuadrature/Type = points\n"),
            {});
     expect("lattice and mesh",
            messages<2>(good + "Material points/Lattice spacing = 0.1\n"
@@ -374,7 +369,7 @@ namespace
       }
     expect("surfaces from binary.msh",
            messages<2>(good +
-                       "Quadrature/Type = cell-filled\n"
+                       "Quadrature/Type = points\n"
                        "Boundary conditions/Surfaces of body = roof: y > 0.9\n"
                        "Boundary conditions/Traction on body = roof: 0, 1\n"
                        "Boundary conditions/Mesh of body surfaces = "

@@ -207,7 +207,6 @@ class Tube(Scene):
     # quadrature, points per cell of the body's mesh
     CHOICES = (
         ("points", 6),
-        ("cell-filled", 6),
         ("CPDI", 4),
     )
 
@@ -355,16 +354,15 @@ class Column3D(Scene):
     size_label = "cells over the height"
 
     def runs(self, directory):
-        for quadrature, n in product(("cell-filled", "CPDI"), (8, 16, 32)):
+        for n in (8, 16, 32):
             columns = max(1, n // 8)
             yield Run(
                 "u",
-                quadrature,
+                "CPDI",
                 n,
                 HERE / "scenes" / "column_3d.prm",
                 {
                     **QUIET,
-                    "Quadrature/Type": quadrature,
                     "Grid/Subdivisions": f"{columns}, {n}, {columns}",
                 },
                 full=n > 16,

@@ -138,16 +138,10 @@ FLOWS = (
         ),
     ),
     Flow(
-        "slump, CPDI",
+        "slump",
         SCENES / "slump.prm",
         (("crest (m)", last("Displacement y of crest (m)"), "no reference"),),
         full=True,
-    ),
-    Flow(
-        "slump, cell-filled",
-        SCENES / "slump.prm",
-        (("crest (m)", last("Displacement y of crest (m)"), "no reference"),),
-        {"Quadrature/Type": "cell-filled"},
     ),
     Flow(
         "cylindrical cavity, 4 cells over its radius",

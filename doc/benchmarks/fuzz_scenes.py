@@ -117,7 +117,6 @@ def grid(scene, random, pick, chance):
         set_[f"Adaptive grid/{name}"] = value
         set_["Adaptive grid/Repetitions of first step"] = pick(0, 0, 1)
         set_["Adaptive grid/Resets between changes"] = pick(1, 1, 3)
-        set_["Material points/Merge points"] = pick("never", "with domains", "always")
     else:
         set_["Grid/Diagonals"] = pick("/", "backslash", "alternating")
         set_["Grid/Shape functions"] = pick("P1", "P1", "P1", "Q1")
@@ -139,18 +138,12 @@ def grid(scene, random, pick, chance):
 
 def body(scene, random, pick, chance):
     set_ = scene.overrides
-    set_["Quadrature/Type"] = pick(
-        "points", "cell-filled", "CPDI", "CPDI"
-    )
+    set_["Quadrature/Type"] = pick("points", "CPDI", "CPDI")
     set_["Material points/Points per cell"] = (
         pick(1, 3, 4, 6, 9, 12) if scene.dim == 2 else pick(1, 4, 8)
     )
     if chance(0.2):
         set_["Material points/Split at share of cell"] = pick(0.2, 0.5)
-    if chance(0.1):
-        if set_["Quadrature/Type"] in ("points", "cell-filled"):
-            set_["Material points/Domains"] = "always"
-        set_["Material points/Least points per cell"] = pick(0, 1, 4)
     shape = pick("disc on a slab", "block", "block", "two blocks", "all")
     if shape == "disc on a slab":
         x, y = random.uniform(0.6, 1.4), random.uniform(0.3, 1.2)

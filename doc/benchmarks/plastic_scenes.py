@@ -57,7 +57,7 @@ class Prandtl(Scene):
             "Formulation/Stabilisation": "none",
         },
         "u-p, points": {},
-        "u-p, cell-filled": {"Quadrature/Type": "cell-filled"},
+        "u-p, CPDI": {"Quadrature/Type": "CPDI", "Material points/Points per cell": 4},
         "finite elements, u-p": {
             "Material points/Points per cell": 1,
             "Grid reset/Steps between resets": 1000,
@@ -95,9 +95,13 @@ class Plate(Scene):
     title = "Tension of a perfectly plastic plate"
     size_label = "cells per side"
     CHOICES = {
-        "u, cell-filled": ("u", "none", "cell-filled", {}),
+        "u, CPDI": (
+            "u",
+            "none",
+            "CPDI",
+            {"Material points/Points per cell": 4},
+        ),
         "u-p, points": ("u-p", "PPP", "points", {}),
-        "u-p, cell-filled": ("u-p", "PPP", "cell-filled", {}),
         "u-p, CPDI": (
             "u-p",
             "PPP",

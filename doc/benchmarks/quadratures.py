@@ -7,7 +7,7 @@ import harness
 import report
 from harness import HERE, PRM, output
 
-QUADRATURES = ("points", "cell-filled", "CPDI")
+QUADRATURES = ("points", "CPDI")
 SCENES = HERE / "scenes"
 
 

@@ -6,7 +6,7 @@ that collide."""
 import numpy as np
 from bench import SCENES, plt
 
-QUADRATURES = ("points", "cell-filled", "CPDI")
+QUADRATURES = ("points", "CPDI")
 TIME, LOST = "Time (s)", "Energy lost by the scheme (J)"
 SPIN = "Angular momentum z (kg m^2/s)"
 

@@ -26,7 +26,6 @@ def offsets(bench):
     for number, (quadrature, points, bound) in enumerate(
         (
             ("points", 6, None),
-            ("cell-filled", 6, None),
             ("CPDI", 4, 0.01),
         )
     ):
@@ -75,7 +74,7 @@ def offsets(bench):
                 f"{100 * bound:g} %" if bound else "none: reported",
                 bound is None or (errors.std() < 100 * bound and not failures),
             )
-    axis.set_xticks(range(3), ["points", "cell-filled", "CPDI"])
+    axis.set_xticks(range(2), ["points", "CPDI"])
     axis.set(ylabel="error of the load at stretch 1.25 (%)")
     axis.axhline(0, color="k", lw=0.8)
     bench.save(figure, "offsets")
@@ -168,7 +167,7 @@ def symmetry(bench):
         # coordinates lose three of their digits
         "moved by 1e4 m": ((1, 0, 0, 1), 1e4, False, 1e-8),
     }
-    for quadrature in ("points", "cell-filled", "CPDI"):
+    for quadrature in ("points", "CPDI"):
         tips = {}
         for name, ((a, b, c, d), shift, permuted, bound) in images.items():
 

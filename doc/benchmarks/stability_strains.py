@@ -91,7 +91,6 @@ def shear(bench):
 STEPS = 10  # of a cycle
 # name, overrides, cycles of the quick and of the full test, what is demanded
 CYCLIC = (
-    ("cell-filled", {"Quadrature/Type": "cell-filled"}, 5, 200, "told"),
     ("CPDI", {}, 20, 200, "told"),
     ("CPDI, cells half as large", {"Grid/Subdivisions": "54, 62"}, 3, 40, "told"),
     (

@@ -15,14 +15,8 @@ CASES = {  # name: parameters, how much above the upper bound it may be, quick
     "CPDI": ({"Quadrature/Type": "CPDI"}, 0.04, True),
     "CPDI, no extension": (
         {"Quadrature/Type": "CPDI", "Cut cells/Extension": "never"}, 0.04, False),
-    "cell-filled": ({"Quadrature/Type": "cell-filled"}, 0.04, True),
-    "cell-filled, no extension": (
-        {"Quadrature/Type": "cell-filled", "Cut cells/Extension": "never"},
-        0.04, False),
     "CPDI, '/'": (
         {"Quadrature/Type": "CPDI", "Grid/Diagonals": "/"}, 0.2, False),
-    "cell-filled, '/'": (
-        {"Quadrature/Type": "cell-filled", "Grid/Diagonals": "/"}, 0.2, False),
 }
 
 

@@ -269,14 +269,8 @@ def finite_elements(work):
         "finite elements: never reset, 3 points per cell": ("points", 3, kept),
         "reset in each step, points, 1 per cell": ("points", 1, {}),
         "reset in each step, points, 3 per cell": ("points", 3, {}),
-        "reset in each step, cell-filled, 3 per cell": ("cell-filled", 3, {}),
         "reset in each step, CPDI, 3 per cell": ("CPDI", 3, {}),
         "reset in every 4th step, points, 3 per cell": ("points", 3, fourth),
-        "reset in every 4th step, cell-filled, 3 per cell": (
-            "cell-filled",
-            3,
-            fourth,
-        ),
         "reset in every 4th step, CPDI, 3 per cell": ("CPDI", 3, fourth),
     }
     settings = {

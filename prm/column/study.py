@@ -23,7 +23,6 @@ import numpy as np  # noqa: E402
 HEIGHT, WIDTH, GRAVITY, YOUNG = 50.0, 6.25, 10.0, 1e4
 QUADRATURES = {  # name: points per cell
     "points": 6,
-    "cell-filled": 6,
     "CPDI": 4,
 }
 # formulation, Poisson ratio, density (kg/m^3), PPP coefficient, steps between
@@ -135,7 +134,7 @@ def run_case(arguments, case, quadrature, n):
 def draw_stress(axis, case, n, directory):
     """Stress of the points of two quadratures along the height at rest."""
     density = CASES[case][2]
-    for quadrature in ("points", "cell-filled"):
+    for quadrature in ("points", "CPDI"):
         run = directory / case_name("aligned", case, quadrature, n)
         if not (run / "points.pvd").is_file():
             continue

@@ -38,7 +38,7 @@ CASES = {
     # the method of the paper, without a remedy
     "plain": {
         "Quadrature/Type": "points",
-        "Material points/Split at share of cell": "0",
+        "Material points/Points per cell": "12",
     },
 }
 

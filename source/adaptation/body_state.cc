@@ -58,7 +58,7 @@ namespace isochor
     const auto plastic_strain = places_of_plastic_strain(step.kernel);
     std::array<double, max_history> history;
     const NodalUnknowns<dim>        nodal(step, unknowns);
-    const unsigned int n = points.cell_start[points.n_occupied_cells];
+    const unsigned int              n = points.n_points();
     state.cell.reserve(n);
     state.shape.reserve(n);
     state.volume.reserve(n);
@@ -67,7 +67,7 @@ namespace isochor
     state.shear_modulus.reserve(n);
     state.inverse_bulk_modulus.reserve(n);
     state.plastic_increment.reserve(n);
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {

@@ -405,7 +405,7 @@ namespace isochor
     const auto              &leaves = forest.leaves();
     // all cells of a leaf belong to one rank
     std::vector<unsigned int> filled;
-    for (unsigned int k = 0; k < arrays.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < arrays.cell.size(); ++k)
       filled.push_back(forest.leaf_of_cell(arrays.cell[k]));
     std::sort(filled.begin(), filled.end());
     const types::global_dof_index n_filled =

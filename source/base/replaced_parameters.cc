@@ -87,7 +87,7 @@ namespace isochor
   {
     const auto &path = statement.path;
     if (join_path(path) == "Quadrature/Type" &&
-        statement.value == "cell-filled + boundary")
+        statement.value.rfind("cell-filled", 0) == 0)
       throw ParameterError(statement.origin +
                            ": <Quadrature/Type = " + statement.value +
                            "> is gone: take <Quadrature/Type = CPDI>, the "

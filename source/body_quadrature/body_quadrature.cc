@@ -23,8 +23,7 @@ namespace isochor
       "about twice the cost of assembly. 'points': a "
       "sum over the material points, the plain Material Point Method, whose "
       "stresses don't converge when points cross cells; the cheapest where "
-      "they don't. 'cell-filled': the points of cells inside the body share "
-      "the volume of their cell; for material that flows far.");
+      "they don't.");
     PluginRegistry<BodyQuadrature<dim>>::declare_parameters(prm);
     prm.leave_subsection();
   }
@@ -55,9 +54,7 @@ namespace isochor
     {
       typename ShapeFunctions<dim>::Values at;
       for (unsigned int k = 0; k < points.cell.size(); ++k)
-        for (unsigned int q =
-               std::max<std::size_t>(points.cell_start[k],
-                                     points.stencil_start.size() - 1);
+        for (unsigned int q = points.cell_start[k];
              q < points.cell_start[k + 1];
              ++q)
           {
@@ -117,13 +114,6 @@ namespace isochor
         add_stencils(grid.shape_functions(), points);
       }
     start_step(points, locator, kernel, with_occupancy, occupancy);
-    if (!is_linear_on_domains())
-      {
-        points.displacement.clear();
-        points.domain.clear(); // they are there for splitting only
-      }
-    if (by_functions)
-      add_stencils(grid.shape_functions(), points); // of massless points
     if (kernel.has_orthogonal_subscales ?
           !is_linear_on_domains() :
           by_functions && kernel.ppp_coefficient > 0)

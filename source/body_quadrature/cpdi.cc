@@ -55,7 +55,7 @@ namespace isochor
     {
       const std::vector<double> corner_shares =
         build_stencils(points, locator, occupancy);
-      occupancy.update(points, kernel, false);
+      occupancy.update(points, kernel);
       collect_overlapped_cells(points, corner_shares, occupancy, kernel);
     }
 
@@ -257,7 +257,7 @@ namespace isochor
     DomainStencil<dim>                    stencil;
     std::array<CornerNodes<dim>, dim + 1> at;
     const bool                            in_statics = points.velocity.empty();
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {

@@ -32,7 +32,7 @@ namespace isochor
                CellOccupancy<dim>     &occupancy) const override
     {
       if (with_occupancy)
-        occupancy.update(points, kernel, false);
+        occupancy.update(points, kernel);
     }
   };
 

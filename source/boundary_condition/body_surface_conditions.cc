@@ -13,12 +13,6 @@ namespace isochor
   {
     if (conditions.surfaces.empty())
       return;
-    AssertThrow(!grid.is_adaptive(),
-                ExcMessage("The load of the parameter <" +
-                           conditions.surfaces[0].load.parameter +
-                           "> on a grid that adapts needs <Quadrature/Type = "
-                           "CPDI>: other quadratures have no faces that "
-                           "follow the cells' sizes."));
     this->grid = &grid;
     conditions.find_boundaries(grid);
     points =

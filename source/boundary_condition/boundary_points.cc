@@ -110,9 +110,7 @@ namespace isochor
   {
     clear_stencils();
     const std::vector<unsigned int> occupied =
-      union_over_ranks({body.cell.begin(),
-                        body.cell.begin() + body.n_occupied_cells},
-                       grid.communicator());
+      union_over_ranks(body.cell, grid.communicator());
     if (Utilities::MPI::n_mpi_processes(grid.communicator()) > 1)
       {
         for (unsigned int b = 0; b < size(); ++b)

@@ -131,7 +131,7 @@ namespace isochor
             near.add(v, owners[v]);
             near.add(v, geometry.owner(cell));
           }
-    for (unsigned int layer = 0; layer < n_near_layers(); ++layer)
+    for (unsigned int layer = 0; layer < n_near_layers; ++layer)
       {
         // (those that are new are handed on in the next layer)
         for (const auto &[v, ranks] : near.take_new())
@@ -163,12 +163,7 @@ namespace isochor
   CellOccupancy<dim>::clear()
   {
     for (const Content &content : contents)
-      {
-        entry_of_cell[content.cell] = numbers::invalid_unsigned_int;
-        for (const unsigned int v :
-             grid.geometry().vertex_indices(content.cell))
-          n_occupied_at[v] = 0;
-      }
+      entry_of_cell[content.cell] = numbers::invalid_unsigned_int;
     for (const unsigned int v : active_list)
       vertex_active[v] = 0;
     contents.clear();
@@ -210,21 +205,11 @@ namespace isochor
   template <int dim>
   void
   CellOccupancy<dim>::update(const PointArrays<dim> &points,
-                             const MixedKernel<dim> &kernel,
-                             const bool              find_holes)
+                             const MixedKernel<dim> &kernel)
   {
     clear();
     add_own(points, kernel);
     exchange();
-
-    // a cell takes part with its corners only if all of its nodes do
-    for (const Content &content : contents)
-      if (is_closed(content.cell))
-        for (const unsigned int v :
-             grid.geometry().vertex_indices(content.cell))
-          ++n_occupied_at[v];
-    if (find_holes)
-      find_hole_cells();
   }
 
 
@@ -234,8 +219,7 @@ namespace isochor
   CellOccupancy<dim>::add_own(const PointArrays<dim> &points,
                               const MixedKernel<dim> &kernel)
   {
-    AssertIndexRange(points.n_occupied_cells, points.cell.size() + 1);
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
       {
         Content &content = entry(points.cell[k]);
         for (unsigned int q = points.cell_start[k];
@@ -243,16 +227,9 @@ namespace isochor
              ++q)
           {
             const double V0 = points.volume[q];
-            const double J  = determinant(points.F[q]);
-            content.volume += J * V0;
-            const double seeded = points.domain_corners.seeded_volume.empty() ?
-                                    V0 :
-                                    points.domain_corners.seeded_volume[q];
-            content.volume_times_seeded += J * V0 * J * seeded;
             content.reference_volume += V0;
             const double G =
               kernel.materials[points.material[q]]->shear_modulus();
-            content.volume_times_G += V0 * G;
             content.volume_over_G += V0 / G;
             const auto stencil = points.stencil(grid.geometry(), k, q);
             for (unsigned int I = 0; I < stencil.n_nodes; ++I)
@@ -299,11 +276,8 @@ namespace isochor
             std::vector<double> &out = cells[rank];
             out.insert(out.end(),
                        {double(content.cell),
-                        content.volume,
                         content.reference_volume,
-                        content.volume_times_G,
-                        content.volume_over_G,
-                        content.volume_times_seeded});
+                        content.volume_over_G});
           }
       }
     for (auto &cell : cells)
@@ -329,19 +303,16 @@ namespace isochor
   {
     Assert(!message.empty(), ExcInternalError());
     AssertDimension(
-      (message.size() - 1 - static_cast<std::size_t>(message[0])) % 6, 0u);
+      (message.size() - 1 - static_cast<std::size_t>(message[0])) % 3, 0u);
     const std::size_t n_vertices = message[0];
     for (std::size_t i = 1; i <= n_vertices; ++i)
       activate(static_cast<unsigned int>(message[i]));
-    for (std::size_t i = 1 + n_vertices; i < message.size(); i += 6)
+    for (std::size_t i = 1 + n_vertices; i < message.size(); i += 3)
       {
         const double *in = &message[i];
         Content      &to = entry(static_cast<unsigned int>(in[0]));
-        to.volume += in[1];
-        to.reference_volume += in[2];
-        to.volume_times_G += in[3];
-        to.volume_over_G += in[4];
-        to.volume_times_seeded += in[5];
+        to.reference_volume += in[1];
+        to.volume_over_G += in[2];
       }
   }
 
@@ -353,18 +324,6 @@ namespace isochor
   {
     for (const unsigned int v : grid.geometry().vertex_indices(cell))
       if (!is_active(v))
-        return false;
-    return true;
-  }
-
-
-
-  template <int dim>
-  bool
-  CellOccupancy<dim>::is_interior(const unsigned int cell) const
-  {
-    for (const unsigned int v : grid.geometry().vertex_indices(cell))
-      if (is_at_empty_cell(v) || is_at_open_boundary(v))
         return false;
     return true;
   }

@@ -101,7 +101,7 @@ namespace isochor
     std::unordered_map<unsigned int, bool> at_surface;
     std::vector<unsigned int>              members;
     const SimplexGeometry<dim>            &geometry = occupancy.grid.geometry();
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {

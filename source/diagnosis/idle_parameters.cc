@@ -249,41 +249,13 @@ namespace isochor
 
 
     void
-    inspect_points(const Inspector &inspect,
-                   const bool       grid_is_adaptive,
-                   const bool       needs_domains,
-                   const bool       has_domains)
+    inspect_points(const Inspector &inspect, const bool has_domains)
     {
-      const std::string merging =
-        inspect.value({"Material points", "Merge points"});
       if (!has_domains)
-        inspect.idle({"Material points", "Least points per cell"},
-                     "without <Material points/Domains>");
-      else if (!grid_is_adaptive &&
-               inspect.number({"Material points", "Split at share of cell"}) ==
-                 0)
-        inspect.idle({"Material points", "Least points per cell"},
-                     "with <Grid/Type = " + inspect.value({"Grid", "Type"}) +
-                       "> and without <Material points/Split at share of "
-                       "cell>: no point is split");
-      if (needs_domains)
-        inspect.idle({"Material points", "Domains"},
+        inspect.idle({"Material points", "Split at share of cell"},
                      "with <Quadrature/Type = " +
                        inspect.value({"Quadrature", "Type"}) +
-                       ">, whose points always have domains");
-      if (!grid_is_adaptive)
-        for (const char *name : {"Merge points", "Merging tolerance"})
-          inspect.idle({"Material points", name},
-                       "with <Grid/Type = " + inspect.value({"Grid", "Type"}) +
-                         ">: points are merged on adaptive grids only");
-      else if (merging == "never" ||
-               (merging == "with domains" && !has_domains))
-        inspect.idle({"Material points", "Merging tolerance"},
-                     "with <Material points/Merge points = " + merging +
-                       "> and <Quadrature/Type = " +
-                       inspect.value({"Quadrature", "Type"}) +
-                       ">, <Domains = " +
-                       inspect.value({"Material points", "Domains"}) + ">");
+                       ">: points without subdomains aren't split");
       if (inspect.number({"Material points", "Lattice spacing"}) > 0)
         inspect.idle({"Material points", "Points per cell"},
                      "with <Material points/Lattice spacing>, which sets the "
@@ -396,10 +368,7 @@ namespace isochor
              PluginRegistry<GridSource<dim>>::names(), '|'))
         of_grids.merge(PluginRegistry<GridSource<dim>>::parameters(name));
       inspect_grid(inspect, scene.grid.source(), of_grids, reset);
-      inspect_points(inspect,
-                     scene.grid.source().is_adaptive(),
-                     scene.quadrature->is_linear_on_domains(),
-                     scene.points_have_domains());
+      inspect_points(inspect, scene.points_have_domains());
       if (scene.grid.source().is_adaptive())
         inspect_adaptation(list, inspect);
       inspect_equations(inspect, scene.has_inertia());
@@ -418,8 +387,7 @@ namespace isochor
     {
       std::vector<unsigned long long> n_points(step.kernel.materials.size(), 0);
       const PointArrays<dim>         &points = step.points;
-      for (unsigned int q = 0; q < points.cell_start[points.n_occupied_cells];
-           ++q)
+      for (unsigned int q = 0; q < points.n_points(); ++q)
         ++n_points[points.material[q]];
       Utilities::MPI::sum(n_points, step.grid.communicator(), n_points);
       for (unsigned int m = 1; m < n_points.size(); ++m)

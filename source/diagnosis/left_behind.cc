@@ -61,7 +61,7 @@ namespace isochor
         for (unsigned int a = 0; a < dim; ++a)
           axes.push_back(Point<dim>::unit_vector(a));
       std::vector<double> low(axes.size(), 1e300), high(axes.size(), -1e300);
-      for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+      for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         for (unsigned int q = step.points.cell_start[k];
              q < step.points.cell_start[k + 1];
              ++q)

@@ -57,7 +57,7 @@ namespace isochor
       const auto           &geometry = step.grid.geometry();
       double                longest  = 0;
       std::array<double, 2> volumes{}; // of long domains, of all
-      for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int k = 0; k < points.cell.size(); ++k)
         for (unsigned int q = points.cell_start[k];
              q < points.cell_start[k + 1];
              ++q)

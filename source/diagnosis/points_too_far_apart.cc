@@ -11,7 +11,7 @@ namespace isochor
   /**
    * Material points that lie too far apart for the grid. A cell inside of the
    * body that holds no point resists nothing, so that the body is too soft or
-   * falls apart; or it is a hole, whose state is a guess.
+   * falls apart.
    */
   template <int dim>
   class PointsTooFarApart : public Diagnosis<dim>
@@ -40,9 +40,9 @@ namespace isochor
     "material points too far apart for the grid",
     ISOCHOR_ESSENTIAL,
     "at a reset of the grid a point is larger than half of its cell, and cells "
-    "without material points (holes among them) whose centroids lie in the "
+    "without material points whose centroids lie in the "
     "deformed ball of a point's volume make up more than 1 % of the body; an "
     "error at the start if the body then falls into pieces",
     "more points (`Material points/Points per cell`, `Lattice spacing`, a "
-    "finer `Body mesh`), larger cells, or `Split at share of cell = 0.5`")
+    "finer `Body mesh`), or larger cells")
 } // namespace isochor

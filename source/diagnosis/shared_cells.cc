@@ -40,7 +40,7 @@ namespace isochor
       if (groups.size() < 2)
         return worst;
       std::vector<double> volumes(groups.size());
-      for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int k = 0; k < points.cell.size(); ++k)
         {
           std::fill(volumes.begin(), volumes.end(), 0.);
           double all = 0;

@@ -25,7 +25,7 @@ namespace isochor
       constexpr double        smallest_share = 0.01;
       std::array<double, 3>   sums{}; // body, its cells, number of them
       const PointArrays<dim> &points = step.points;
-      for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int k = 0; k < points.cell.size(); ++k)
         {
           sums[1] += step.grid.geometry().measure(points.cell[k]);
           sums[2] += 1;

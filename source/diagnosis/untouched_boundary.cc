@@ -22,7 +22,7 @@ namespace isochor
       const SimplexGeometry<dim>     &geometry = step.grid.geometry();
       const std::vector<unsigned int> cells(step.points.cell.begin(),
                                             step.points.cell.begin() +
-                                              step.points.n_occupied_cells);
+                                              step.points.cell.size());
       std::set<unsigned int>          vertices;
       for (const unsigned int cell :
            union_over_ranks(cells, step.grid.communicator()))
@@ -87,7 +87,7 @@ namespace isochor
               boundary.include(
                 geometry.vertices()[geometry.vertex_indices(face.cell)[v]]);
       const MPI_Comm comm = step.grid.communicator();
-      for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+      for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         for (const unsigned int vertex :
              geometry.vertex_indices(step.points.cell[k]))
           body.include(geometry.vertices()[vertex]);

@@ -395,7 +395,7 @@ namespace isochor
     starts_with_impulse = trial.with_velocity;
     const double sign   = trial.is_past ? -1 : 1;
     finish_step(step, unknowns, NodalField());
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {

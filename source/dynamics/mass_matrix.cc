@@ -29,8 +29,8 @@ namespace isochor
     step.nodes.initialize(diagonal, 1);
     cell_mass.clear();
     if (!points.has_stencils())
-      cell_mass.resize(points.n_occupied_cells);
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      cell_mass.resize(points.cell.size());
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
@@ -145,7 +145,7 @@ namespace isochor
   {
     const PointArrays<dim> &points = step.points;
     step.nodes.initialize(result, n_components);
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {

@@ -21,7 +21,7 @@ namespace isochor
     constexpr unsigned int n_entries = 1 + 2 * dim;
     std::vector<double>    most(step.grid.n_layers() * n_entries,
                              -std::numeric_limits<double>::max());
-    for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < step.points.cell.size(); ++k)
       for (unsigned int q = step.points.cell_start[k];
            q < step.points.cell_start[k + 1];
            ++q)

@@ -43,7 +43,7 @@ namespace isochor
 
     NodalField unfelt;
     step.nodes.initialize(unfelt, dim);
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {

@@ -17,7 +17,7 @@ namespace isochor
     if (!is_active() || !(is_first ? starts_with_impulse : time.starts_anew))
       return 0;
     double work = 0;
-    for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < step.points.cell.size(); ++k)
       for (unsigned int q = step.points.cell_start[k];
            q < step.points.cell_start[k + 1];
            ++q)

@@ -42,7 +42,7 @@ namespace isochor
     all_faces.clear();
     if (points.domain_corners.outer_faces.empty())
       return;
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {

@@ -48,6 +48,12 @@ namespace isochor
              double                *history,
              StressResponse<dim>   &response) const override;
 
+    bool
+    dissipates() const override
+    {
+      return true;
+    }
+
     /** In the plane, but for Voce's hardening, whose return map iterates. */
     bool
     evaluates_packs() const override

@@ -53,6 +53,12 @@ namespace isochor
     std::vector<std::string>
     history_names() const override;
 
+    bool
+    dissipates() const override
+    {
+      return true;
+    }
+
     void
     initialize_history(double *history) const override
     {

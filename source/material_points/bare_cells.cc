@@ -81,7 +81,7 @@ namespace isochor
                   const PointArrays<dim>    &points)
     {
       double share = 0;
-      for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int k = 0; k < points.cell.size(); ++k)
         {
           double largest = 0;
           for (unsigned int q = points.cell_start[k];
@@ -136,12 +136,12 @@ namespace isochor
     if (bare.largest_point <= harmless_share)
       return bare;
     std::set<unsigned int> covered, with_corners;
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         add_covered_cells(geometry, points, k, q, covered);
     bare.cells = send_to_owners(covered, geometry);
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
       bare.cells.erase(points.cell[k]);
     for (const auto &corner : points.domain_corners.cells)
       with_corners.insert(corner.second);

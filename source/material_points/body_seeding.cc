@@ -30,9 +30,8 @@ namespace isochor
       Patterns::Integer(0),
       "Material points seeded per cell: 1, 3, 4, 6, 7, 9, 12, "
       "15, 16, ... in 2D, 1, 4, 8, 14, 27, 35, ... in 3D. Where each point "
-      "owns a part of the cell ('Domains': with <Quadrature/Type> CPDI, the "
-      "default, and on adaptive grids), numbers into which a cell can be "
-      "divided: "
+      "owns a part of the cell (with <Quadrature/Type> CPDI, the default), "
+      "numbers into which a cell can be divided: "
       "1, 3, 4, 6, 9, 12, 16, 24, ...; 3D: 1, 4, 8, 24, 27, .... 0 stands "
       "for 4 (3D: 8) there and 3 (3D: 4) elsewhere.");
     prm.declare_entry("Points per cell in zones",

@@ -82,7 +82,7 @@ namespace isochor
                                dynamic,
                                with_domains,
                                grid.is_adaptive(),
-                               grid.is_adaptive() || keeps_ancestry,
+                               grid.is_adaptive(),
                                with_excess,
                                with_surface,
                                mixed);
@@ -255,11 +255,10 @@ namespace isochor
   void
   MaterialPoints<dim>::gather(PointArrays<dim> &arrays)
   {
-    const unsigned int n    = particles->n_locally_owned_particles();
-    arrays.n_history        = point_layout.n_history;
-    arrays.cell             = order_by_cell();
-    arrays.cell_start       = cell_start;
-    arrays.n_occupied_cells = arrays.cell.size();
+    const unsigned int n = particles->n_locally_owned_particles();
+    arrays.n_history     = point_layout.n_history;
+    arrays.cell          = order_by_cell();
+    arrays.cell_start    = cell_start;
     arrays.deformed_cell.clear();
     arrays.stencil_start.clear();
     arrays.domain_corners.cells.clear();
@@ -278,8 +277,6 @@ namespace isochor
     arrays.domain.resize(point_layout.with_domains ? n : 0);
     arrays.displacement.resize(point_layout.with_domains ? n : 0);
     arrays.domain_corners.stretch.resize(point_layout.with_domains ? n : 0);
-    arrays.domain_corners.seeded_volume.resize(point_layout.with_ancestry ? n :
-                                                                            0);
     arrays.domain_corners.outer_faces.resize(point_layout.with_surface ? n : 0);
     arrays.domain_corners.id.resize(point_layout.with_surface ? n : 0);
 
@@ -292,9 +289,6 @@ namespace isochor
       arrays.shape[q]  = grid.geometry().barycentric(arrays.cell[k], location);
       arrays.weight[q] = properties[l.volume];
       arrays.material[q] = static_cast<unsigned char>(properties[l.material]);
-      if (l.with_ancestry)
-        arrays.domain_corners.seeded_volume[q] =
-          seeded_volume<dim>(properties.data(), l);
       read_state(q, location, properties, arrays);
       if (l.with_surface)
         {

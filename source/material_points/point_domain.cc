@@ -245,27 +245,7 @@ namespace isochor
 
 
 
-  template <int dim>
-  double
-  seeded_volume(const double *properties, const PointLayout &layout)
-  {
-    double volume = properties[layout.volume] /
-                    std::pow(domain_stretch<dim>(properties, layout), 1. * dim);
-    double ancestry = properties[layout.ancestry];
-    if (!layout.with_domains)
-      return ancestry > 0 ? ancestry : volume;
-    for (; ancestry > 0; ancestry = Ancestry<dim>::of_whole(ancestry))
-      volume *= 2;
-    return volume;
-  }
-
-
-
   template struct Ancestry<2>;
-  template double
-  seeded_volume<2>(const double *, const PointLayout &);
-  template double
-  seeded_volume<3>(const double *, const PointLayout &);
   template CornerVectors<2>
   corners_at_start<2>(const double *, const PointLayout &);
   template CornerVectors<3>

@@ -277,18 +277,14 @@ namespace isochor
     AssertThrow(
       !simplices.empty(),
       ExcMessage(
-        "The points own parts of the body (<Material points/Domains>: with "
-        "this <Quadrature/Type>, or on an adaptive grid), and a cell can't be "
-        "divided into " +
+        "The points own parts of the body, and a cell can't be divided into " +
         std::to_string(n_points) +
         " equal parts (<Material points/Points per cell> or <Points "
         "per cell in zones>). Choose " +
         (dim == 2 ? "1, 3, 4, 6, 9, 12, 16, 24, 25, ... k^2, 3 k^2, "
                     "6 k^2." :
                     "1, 4, 8, 24, 27, 32, 64, ... k^3, 4 k^3, "
-                    "24 k^3.") +
-        " Or, with the quadratures 'points' and 'cell-filled', set <Material "
-        "points/Domains = if needed>."));
+                    "24 k^3.")));
     std::vector<CornerVectors<dim>> domains(simplices.size());
     for (unsigned int q = 0; q < simplices.size(); ++q)
       for (unsigned int c = 0; c <= dim; ++c)

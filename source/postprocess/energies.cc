@@ -257,7 +257,7 @@ namespace isochor
       const NodalUnknowns<dim>        nodal(step, result.unknowns);
       std::array<double, n_sums>      sums{};
       std::array<double, max_history> history;
-      for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+      for (unsigned int k = 0; k < points.cell.size(); ++k)
         for (unsigned int q = points.cell_start[k];
              q < points.cell_start[k + 1];
              ++q)

@@ -241,7 +241,7 @@ namespace isochor
     lies_in_body(const StepContext<dim> &step, const Probe &probe)
     {
       bool near = false;
-      for (unsigned int k = 0; k < step.points.n_occupied_cells && !near; ++k)
+      for (unsigned int k = 0; k < step.points.cell.size() && !near; ++k)
         for (unsigned int q = step.points.cell_start[k];
              q < step.points.cell_start[k + 1];
              ++q)
@@ -266,7 +266,7 @@ namespace isochor
                               step.grid.communicator()) == 0)
         return touched;
       step.nodes.initialize(touched, 1);
-      for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+      for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         for (unsigned int q = step.points.cell_start[k];
              q < step.points.cell_start[k + 1];
              ++q)
@@ -396,7 +396,7 @@ namespace isochor
       const SimplexGeometry<dim> &geometry = step.grid.geometry();
       double                      nearest  = std::numeric_limits<double>::max();
       unsigned int                cell = 0, point = 0;
-      for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+      for (unsigned int k = 0; k < step.points.cell.size(); ++k)
         for (unsigned int q = step.points.cell_start[k];
              q < step.points.cell_start[k + 1];
              ++q)

@@ -229,9 +229,11 @@ namespace isochor
     time.parse_parameters(prm);
     quadrature = BodyQuadrature<dim>::create(prm);
     inertia.parse_parameters(prm, *quadrature);
-    prm.enter_subsection("Material points");
-    domains = prm.get("Domains");
-    prm.leave_subsection();
+    AssertThrow(points_have_domains() || !grid.source().is_adaptive(),
+                ExcMessage("Points without subdomains (<Quadrature/Type = "
+                           "points>) can't be divided where an adaptive grid "
+                           "becomes finer: use CPDI, the default, or another "
+                           "<Grid/Type>."));
     points.check_numbers(points_have_domains());
     parse_formulation(prm);
     parse_materials(prm);

@@ -218,9 +218,7 @@ namespace isochor
            (failure.step.grid_is_kept ?
               "" :
               " If the body is stretched to twice its length or more, keep "
-              "the grid (<Grid reset/Steps between resets = 0>), or let "
-              "points be split (<Material points/Split at share of cell> = "
-              "0.2).") +
+              "the grid (<Grid reset/Steps between resets = 0>).") +
            evidence.advice_on_flow();
   }
 

@@ -112,7 +112,7 @@ namespace isochor
     if (!initial.converged)
       return initial;
     NewtonReport report = equilibrium.solve();
-    if (report.converged && scene.time.follows_error())
+    if (report.converged)
       check_error(report);
     if (report.converged && !scene.has_inertia() && n_unstable_modes <= 0)
       check_stability(report);

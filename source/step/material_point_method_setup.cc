@@ -13,6 +13,7 @@
 #include <isochor/equations/cells_crossed.h>
 #include <isochor/step/material_point_method.h>
 #include <isochor/step/scene_checks.h>
+#include <isochor/transfer/volume_error.h>
 
 #include <limits>
 
@@ -201,14 +202,44 @@ namespace isochor
 
 
 
+  namespace
+  {
+    /** Why a step in which material flows is none: Newton's method may also
+     * end where points swell beside others that vanish. Elastic shapes resist
+     * that. Empty otherwise. Collective. */
+    template <int dim>
+    std::string
+    lost_volume(const StepContext<dim>    &step,
+                const MaterialPoints<dim> &points,
+                const NodalField          &unknowns)
+    {
+      constexpr double lost = 0.2;
+      if (!step.mixed() || step.points.shear_stress.empty())
+        return {};
+      const double error =
+        volume_error(step, points, volume_excesses(step, unknowns), lost)
+          .largest();
+      return error > lost ?
+               "material that flows loses its volume, points differ by " +
+                 rounded(100 * error) + " % from what the pressure asks for" :
+               "";
+    }
+  } // namespace
+
+
+
   /** A step that is too inaccurate is none, unless it is the smallest. */
   template <int dim>
   void
   MaterialPointMethod<dim>::check_error(NewtonReport &report)
   {
-    Assert(report.converged && scene.time.follows_error(), ExcInternalError());
     const StepContext<dim> step = setup.context();
-    const double           error =
+    report.failure =
+      lost_volume(step, scene.points, equilibrium.nodal_unknowns());
+    report.converged = report.failure.empty();
+    if (!report.converged || !scene.time.follows_error())
+      return;
+    const double error =
       scene.inertia.error_of_step(step, equilibrium.nodal_unknowns());
     const double crossed = cells_crossed(step, equilibrium.nodal_unknowns());
     report.converged     = scene.time.tolerates(error, crossed);

@@ -50,12 +50,7 @@ namespace isochor
   {
     extension.parse_parameters(prm);
     refinement.parse_parameters(prm);
-    refinement.integrate_over_domains(scene.quadrature->is_linear_on_domains());
-    if (refinement.splits_points())
-      scene.points.keep_ancestry();
-    grid_reset.parse_parameters(prm,
-                                why_to_reset(scene,
-                                             refinement.splits_points()));
+    grid_reset.parse_parameters(prm, why_to_reset(scene));
     partition.parse_parameters(prm);
     extends         = extension.is_active(scene.ties_cut_cells());
     needs_occupancy = scene.quadrature->needs_occupancy() || extends;
@@ -164,8 +159,6 @@ namespace isochor
       [&](const unsigned int v, const Tensor<1, dim> &n) {
         return directions.free_part(all_nodes.node(v), n);
       },
-      scene.grid.is_adaptive() || scene.grid.is_moving() ||
-        refinement.splits_points(),
       find_periodic_vertices(scene.boundary_conditions));
   }
 
@@ -218,10 +211,7 @@ namespace isochor
       return;
     disturbed = false;
     if (laid_out)
-      {
-        reset_grid(terms, last_motion);
-        arrays.place_massless_points(scene.grid.geometry());
-      }
+      reset_grid(terms, last_motion);
     else
       scene.points.update(arrays);
     nodes.set_control_nodes(control_nodes());
@@ -280,11 +270,8 @@ namespace isochor
         disturbed = true;
     }
     scene.points.gather(arrays);
-    occupancy.allow_large_holes(scene.time.step > 0 && !body_has_cavities);
     scene.quadrature->set_up(
       arrays, *locator, scene.kernel, needs_occupancy, occupancy);
-    if (needs_occupancy && scene.time.step == 0)
-      body_has_cavities = occupancy.has_cavities();
     touched_vertices.clear();
     for (EquationTerm<dim> *term : terms)
       term->touch_vertices(touched_vertices);
@@ -449,7 +436,7 @@ namespace isochor
     std::ostringstream              stream(std::ios::binary);
     boost::archive::binary_oarchive archive(stream);
     archive << scene.adaptation.save_state(scene.grid) << partition.save_state()
-            << grid_reset << body_has_cavities << free_nodes;
+            << grid_reset << free_nodes;
     if (!grid_reset.due())
       archive << touched_vertices << arrays << extension;
     return stream.str();
@@ -469,7 +456,7 @@ namespace isochor
       grid_changed();
     if (partition.load_state(division, scene.grid, scene.points, *locator))
       owners_changed();
-    archive >> grid_reset >> body_has_cavities >> free_nodes;
+    archive >> grid_reset >> free_nodes;
     is_current = false;
     is_resumed = true;
     if (!grid_reset.due())

@@ -127,7 +127,6 @@ namespace isochor
     is_due      = is_asked_for || n_steps_since == interval;
     if (is_due)
       return;
-    advance_massless_points(step, unknowns, points);
     advance_stencils(step, unknowns, points);
     const double worst =
       Utilities::MPI::min(advance_cells(step, unknowns, points),
@@ -163,35 +162,6 @@ namespace isochor
       }
     return "The grid, which moved with the body, was reset before, since " +
            cause + ". " + remedy;
-  }
-
-
-
-  template <int dim>
-  void
-  GridReset<dim>::advance_massless_points(const StepContext<dim> &step,
-                                          const NodalField       &unknowns,
-                                          PointArrays<dim>       &points)
-  {
-    AssertIndexRange(points.n_occupied_cells, points.cell.size() + 1);
-    const NodalUnknowns<dim> nodal(step, unknowns);
-    std::vector<double>      history(points.n_history);
-    for (unsigned int k = points.n_occupied_cells; k < points.cell.size(); ++k)
-      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
-           ++q)
-        {
-          const auto stencil = points.stencil(step.grid.geometry(), k, q);
-          const auto state =
-            final_state<dim>(step, nodal, points, k, q, history.data());
-          if (!points.radius.empty())
-            points.radius[q] += nodal.increment_at(stencil)[0];
-          points.F.set(q, state.F);
-          points.pressure.set(q, state.pressure);
-          std::copy(history.begin(),
-                    history.end(),
-                    points.history.begin() +
-                      q * static_cast<std::size_t>(points.n_history));
-        }
   }
 
 

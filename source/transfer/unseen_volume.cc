@@ -112,7 +112,7 @@ namespace isochor
   {
     step.nodes.initialize(sums, 1);
     const PointArrays<dim> &points = step.points;
-    for (unsigned int k = 0; k < points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
@@ -169,7 +169,7 @@ namespace isochor
           [&](const unsigned int q) { return measure(arrays, q) * unseen[q]; },
           mean);
         divide_by_weight(step);
-        for (unsigned int k = 0; k < arrays.n_occupied_cells; ++k)
+        for (unsigned int k = 0; k < arrays.cell.size(); ++k)
           for (unsigned int q = arrays.cell_start[k];
                q < arrays.cell_start[k + 1];
                ++q)
@@ -242,7 +242,7 @@ namespace isochor
             },
             mean);
           divide_by_weight(step);
-          for (unsigned int k = 0; k < arrays.n_occupied_cells; ++k)
+          for (unsigned int k = 0; k < arrays.cell.size(); ++k)
             for (unsigned int q = arrays.cell_start[k];
                  q < arrays.cell_start[k + 1];
                  ++q)

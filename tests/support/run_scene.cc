@@ -154,10 +154,13 @@ namespace isochor
       ParameterHandler prm;
       MaterialPointMethod<dim>::declare_parameters(prm, sections_of(settings));
       set_parameters(prm,
-                     "Quadrature/Type = points\n"
-                     "Output/Directory = .\nOutput/Terminal = quiet\n"
-                     "Postprocess/Write grid = false\n"
-                     "Postprocess/Write material points = false\n" +
+                     (settings.find("Grid/Type = adaptive") ==
+                          std::string::npos ?
+                        std::string("Quadrature/Type = points\n") :
+                        std::string()) +
+                       "Output/Directory = .\nOutput/Terminal = quiet\n"
+                       "Postprocess/Write grid = false\n"
+                       "Postprocess/Write material points = false\n" +
                        settings);
       recorded() = {};
       ProblemPointer<dim> problem(new MaterialPointMethod<dim>(MPI_COMM_WORLD));

@@ -89,8 +89,8 @@ namespace isochor
            CellOccupancy<dim>      &occupancy) const;
 
     /**
-     * Prepare weights, stencils and massless points of @p points, as gathered,
-     * for the coming step. Updates @p occupancy if @p with_occupancy.
+     * Prepare weights and stencils of @p points, as gathered, for the coming
+     * step. Updates @p occupancy if @p with_occupancy.
      * Collective.
      */
     virtual void

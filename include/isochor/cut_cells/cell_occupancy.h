@@ -33,58 +33,23 @@ namespace isochor
 
     /** With a new grid. @p free_part(vertex, n) is the square of the part of
      * the unit vector n that displacements are free along at the vertex.
-     * @p compares_with_seeding: points may come into cells that are smaller
-     * than those that they were seeded in. @p periodic_vertices are all of
-     * those on periodic sides. */
+     * @p periodic_vertices are all of those on periodic sides. */
     template <typename FreePart>
     void
     initialize(const FreePart                  &free_part,
-               const bool                       compares_with_seeding,
                const std::vector<unsigned int> &periodic_vertices);
 
-    /**
-     * Take stock of @p points. If @p find_holes, a few empty cells in a row
-     * that occupied ones enclose face by face become holes; these then count
-     * as occupied. Where cells are smaller than those that the points were
-     * seeded in, a gap between few of them is many cells: if that may be, it
-     * also is a hole if it isn't larger than a few points as they were seeded.
-     * Collective.
-     */
+    /** Take stock of @p points. Collective. */
     void
-    update(const PointArrays<dim> &points,
-           const MixedKernel<dim> &kernel,
-           const bool              find_holes);
+    update(const PointArrays<dim> &points, const MixedKernel<dim> &kernel);
 
     /** The content of an occupied cell, over all ranks. */
     struct Content
     {
       unsigned int cell             = 0;
-      double       volume           = 0; ///< Σ J V_0 at t_n
       double       reference_volume = 0; ///< Σ V_0
-      double       volume_times_G   = 0; ///< Σ V_0 G
-      double       volume_over_G    = 0; ///< Σ V_0 / G, not of holes
-      /** Σ J V_0 J V_s, with the volumes V_s of the points as they were seeded
-       * (DomainCorners::seeded_volume). */
-      double volume_times_seeded = 0;
-      /** Without points: the measure of the cell is its volume, with J and G in
-       * the mean of the cells around the hole. */
-      bool is_hole = false;
+      double       volume_over_G    = 0; ///< Σ V_0 / G
     };
-
-    /** Whether an enclosed gap is too large for a hole and counts as outside;
-     * where gaps are compared with the seeding, of those of at most most_cells.
-     * Collective. */
-    bool
-    has_cavities() const;
-
-    /** Whether gaps of more than a few cells may be holes, if they are compared
-     * with the seeding: not before it is known that the body has no cavities of
-     * its own. */
-    void
-    allow_large_holes(const bool are_allowed)
-    {
-      large_holes_are_allowed = are_allowed;
-    }
 
     /** What @p cell holds; null if it is empty (or far from this rank). */
     const Content *
@@ -108,13 +73,6 @@ namespace isochor
       return vertex_active[vertex] != 0;
     }
 
-    /** Whether one of the cells at @p vertex is empty. */
-    bool
-    is_at_empty_cell(const unsigned int vertex) const
-    {
-      return n_occupied_at[vertex] < n_cells_at[vertex];
-    }
-
     /** Whether an open face of the grid's boundary meets @p vertex. */
     bool
     is_at_open_boundary(const unsigned int vertex) const
@@ -128,10 +86,6 @@ namespace isochor
     {
       return !near_periodic.empty() && near_periodic[vertex] != 0;
     }
-
-    /** Whether the body surely fills the occupied @p cell. */
-    bool
-    is_interior(const unsigned int cell) const;
 
     /** Whether all nodes of @p cell are active. */
     bool
@@ -196,46 +150,9 @@ namespace isochor
     exchange();
     void
     add_received(const std::vector<double> &message);
-    void
-    find_hole_cells();
-    /** @p cell and the empty cells connected with it, as far as needed to see
-     * whether they are more than a hole has. */
-    std::set<unsigned int>
-    empty_cells_around(const unsigned int cell) const;
-    /** The content of each cell of a gap, in units of the cell's measure: J and
-     * G in the mean of the cells around. Not a hole if the gap is too large or
-     * not enclosed. */
-    Content
-    fill_of_gap(const std::set<unsigned int> &gap);
-    double
-    volume_of(const std::set<unsigned int> &gap) const;
-    /** Whether an enclosed gap between points, one of which has the volume
-     * @p point as it was seeded, is as small as a hole. */
-    bool
-    is_small(const std::set<unsigned int> &gap, const double point) const;
-    /** Whether each cell of @p gap can be reached from each other one in at
-     * most largest_extent steps to neighbours. */
-    bool
-    is_compact(const std::set<unsigned int> &gap) const;
-    /** How many layers of cells around its own a rank has to know to agree with
-     * the others on all holes in them. */
-    unsigned int
-    n_near_layers() const
-    {
-      return (compares_with_seeding ? largest_extent : largest_hole) + 2;
-    }
-
-    /** Cells of a hole, at most, as long as the points are in the cells that
-     * they were seeded for. */
-    static constexpr unsigned int largest_hole = (dim == 2 ? 6 : 2);
-    /** If it is compared with the seeding, otherwise: its volume, in those of
-     * points as they were seeded, its cells, and the steps from one to another.
-     * The volume is that of two cells of the original grid with the usual
-     * number of points, less than largest_hole allows there. */
-    static constexpr unsigned int most_points    = (dim == 2 ? 8 : 16);
-    static constexpr unsigned int most_cells     = 128;
-    static constexpr unsigned int largest_extent = (dim == 2 ? 12 : 6);
-    bool compares_with_seeding = false, large_holes_are_allowed = false;
+    /** How many layers of cells around its own a rank has to know, to find the
+     * same ties as the others (DiscreteExtension). */
+    static constexpr unsigned int n_near_layers = (dim == 2 ? 8 : 4);
 
     std::vector<unsigned int>  cells_at_start, cells_at_vertices;
     std::vector<unsigned int>  n_cells_at;
@@ -248,11 +165,9 @@ namespace isochor
     std::vector<unsigned int> near_number;
 
     std::vector<Content>       contents;
-    bool                       has_cavity = false; ///< as this rank knows
     std::vector<unsigned int>  entry_of_cell;
     std::vector<unsigned char> vertex_active;
     std::vector<unsigned int>  active_list;
-    std::vector<unsigned int>  n_occupied_at;
   };
 
 
@@ -262,10 +177,8 @@ namespace isochor
   void
   CellOccupancy<dim>::initialize(
     const FreePart                  &free_part,
-    const bool                       compare_with_seeding,
     const std::vector<unsigned int> &periodic_vertices)
   {
-    compares_with_seeding         = compare_with_seeding;
     const unsigned int n_vertices = grid.triangulation().n_vertices();
     contents.clear();
     active_list.clear();
@@ -273,7 +186,6 @@ namespace isochor
     entry_of_cell.assign(grid.geometry().n_cells(),
                          numbers::invalid_unsigned_int);
     vertex_active.assign(n_vertices, 0);
-    n_occupied_at.assign(n_vertices, 0);
     is_open.assign(n_vertices, 0);
     find_cells_at_vertices();
     find_near_ranks();

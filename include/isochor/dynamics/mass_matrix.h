@@ -48,7 +48,7 @@ namespace isochor
     n_elements(const StepContext<dim> &step) const
     {
       return step.points.has_stencils() ? step.points.n_points() :
-                                          step.points.n_occupied_cells;
+                                          step.points.cell.size();
     }
 
     /** The nodes of an element. @p nodes is cleared first. */

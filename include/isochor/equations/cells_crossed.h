@@ -22,7 +22,7 @@ namespace isochor
   {
     const SimplexGeometry<dim> &geometry = step.grid.geometry();
     double                      most     = 0;
-    for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < step.points.cell.size(); ++k)
       {
         double way = 0;
         for (unsigned int q = step.points.cell_start[k];

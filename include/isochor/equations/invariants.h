@@ -70,10 +70,7 @@ namespace isochor
     bool
     is_consistent(const PointArrays<dim> &points)
     {
-      const auto middle = points.cell.begin() + points.n_occupied_cells;
-      return points.n_occupied_cells <= points.cell.size() &&
-             std::is_sorted(points.cell.begin(), middle) &&
-             std::is_sorted(middle, points.cell.end()) &&
+      return std::is_sorted(points.cell.begin(), points.cell.end()) &&
              points.cell_start.size() == points.cell.size() + 1 &&
              is_compressed(points.cell_start, points.n_points()) &&
              points.shape.size() == points.n_points() &&

@@ -21,7 +21,7 @@ namespace isochor
   smallest_cell(const StepContext<dim> &step)
   {
     double smallest = std::numeric_limits<double>::max();
-    for (unsigned int k = 0; k < step.points.n_occupied_cells; ++k)
+    for (unsigned int k = 0; k < step.points.cell.size(); ++k)
       smallest = std::min(smallest,
                           cell_size(step.grid.geometry(), step.points.cell[k]));
     return Utilities::MPI::min(smallest, step.grid.communicator());

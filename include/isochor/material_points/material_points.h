@@ -201,14 +201,6 @@ namespace isochor
         particle.get_surrounding_cell()->active_cell_index());
     }
 
-    /** Points that are seeded from now on remember what they were part of
-     * before they were split. On adaptive grids they do anyway. */
-    void
-    keep_ancestry()
-    {
-      keeps_ancestry = true;
-    }
-
     /** Points that are seeded from now on, with domains, know which faces of
      * these are on the surface of the body (PointArrays::outer_faces); those of
      * several bodies do anyway. */
@@ -358,9 +350,8 @@ namespace isochor
     const BackgroundGrid<dim> &grid;
     BodySeeding<dim>           seeding;
     Bodies<dim>                all_bodies;
-    bool                       keeps_ancestry = false;
-    bool                       keeps_surface  = false;
-    bool                       has_one_field  = false;
+    bool                       keeps_surface = false;
+    bool                       has_one_field = false;
     /** By number of the material, in u-p: whether it dissipates; empty if none
      * does. */
     std::vector<unsigned char> dissipates;

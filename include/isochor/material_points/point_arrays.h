@@ -77,10 +77,6 @@ namespace isochor
     std::vector<unsigned char>         outer_faces;
     std::vector<types::particle_index> id;
 
-    /** V_0 of what the point was part of as it was seeded, before it was split;
-     * empty on grids that don't adapt. */
-    std::vector<double> seeded_volume;
-
     /** The size of a domain over that at t = 0, in each direction. */
     std::vector<double> stretch;
 
@@ -100,16 +96,12 @@ namespace isochor
    * The material points of this rank in typed arrays, ordered by cell: what
    * the hot loops of one step work on. Cell k of the list `cell` holds the
    * points cell_start[k] <= q < cell_start[k+1].
-   *
-   * Behind the cells with material points may stand cells with massless points
-   * of integration that live for one step (see BodyQuadrature); also ascending.
    */
   template <int dim>
   struct PointArrays
   {
     std::vector<unsigned int> cell;       ///< occupied cells, ascending
     std::vector<unsigned int> cell_start; ///< size cell.size() + 1
-    unsigned int n_occupied_cells = 0;    ///< cells with material points
 
     std::vector<std::array<double, dim + 1>> shape;  ///< N_I at the point
     PointField<double>                       volume; ///< V_0
@@ -254,10 +246,7 @@ namespace isochor
     unsigned int
     position(const unsigned int c) const
     {
-      return std::lower_bound(cell.begin(),
-                              cell.begin() + n_occupied_cells,
-                              c) -
-             cell.begin();
+      return std::lower_bound(cell.begin(), cell.end(), c) - cell.begin();
     }
 
     /** From now on points have stencils, but none yet. */
@@ -308,23 +297,6 @@ namespace isochor
       return weight[q] * thickness(q);
     }
 
-    /** Set the radius of massless points, whose place is known by their cell
-     * only. */
-    void
-    place_massless_points(const SimplexGeometry<dim> &geometry)
-    {
-      if (radius.empty())
-        return;
-      radius.resize(n_points());
-      for (unsigned int k = n_occupied_cells; k < cell.size(); ++k)
-        for (unsigned int q = cell_start[k]; q < cell_start[k + 1]; ++q)
-          {
-            radius[q] = 0;
-            for (unsigned int v = 0; v <= dim; ++v)
-              radius[q] += shape[q][v] * corner(geometry, k, v)[0];
-          }
-    }
-
     /** The nodes of the longest stencil. */
     unsigned int
     most_nodes() const;
@@ -366,11 +338,10 @@ namespace isochor
     void
     serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &cell &cell_start &n_occupied_cells &shape &volume &mass &weight
-        &pressure &F &material &history &velocity &acceleration &domain
-          &stencil_start &stencil_vertex &stencil_shape &stencil_gradient
-            &domain_corners &overlapped_cells &deformed_cell &n_history &radius
-              &displacement &shear_stress;
+      archive &cell &cell_start &shape &weight &material &history &velocity
+        &acceleration &domain &stencil_start &stencil_vertex &stencil_shape
+          &stencil_gradient &domain_corners &overlapped_cells &deformed_cell
+            &n_history &radius &displacement &shear_stress;
     }
   };
 } // namespace isochor

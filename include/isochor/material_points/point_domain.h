@@ -137,11 +137,6 @@ namespace isochor
     of_whole(const double part);
   };
 
-  /** V_0 of what a point, with its @p properties, was part of as it was seeded.
-   * The layout has an ancestry. */
-  template <int dim>
-  double
-  seeded_volume(const double *properties, const PointLayout &layout);
 } // namespace isochor
 
 #endif

@@ -57,12 +57,10 @@ namespace isochor
 
   /**
    * A field of the points, numbers or tensors, that is not copied for a step:
-   * of material points it is read where MaterialPoints keeps it, by what
-   * PointSlots says; massless points, which stand behind them, have values of
-   * their own. So it changes as soon as GridToPoints writes what a step has
-   * found, and can be read from MaterialPoints::gather() or update() until the
-   * points are located anew. As long as it isn't attached, all values are its
-   * own.
+   * it is read where MaterialPoints keeps it, by what PointSlots says. So it
+   * changes as soon as GridToPoints writes what a step has found, and can be
+   * read from MaterialPoints::gather() or update() until the points are located
+   * anew. As long as it isn't attached, the values are its own.
    *
    * What is read in each iteration may be copied all the same, if there is
    * memory for it: the properties of a point are far more than this field, and
@@ -75,23 +73,20 @@ namespace isochor
     T
     operator[](const unsigned int q) const
     {
-      return q < copied.size() ? copied[q] :
-             q < n_attached    ? read(q) :
-                                 own[q - n_attached];
+      return q < copied.size() ? copied[q] : slots ? read(q) : own[q];
     }
 
     /** Read the points of @p slots there, from entry @p first_entry of their
-     * properties on; values of its own come behind them. Where
-     * @p values_are_copied, refresh() has to come next. */
+     * properties on. Where @p values_are_copied, refresh() has to come next. */
     void
     attach(std::shared_ptr<const PointSlots> slots_,
            const unsigned int                first_entry,
            const bool                        values_are_copied = false)
     {
-      slots      = std::move(slots_);
-      entry      = first_entry;
-      n_attached = slots->slot.size();
-      copied.resize(values_are_copied ? n_attached : 0);
+      slots = std::move(slots_);
+      entry = first_entry;
+      own.clear();
+      copied.resize(values_are_copied ? size() : 0);
     }
 
     /** The points have others now: read again what is copied. */
@@ -115,7 +110,6 @@ namespace isochor
     clear()
     {
       slots.reset();
-      n_attached = 0;
       own.clear();
       copied.clear();
     }
@@ -123,21 +117,14 @@ namespace isochor
     void
     push_back(const T &value)
     {
+      Assert(slots == nullptr, ExcMessage("The values are the points'."));
       own.push_back(value);
-    }
-
-    /** Of a massless point. */
-    void
-    set(const unsigned int q, const T &value)
-    {
-      AssertIndexRange(q - n_attached, own.size());
-      own[q - n_attached] = value;
     }
 
     std::size_t
     size() const
     {
-      return n_attached + own.size();
+      return slots ? slots->slot.size() : own.size();
     }
 
     /** A copy of all. */
@@ -149,14 +136,6 @@ namespace isochor
       for (unsigned int q = 0; q < size(); ++q)
         copy.push_back((*this)[q]);
       return copy;
-    }
-
-    /** Its own values; after loading it has to be attached again. */
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int /*version*/)
-    {
-      archive &own;
     }
 
   private:
@@ -178,7 +157,7 @@ namespace isochor
     }
 
     std::shared_ptr<const PointSlots> slots;
-    unsigned int                      entry = 0, n_attached = 0;
+    unsigned int                      entry = 0;
     std::vector<T>                    own, copied;
   };
 } // namespace isochor

@@ -94,13 +94,11 @@ namespace isochor
              !grid.shape_functions().are_linear();
     }
 
-    /** Whether each point has a domain, a simplex that it carries along: where
-     * the quadrature needs it, or splitting shall fill cells evenly. */
+    /** Whether each point has a domain, a simplex that it carries along. */
     bool
     points_have_domains() const
     {
-      return quadrature->is_linear_on_domains() || domains == "always" ||
-             (domains == "auto" && grid.source().is_adaptive());
+      return quadrature->is_linear_on_domains();
     }
 
     /** Whether the points have velocities. */
@@ -127,8 +125,6 @@ namespace isochor
     MixedKernel<dim> kernel;
     /** The names of the laws of its materials. */
     std::vector<std::string> laws;
-    /** Which points have domains, <Material points/Domains>. */
-    std::string domains = "auto";
     /** Unknowns of a node: dim in the u form, dim + 1 in the u-p form. */
     unsigned int n_components = dim + 1;
     /** Whether the matrix is symmetric. */

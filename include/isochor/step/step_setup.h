@@ -220,11 +220,8 @@ namespace isochor
     PointRefinement<dim>               refinement;
     CellOccupancy<dim>                 occupancy;
     bool                               needs_occupancy = false;
-    /** Enclosed gaps of its own, at t = 0, that are no larger than what may be
-     * a hole. */
-    bool                   body_has_cavities = false;
-    DiscreteExtension<dim> extension;
-    bool                   extends = false;
+    DiscreteExtension<dim>             extension;
+    bool                               extends = false;
 
     PointArrays<dim> arrays;
     ActiveNodes<dim> nodes;

@@ -113,11 +113,6 @@ namespace isochor
     }
 
   private:
-    /** Massless points are no part of the body's store of points. */
-    static void
-    advance_massless_points(const StepContext<dim> &step,
-                            const NodalField       &unknowns,
-                            PointArrays<dim>       &points);
     static void
     advance_stencils(const StepContext<dim> &step,
                      const NodalField       &unknowns,
