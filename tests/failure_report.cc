@@ -348,6 +348,27 @@ namespace
                 twisted);
   }
 
+  /** Friction that no longer holds, at t = 0.47, is no bad step. */
+  void
+  test_contact()
+  {
+    const std::string wide =
+      "Quadrature/Type = CPDI\nGrid/Lower corner = -2, -0.5\n"
+      "Grid/Upper corner = 2, 2\nGrid/Subdivisions = 16, 10\n"
+      "Material points/Region = abs(x) < 1 && y > 0 && y < 1\n"
+      "Material/Young modulus = 1000\n";
+    expect("friction that no longer holds",
+           failure(wide +
+                   "Rigid body: ground/Shape = half plane\n"
+                   "Rigid body: ground/Normal = 0, 1\n"
+                   "Interaction: body - ground/Law = Coulomb\n"
+                   "Interaction: body - ground/Friction coefficient = 0.47\n"
+                   "Material/Density = 1\n"
+                   "Boundary conditions/Gravity = 10*t, -10\n"
+                   "Time/Step size = 0.1\nTime/Minimum step size = 0.01\n"),
+           {"from t = 0.46", "friction that holds it, can carry"});
+  }
+
   /** A disk without room, as far as a program can tell. */
   void
   test_full_disk()
@@ -443,6 +464,7 @@ main(int argc, char **argv)
   test_others();
   test_reset();
   test_sides();
+  test_contact();
   test_full_disk();
   return 0;
 }
