@@ -348,7 +348,9 @@ namespace
                 twisted);
   }
 
-  /** Friction that no longer holds, at t = 0.47, is no bad step. */
+  /** A rigid body that is in the body at t = 0, where contact can't push it
+   * out; one that is in it by less is pushed out. Friction that no longer
+   * holds, at t = 0.47, is no bad step. */
   void
   test_contact()
   {
@@ -356,7 +358,18 @@ namespace
       "Quadrature/Type = CPDI\nGrid/Lower corner = -2, -0.5\n"
       "Grid/Upper corner = 2, 2\nGrid/Subdivisions = 16, 10\n"
       "Material points/Region = abs(x) < 1 && y > 0 && y < 1\n"
-      "Material/Young modulus = 1000\n";
+      "Material/Young modulus = 1000\n"
+      "Boundary conditions/Surfaces of body = floor: y < 1e-6\n";
+    const std::string pressed =
+      wide + "Interaction: floor - place/Displacement = x=0, y=0\n"
+             "Rigid body: tool/Shape = circle\nRigid body: tool/Radius = 0.5\n"
+             "Interaction: body - tool/Law = unilateral\n"
+             "Rigid body: tool/Centre = 0, ";
+    expect("a rigid body within the body",
+           failure(pressed + "0.8\n"),
+           {"<tool> is ", " m deep in <body>", "the very first step"});
+    const std::string shallow = failure(pressed + "1.45\n");
+    test::check("... by little", shallow.empty(), shallow);
     expect("friction that no longer holds",
            failure(wide +
                    "Rigid body: ground/Shape = half plane\n"

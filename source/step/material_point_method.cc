@@ -112,6 +112,14 @@ namespace isochor
     if (!initial.converged)
       return initial;
     NewtonReport report = equilibrium.solve();
+    for (const auto *const condition :
+         with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))
+      if (report.converged)
+        {
+          report.failure =
+            condition->objection(setup.context(), equilibrium.nodal_unknowns());
+          report.converged = report.failure.empty();
+        }
     if (report.converged && scene.time.follows_error())
       check_error(report);
     if (report.converged && !scene.has_inertia() && n_unstable_modes <= 0)
