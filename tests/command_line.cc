@@ -404,8 +404,6 @@ namespace
           describe(defect));
   }
 
-
-
   void
   test_printed_parameters()
   {
@@ -418,6 +416,9 @@ namespace
             contains(squeezed(defaults.out),
                      "# One of: Hencky, J2\n set Model = Hencky\n") ==
               is_root() &&
+            contains(squeezed(defaults.out),
+                     "# subsection Rigid body: <name>\n# set Shape = circle\n"
+                     "# end\n") == is_root() &&
             !contains(defaults.out, "Slice normal"),
           describe(defaults));
 
@@ -432,8 +433,6 @@ namespace
             again.parameters == original.parameters,
           describe(in_3d) + describe(again));
   }
-
-
 
   void
   test_effective_parameters()

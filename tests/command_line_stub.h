@@ -73,6 +73,13 @@ declare(ParameterHandler                      &prm,
                         "Ratio of the transverse contraction.");
       prm.leave_subsection();
     }
+  for (const NamedSection &body :
+       named_subsections(statements, "Rigid body", false))
+    {
+      prm.enter_subsection(body.section);
+      prm.declare_entry("Shape", "circle", Patterns::Anything());
+      prm.leave_subsection();
+    }
   prm.enter_subsection("Newton");
   prm.declare_entry("Tolerance", "1e-8", Patterns::Double(0));
   prm.enter_subsection("Line search");

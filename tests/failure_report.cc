@@ -348,6 +348,40 @@ namespace
                 twisted);
   }
 
+  /** A rigid body that is in the body at t = 0, where contact can't push it
+   * out; one that is in it by less is pushed out. Friction that no longer
+   * holds, at t = 0.47, is no bad step. */
+  void
+  test_contact()
+  {
+    const std::string wide =
+      "Quadrature/Type = CPDI\nGrid/Lower corner = -2, -0.5\n"
+      "Grid/Upper corner = 2, 2\nGrid/Subdivisions = 16, 10\n"
+      "Material points/Region = abs(x) < 1 && y > 0 && y < 1\n"
+      "Material/Young modulus = 1000\n"
+      "Boundary conditions/Surfaces of body = floor: y < 1e-6\n";
+    const std::string pressed =
+      wide + "Interaction: floor - place/Displacement = x=0, y=0\n"
+             "Rigid body: tool/Shape = circle\nRigid body: tool/Radius = 0.5\n"
+             "Interaction: body - tool/Law = unilateral\n"
+             "Rigid body: tool/Centre = 0, ";
+    expect("a rigid body within the body",
+           failure(pressed + "0.8\n"),
+           {"<tool> is ", " m deep in <body>", "the very first step"});
+    const std::string shallow = failure(pressed + "1.45\n");
+    test::check("... by little", shallow.empty(), shallow);
+    expect("friction that no longer holds",
+           failure(wide +
+                   "Rigid body: ground/Shape = half plane\n"
+                   "Rigid body: ground/Normal = 0, 1\n"
+                   "Interaction: body - ground/Law = Coulomb\n"
+                   "Interaction: body - ground/Friction coefficient = 0.47\n"
+                   "Material/Density = 1\n"
+                   "Boundary conditions/Gravity = 10*t, -10\n"
+                   "Time/Step size = 0.1\nTime/Minimum step size = 0.01\n"),
+           {"from t = 0.46", "friction that holds it, can carry"});
+  }
+
   /** A disk without room, as far as a program can tell. */
   void
   test_full_disk()
@@ -443,6 +477,7 @@ main(int argc, char **argv)
   test_others();
   test_reset();
   test_sides();
+  test_contact();
   test_full_disk();
   return 0;
 }

@@ -347,6 +347,33 @@ namespace
                       test::in_short(at_8));
       }
   }
+
+  /** A circle that is moved by six times the thickness of a sheet pushes it,
+   * in one step, which is cut, or in eight. */
+  void
+  test_sheet()
+  {
+    const auto force = [](const std::string &step) {
+      return test::get(
+        *test::run_scene<2>(
+          "Quadrature/Type = CPDI\nGrid/Lower corner = -2, -2\n"
+          "Grid/Upper corner = 2, 2\n"
+          "Grid/Subdivisions = 40, 40\nMaterial/Young modulus = 1000\n"
+          "Material points/Region = abs(x) < 1 && abs(y) < 0.1\n"
+          "Boundary conditions/Surfaces of body = ends: abs(x) > 0.999\n"
+          "Interaction: ends - place/Displacement = x=0, y=0\n"
+          "Interaction: body - tool/Law = unilateral\n"
+          "Rigid body: tool/Shape = circle\nRigid body: tool/Radius = 0.25\n"
+          "Rigid body: tool/Centre = 0, 0.4\n"
+          "Rigid body: tool/Motion = y=-1.2*t\nTime/Step size = " +
+          step + '\n'),
+        "Force y on body by tool (N)");
+    };
+    const double in_eight = force("0.125"), in_one = force("1");
+    test::check("a sheet that is met within a step",
+                in_eight < -100 && test::relative(in_one, in_eight) < 0.05,
+                test::in_short(in_one) + ' ' + test::in_short(in_eight));
+  }
 } // namespace
 
 int
@@ -358,5 +385,6 @@ main(int argc, char **argv)
   test_hertz();
   test_bush();
   test_punch();
+  test_sheet();
   return 0;
 }

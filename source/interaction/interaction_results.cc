@@ -5,6 +5,7 @@
 // What InteractionTerm leaves in the statistics.
 
 #include <isochor/base/mpi_sums.h>
+#include <isochor/base/plain_message.h>
 #include <isochor/interaction/interaction_term.h>
 
 namespace isochor
@@ -77,6 +78,55 @@ namespace isochor
 
 
 
+  template <int dim>
+  std::string
+  InteractionTerm<dim>::objection(const StepContext<dim> &step,
+                                  const NodalField       &unknowns) const
+  {
+    update_partners(step, unknowns);
+    const NodalUnknowns<dim> nodal(step, unknowns);
+    std::vector<double>      depths(interactions.size());
+    for (const FaceElement &element : faces)
+      {
+        const auto      &face = surface.faces()[element.face];
+        const auto       N = points->stencil(grid->geometry(), face.k, face.q);
+        const Point<dim> x = points->location(grid->geometry(), face.k, face.q);
+        std::array<typename Partner<dim>::Way, dim + 1> corners;
+        Tensor<1, dim>                                  opposite;
+        for (unsigned int c = 0; c <= dim; ++c)
+          {
+            const Tensor<1, dim> r =
+              c < dim ? points->F[face.q] * face.corners[c] : opposite;
+            opposite -= r;
+            corners[c] = {{x + r, x + r}};
+            for (unsigned int I = 0; I < N.n_nodes; ++I)
+              corners[c][1] +=
+                (N.shape[I] + N.gradient[I] * r) * nodal.increment(N.vertex[I]);
+          }
+        for (const unsigned int i : element.partners)
+          if (interactions[i]->law->is_unilateral())
+            depths[i] =
+              std::max(depths[i], interactions[i]->partner->depth(corners));
+      }
+    Utilities::MPI::max(depths, step.grid.communicator(), depths);
+    for (unsigned int i = 0; i < depths.size(); ++i)
+      if (depths[i] > 0)
+        return "<" + interactions[i]->partner_name + "> is " +
+               rounded(depths[i]) + " m deep in <" + interactions[i]->body +
+               ">, from where contact can't push it out (<" +
+               interactions[i]->section +
+               ">): let them be apart at t = 0, or take smaller steps";
+    return {};
+  }
+
+
+
+  template std::string
+  InteractionTerm<2>::objection(const StepContext<2> &,
+                                const NodalField &) const;
+  template std::string
+  InteractionTerm<3>::objection(const StepContext<3> &,
+                                const NodalField &) const;
   template void
   InteractionTerm<2>::evaluate(const StepContext<2> &,
                                const NodalField &,

@@ -4,6 +4,10 @@
  * --------------------------------------------------------------------- */
 #include <isochor/interaction/rigid_partner.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
 namespace isochor
 {
   template <int dim>
@@ -78,6 +82,45 @@ namespace isochor
     result.gap =
       place.start->displacement + place.increment - (move->pose().place(X) - X);
     return result;
+  }
+
+
+
+  template <int dim>
+  double
+  RigidPartner<dim>::depth(
+    const std::array<typename Partner<dim>::Way, dim + 1> &corners) const
+  {
+    // as the rigid body sees them
+    std::array<Point<dim>, dim + 1>     from;
+    std::array<Tensor<1, dim>, dim + 1> way;
+    double                              longest = 0;
+    for (unsigned int c = 0; c <= dim; ++c)
+      {
+        from[c] = move->old_pose().original(corners[c][0]);
+        way[c]  = move->pose().original(corners[c][1]) - from[c];
+        longest = std::max(longest, way[c].norm());
+      }
+    // of the farthest corner after a part s of the step, or of one that the
+    // rest of it can't bring there
+    const auto distance = [&](const double s) {
+      double largest = std::numeric_limits<double>::lowest();
+      for (unsigned int c = dim + 1; c > 0 && largest < (1 - s) * longest; --c)
+        largest = std::max(
+          largest,
+          rigid->body.shape().closest(from[c - 1] + s * way[c - 1]).distance);
+      return largest;
+    };
+    constexpr double shortest = 0.01;
+    double           s = 0, d = distance(s);
+    if (d < 0) // it may be pushed out
+      d = distance(s = 1);
+    while (d >= 0 && d < (1 - s) * longest)
+      {
+        s = std::min(1., s + std::max(d / longest, shortest));
+        d = distance(s);
+      }
+    return std::max(0., -d);
   }
 
 

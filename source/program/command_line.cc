@@ -110,16 +110,22 @@ namespace isochor
 
 
 
-    /** Declare all parameters in @p prm, which is empty, and read the scene. */
+    /** Declare all parameters in @p prm, which is empty, if asked for those of
+     * example_sections, too, and read the scene. */
     unsigned int
     read_parameters(const std::vector<ParameterStatement> &statements,
                     const Program                         &program,
-                    ParameterHandler                      &prm)
+                    ParameterHandler                      &prm,
+                    const bool with_examples = false)
     {
       const unsigned int dim = find_dimension(statements);
       declare_dimension(prm);
       declare_shared_libraries(prm);
-      program.declare(prm, dim, statements);
+      auto declared = statements;
+      for (const std::string &section : example_sections)
+        if (with_examples)
+          declared.push_back({{section}, true, "", ""});
+      program.declare(prm, dim, declared);
       apply_parameters(statements, prm);
       return dim;
     }
@@ -213,7 +219,11 @@ namespace isochor
           return;
         }
       ParameterHandler   prm;
-      const unsigned int dim = read_parameters(statements, program, prm);
+      const unsigned int dim =
+        read_parameters(statements,
+                        program,
+                        prm,
+                        options.print_parameters && options.scene.empty());
 
       if (options.print_parameters)
         {

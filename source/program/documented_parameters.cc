@@ -8,6 +8,7 @@
 #include <isochor/base/parameter_list.h>
 #include <isochor/program/documented_parameters.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 
@@ -54,23 +55,35 @@ namespace isochor
                            ParameterHandler::KeepDeclarationOrder);
 
     ParameterList::Path path;
-    for (std::string line; std::getline(text, line); out << line << '\n')
-      if (const std::string section = text_after(line, "subsection ");
-          !section.empty())
-        path.push_back(section);
-      else if (Utilities::trim(line) == "end")
-        path.pop_back();
-      else if (const std::string set = text_after(line, "set "); !set.empty())
-        {
-          path.push_back(Utilities::trim(set.substr(0, set.find('='))));
-          const auto        entry = list.entries.find(path);
-          const std::string words = entry == list.entries.end() ?
-                                      "" :
-                                      allowed_words(entry->second.pattern);
-          if (!words.empty())
-            out << std::string(2 * (path.size() - 1), ' ')
-                << "# One of: " << words << '\n';
+    // what is printed can be run: examples are comments
+    const auto is_example = [&]() {
+      return !path.empty() && std::count(example_sections.begin(),
+                                         example_sections.end(),
+                                         path.front()) > 0;
+    };
+    for (std::string line, mark; std::getline(text, line);
+         out << mark << line << '\n')
+      {
+        mark = is_example() ? "# " : "";
+        if (const std::string section = text_after(line, "subsection ");
+            !section.empty())
+          path.push_back(section);
+        else if (Utilities::trim(line) == "end")
           path.pop_back();
-        }
+        else if (const std::string set = text_after(line, "set "); !set.empty())
+          {
+            path.push_back(Utilities::trim(set.substr(0, set.find('='))));
+            const auto        entry = list.entries.find(path);
+            const std::string words = entry == list.entries.end() ?
+                                        "" :
+                                        allowed_words(entry->second.pattern);
+            if (!words.empty())
+              out << mark << std::string(2 * (path.size() - 1), ' ')
+                  << "# One of: " << words << '\n';
+            path.pop_back();
+          }
+        if (is_example())
+          mark = "# ";
+      }
   }
 } // namespace isochor

@@ -43,8 +43,8 @@ namespace isochor
   {
     std::string text =
       growth < 0 ?
-        "displacements say nothing of it, as the body rests, is moved by what "
-        "is prescribed, or other loads change than before" :
+        "displacements say nothing of it, as the body rests, is in contact, is "
+        "moved by what is prescribed, or other loads change than before" :
         "the displacement per " + measure + " was " + rounded(growth) +
           " times that of the stiffest step of this loading in the last step "
           "that converged";

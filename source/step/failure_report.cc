@@ -183,9 +183,9 @@ namespace isochor
              ". To follow the body beyond, prescribe displacements instead of "
              "loads, or give it inertia (<Dynamics/Inertia = true>)." +
              evidence.advice_on_flow();
-    if (evidence.growth < 0 && evidence.plastic_share > 0)
-      return "Whether this is the limit of what the body can carry, or a bad "
-             "step, is not known (" +
+    if (evidence.growth < 0)
+      return "Whether this is the limit of what the body, or friction that "
+             "holds it, can carry, or a bad step, is not known (" +
              evidence.text() +
              "). Look for what happens at the place of the residual, use a "
              "finer grid or more points there, or lower <Time/Minimum step "

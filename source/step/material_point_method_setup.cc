@@ -228,7 +228,8 @@ namespace isochor
 
 
 
-  /** A step that is too inaccurate is none, unless it is the smallest. */
+  /** A step that has lost volume, that a condition objects to, or that is too
+   * inaccurate is none, but the last of them if it is the smallest. */
   template <int dim>
   void
   MaterialPointMethod<dim>::check_error(NewtonReport &report)
@@ -236,6 +237,11 @@ namespace isochor
     const StepContext<dim> step = setup.context();
     report.failure =
       lost_volume(step, scene.points, equilibrium.nodal_unknowns());
+    for (const auto *const condition :
+         with_role<ActsByAssembly<dim>>(scene.boundary_conditions))
+      if (report.failure.empty())
+        report.failure =
+          condition->objection(step, equilibrium.nodal_unknowns());
     report.converged = report.failure.empty();
     if (!report.converged || !scene.time.follows_error())
       return;

@@ -169,6 +169,15 @@ namespace isochor
                        NodalField & /*force*/) const
     {}
 
+    /** Newton's method has found @p unknowns: why they are no solution all the
+     * same, for messages, if so. Collective. */
+    virtual std::string
+    objection(const StepContext<dim> & /*step*/,
+              const NodalField & /*unknowns*/) const
+    {
+      return {};
+    }
+
     /** The step has converged and the grid may be kept: whether the next step
      * needs a reset, as what touch_vertices() has found no longer holds. The
      * same on all ranks. */

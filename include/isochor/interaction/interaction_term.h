@@ -160,6 +160,10 @@ namespace isochor
                                                     one->partner->moves(step);
                                            });
     }
+    /** Contact that was missed: what is behind the surface is in a partner. */
+    std::string
+    objection(const StepContext<dim> &step,
+              const NodalField       &unknowns) const override;
     void
     evaluate(const StepContext<dim> &step,
              const NodalField       &unknowns,

@@ -9,6 +9,7 @@
 #include <isochor/grid/prescribed_motion.h>
 #include <isochor/interaction/interaction_kernel.h>
 
+#include <array>
 #include <vector>
 
 namespace isochor
@@ -63,6 +64,16 @@ namespace isochor
     /** Where it is from the place of the partner that it was at, at t = 0. */
     virtual PartnerPlace<dim>
     original(const SurfacePlace &place) const = 0;
+
+    /** Where a place is at the start of the step and at the iterate. */
+    using Way = std::array<Point<dim>, 2>;
+    /** How deep (m) all @p corners of a subdomain are in the partner at once,
+     * where they are so first on their ways, or at the end. 0: nowhere. */
+    virtual double
+    depth(const std::array<Way, dim + 1> & /*corners*/) const
+    {
+      return 0;
+    }
 
     /** Whether moments are about anything. */
     virtual bool

@@ -32,6 +32,9 @@ namespace isochor
     nearest(const typename Partner<dim>::SurfacePlace &place) const override;
     PartnerPlace<dim>
     original(const typename Partner<dim>::SurfacePlace &place) const override;
+    double
+    depth(const std::array<typename Partner<dim>::Way, dim + 1> &corners)
+      const override;
     bool
     has_moments() const override
     {

@@ -44,21 +44,6 @@ namespace isochor
     {
       return iterations.empty() ? 0 : iterations.size() - 1;
     }
-
-    /** Add the report of a solution that started where this one ended, with
-     * other nodes in contact. */
-    void
-    continue_with(const NewtonReport &next)
-    {
-      converged   = next.converged;
-      failure     = next.failure;
-      force_scale = next.force_scale;
-      n_factorisations += next.n_factorisations;
-      if (!next.iterations.empty())
-        iterations.insert(iterations.end(),
-                          next.iterations.begin() + 1,
-                          next.iterations.end());
-    }
   };
 } // namespace isochor
 

@@ -8,14 +8,20 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <ostream>
+#include <string>
+#include <vector>
 
 namespace isochor
 {
   using namespace dealii;
 
+  /** Sections of which a scene may have any number, with names of its own. */
+  inline const std::vector<std::string> example_sections =
+    {"Interaction: <name> - <partner>", "Rigid body: <name>"};
+
   /** Print all parameters as a parameter file: their documentation as comments
    * and, where only some words are allowed, which these are. deal.II's own
-   * printing leaves the latter out. */
+   * printing leaves the latter out. The example_sections are comments. */
   void
   print_documented_parameters(const ParameterHandler &prm, std::ostream &out);
 } // namespace isochor
