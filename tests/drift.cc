@@ -44,11 +44,6 @@ main(int argc, char **argv)
   expect("up and down, CPDI",
          messages<2>(cycles, false),
          {"WARNING energy balance", "<Grid reset/Steps between resets>"});
-  expect("up and down, points",
-         messages<2>(cycles + "Quadrature/Type = points\n"
-                              "Boundary conditions/Gravity = 0, sin(2*pi*t)\n",
-                     false),
-         {"WARNING energy balance", "<Quadrature/Type = CPDI>"});
   expect("up and down, grid that stays with the body",
          messages<2>(cycles + "Grid reset/Steps between resets = 0\n"
                               "Grid reset/Smallest element quality = 0\n",

@@ -260,6 +260,7 @@ test_work_on_changing_grid()
     "Grid/Subdivisions = 8, 4\nAdaptive grid/Maximum level = 2\n"
     "Adaptive grid/Cell size = 0.05 + abs(x - 0.2 - 0.8*t)*0.5\n"
     "Material points/Region = x < 1\nMaterial/Young modulus = 3e6\n"
+    "Cut cells/Extension = never\n" // ties change with the grid (2e-5)
     "Boundary conditions/Displacement = left: x=0; bottom: y=0; "
     "top: y=-0.05*t\nPostprocess/Reactions = top\n"
     "Postprocess/Write energies = always\nTime/Step size = 0.1\n");

@@ -6,7 +6,6 @@
 
 #include <isochor/base/plain_message.h>
 #include <isochor/diagnosis/diagnosis.h>
-#include <isochor/equations/material_groups.h>
 
 #include <algorithm>
 #include <vector>
@@ -28,18 +27,40 @@ namespace isochor
       }
     };
 
-    /** The cell in which materials of different groups share most. How far the
-     * smaller part reaches into it is taken for its part of the volume. */
+    double
+    larger_ratio(const double a, const double b)
+    {
+      return a == b ? 1. : std::max(a / b, b / a);
+    }
+
+    /** How much one material is stiffer than the other, the larger ratio of
+     * shear and of bulk moduli; 2 at least if one may yield; 1 if they are
+     * nearly the same. */
+    template <int dim>
+    double
+    contrast(const MaterialModel<dim> &a, const MaterialModel<dim> &b)
+    {
+      constexpr double nearly_alike = 1.05;
+      const double     ratio =
+        std::max(larger_ratio(a.shear_modulus(), b.shear_modulus()),
+                 larger_ratio(a.inverse_bulk_modulus(),
+                              b.inverse_bulk_modulus()));
+      if (ratio <= nearly_alike &&
+          a.describe_strength() == b.describe_strength())
+        return 1;
+      return a.dissipates() || b.dissipates() ? std::max(ratio, 2.) : ratio;
+    }
+
+    /** The cell in which materials that differ share most. How far the smaller
+     * part reaches into it is taken for its part of the volume. */
     template <int dim>
     InterfaceCrossing
     worst_shared_cell(const PointArrays<dim> &points,
                       const MixedKernel<dim> &kernel)
     {
-      const MaterialGroups groups(kernel, nearly_alike);
-      InterfaceCrossing    worst;
-      if (groups.size() < 2)
-        return worst;
-      std::vector<double> volumes(groups.size());
+      const auto         &materials = kernel.materials;
+      InterfaceCrossing   worst;
+      std::vector<double> volumes(materials.size());
       for (unsigned int k = 0; k < points.cell.size(); ++k)
         {
           std::fill(volumes.begin(), volumes.end(), 0.);
@@ -48,18 +69,19 @@ namespace isochor
                q < points.cell_start[k + 1];
                ++q)
             {
-              volumes[groups.of_material[points.material[q]]] +=
-                points.volume[q];
+              volumes[points.material[q]] += points.volume[q];
               all += points.volume[q];
             }
-          for (unsigned int a = 0; a < groups.size(); ++a)
+          for (unsigned int a = 0; a < volumes.size(); ++a)
             for (unsigned int b = 0; b < a && volumes[a] > 0; ++b)
-              {
-                const InterfaceCrossing here = {
-                  std::min(volumes[a], volumes[b]) / all, groups.ratio(a, b)};
-                if (here.weight() > worst.weight())
-                  worst = here;
-              }
+              if (volumes[b] > 0)
+                {
+                  const InterfaceCrossing here = {
+                    std::min(volumes[a], volumes[b]) / all,
+                    contrast(*materials[a], *materials[b])};
+                  if (here.weight() > worst.weight())
+                    worst = here;
+                }
         }
       return worst;
     }

@@ -15,6 +15,7 @@
 #include <isochor/step/scene_checks.h>
 #include <isochor/transfer/volume_error.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace isochor
@@ -213,8 +214,14 @@ namespace isochor
                 const MaterialPoints<dim> &points,
                 const NodalField          &unknowns)
     {
-      constexpr double lost = 0.2;
-      if (!step.mixed() || step.points.shear_stress.empty())
+      constexpr double lost      = 0.2;
+      const auto      &materials = step.kernel.materials;
+      if (!step.mixed() || std::none_of(materials.begin(),
+                                        materials.end(),
+                                        [](const auto &material) {
+                                          return material != nullptr &&
+                                                 material->dissipates();
+                                        }))
         return {};
       const double error =
         volume_error(step, points, volume_excesses(step, unknowns), lost)
