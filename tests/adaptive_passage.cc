@@ -189,8 +189,8 @@ test_motion(const std::string &quadrature)
         s.get("Strain energy (J)") + s.get("Kinetic energy (J)");
     }
   const auto n = numbers_of_points;
-  test::check("in motion, " + quadrature + ": points are split and merged",
-              n.most > 4 * n.first && n.last <= n.most,
+  test::check("in motion, " + quadrature + ": points are split",
+              n.most > 4 * n.first,
               std::to_string(n.most) + ", " + std::to_string(n.last));
   test::check_error("momentum",
                     std::abs(momentum[1][4] / momentum[0][4] - 1) +
@@ -223,13 +223,10 @@ int
 main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  for (const std::string quadrature : {"CPDI"})
-    test_rest<2>(quadrature);
-  for (const std::string quadrature : {"CPDI"})
-    test_rest<3>(quadrature);
+  test_rest<2>("CPDI");
+  test_rest<3>("CPDI");
   test_sheared();
-  for (const std::string quadrature : {"CPDI"})
-    test_motion(quadrature);
+  test_motion("CPDI");
   test_balance();
   return 0;
 }

@@ -167,6 +167,10 @@ main(int argc, char **argv)
              "Quadrature",
              "Type = cell-filled",
              {"is gone", "<Quadrature/Type = CPDI>"});
+  test_entry("domains of earlier versions",
+             "Material points",
+             "Domains = always",
+             {"<Material points/Domains> is gone", "leave it out"});
   test_entry("displacements of the body",
              "Boundary conditions",
              "Displacement of body = top: x=0, y=t; bottom: y=0",

@@ -39,6 +39,12 @@ namespace isochor
       if (section == "Formulation" && name == "Project volume change")
         return "leave it out; the volumes of points don't drift any more, "
                "whatever the <Quadrature/Type>";
+      if (section == "Material points" &&
+          (name == "Domains" || name == "Least points per cell" ||
+           name == "Merge points" || name == "Merging tolerance"))
+        return "leave it out; with <Quadrature/Type = CPDI>, the default, "
+               "points have subdomains, which are bisected and merged where "
+               "an adaptive grid asks for it";
       if (name == "Symmetrize tangent")
         return "leave it out; the tangent is symmetric";
       if (section == "Formulation" && name == "PPP leaves out weight")

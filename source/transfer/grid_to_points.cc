@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/equations/nodal_unknowns.h>
 #include <isochor/transfer/grid_to_points.h>
+#include <isochor/transfer/volume_error.h>
 
 #include <array>
 #include <cmath>
@@ -56,9 +57,8 @@ namespace isochor
       if (step.mixed())
         {
           const double excess =
-            state.volumetric_strain -
-            state.pressure *
-              step.kernel.materials[arrays.material[q]]->inverse_bulk_modulus();
+            excess_of_volume<dim>(state,
+                                  *step.kernel.materials[arrays.material[q]]);
           excesses.push_back(excess);
           unseen_volume.set(step, q, excess, increment, state, l, properties);
         }

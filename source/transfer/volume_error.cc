@@ -28,10 +28,9 @@ namespace isochor
         {
           const auto state =
             final_state<dim>(step, nodal, points, k, q, history.data());
-          excesses.push_back(state.volumetric_strain -
-                             state.pressure *
-                               step.kernel.materials[points.material[q]]
-                                 ->inverse_bulk_modulus());
+          excesses.push_back(
+            excess_of_volume<dim>(state,
+                                  *step.kernel.materials[points.material[q]]));
         }
     return excesses;
   }

@@ -16,7 +16,7 @@ namespace isochor
 {
   /**
    * Which cells the body occupies in a step, and where it ends: full and cut
-   * cells, holes, and what the cells hold. Known to each rank for its own cells
+   * cells, and what the cells hold. Known to each rank for its own cells
    * and some layers of cells around them. What a step does here is
    * proportional to the number of occupied cells.
    *

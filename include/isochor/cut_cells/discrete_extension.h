@@ -26,7 +26,7 @@ namespace isochor
    *
    *   φ_I = Σ_p J_p w_p N_pI / Σ_{e∋I} |e|/(d+1),
    *
-   * w_p the volume of integration; a hole counts as full. A node with φ_I below
+   * w_p the volume of integration. A node with φ_I below
    * the parameter `Smallest support` is unsupported; so is one with less than
    * this part of its stiffness of its own (see DependentNodes). Its unknowns,
    * displacement and pressure, are the linear continuation of those of a cell R

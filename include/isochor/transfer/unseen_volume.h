@@ -41,7 +41,7 @@ namespace isochor
   class UnseenVolume
   {
   public:
-    /** A new step of @p step.points; holes included. */
+    /** A new step of @p step.points. */
     void
     start(const StepContext<dim> &step);
 
@@ -87,9 +87,7 @@ namespace isochor
     /** Sums at nodes become means. */
     void
     divide_by_weight(const StepContext<dim> &step);
-    /** Let @p sums be Σ_q N_I value(q) at the nodes, over the points of
-     * occupied cells (a hole has none that could carry anything). Collective.
-     */
+    /** Let @p sums be Σ_q N_I value(q) at the nodes. Collective. */
     template <typename Value>
     void
     sum_to_nodes(const StepContext<dim> &step,

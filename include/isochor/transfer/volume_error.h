@@ -28,8 +28,18 @@ namespace isochor
     }
   };
 
-  /** e by point of @p step.points, at the end of the step that its nodes go
-   * through with @p unknowns. */
+  /** θ^e - p/K of a point of @p material that has the @p state. */
+  template <int dim>
+  double
+  excess_of_volume(const typename MixedKernel<dim>::PointState &state,
+                   const MaterialModel<dim>                    &material)
+  {
+    return state.volumetric_strain -
+           state.pressure * material.inverse_bulk_modulus();
+  }
+
+  /** The same by point of @p step.points, at the end of the step that its nodes
+   * go through with @p unknowns. */
   template <int dim>
   std::vector<double>
   volume_excesses(const StepContext<dim> &step, const NodalField &unknowns);
