@@ -51,14 +51,17 @@ class Prandtl(Scene):
     name = "prandtl"
     title = "Strip footing at small strain"
     size_label = "cells per width of the footing"
+    POINTS = {"Quadrature/Type": "points", "Material points/Points per cell": 3}
     CHOICES = {
         "u, points": {
+            **POINTS,
             "Formulation/Type": "u",
             "Formulation/Stabilisation": "none",
         },
-        "u-p, points": {},
-        "u-p, CPDI": {"Quadrature/Type": "CPDI", "Material points/Points per cell": 4},
+        "u-p, points": POINTS,
+        "u-p, CPDI": {},
         "finite elements, u-p": {
+            **POINTS,
             "Material points/Points per cell": 1,
             "Grid reset/Steps between resets": 1000,
         },

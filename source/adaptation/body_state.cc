@@ -5,35 +5,12 @@
 #include <isochor/adaptation/body_state.h>
 #include <isochor/equations/final_state.h>
 #include <isochor/equations/invariants.h>
+#include <isochor/material_model/plastic_strain.h>
 
 #include <algorithm>
 
 namespace isochor
 {
-  namespace
-  {
-    /** Where the equivalent plastic strain stands in the history, by material;
-     * invalid if there is none. */
-    template <int dim>
-    std::vector<unsigned int>
-    places_of_plastic_strain(const MixedKernel<dim> &kernel)
-    {
-      std::vector<unsigned int> places;
-      for (const auto &material : kernel.materials)
-        {
-          const auto names = material->history_names();
-          const auto found =
-            std::find(names.begin(), names.end(), "equivalent_plastic_strain");
-          places.push_back(found == names.end() ?
-                             numbers::invalid_unsigned_int :
-                             found - names.begin());
-        }
-      return places;
-    }
-  } // namespace
-
-
-
   template <int dim>
   BodyState<dim>
   state_of_body(const StepContext<dim> &step, const NodalField &unknowns)
@@ -55,7 +32,8 @@ namespace isochor
                          {},
                          {},
                          {}};
-    const auto plastic_strain = places_of_plastic_strain(step.kernel);
+    const auto              plastic_strain =
+      entries_of_plastic_strain<dim>(step.kernel.materials);
     std::array<double, max_history> history;
     const NodalUnknowns<dim>        nodal(step, unknowns);
     const unsigned int              n = points.n_points();

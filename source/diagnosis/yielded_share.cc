@@ -4,6 +4,7 @@
  * --------------------------------------------------------------------- */
 #include <isochor/base/mpi_sums.h>
 #include <isochor/diagnosis/yielded_share.h>
+#include <isochor/material_model/plastic_strain.h>
 
 #include <algorithm>
 #include <array>
@@ -16,15 +17,8 @@ namespace isochor
                 const MixedKernel<dim>    &kernel,
                 const MPI_Comm             comm)
   {
-    constexpr unsigned int    none = numbers::invalid_unsigned_int;
-    std::vector<unsigned int> index;
-    for (const auto &material : kernel.materials)
-      {
-        const auto names = material->history_names();
-        const auto found =
-          std::find(names.begin(), names.end(), "equivalent_plastic_strain");
-        index.push_back(found == names.end() ? none : found - names.begin());
-      }
+    constexpr unsigned int none = numbers::invalid_unsigned_int;
+    const auto index = entries_of_plastic_strain<dim>(kernel.materials);
     if (std::all_of(index.begin(), index.end(), [](const unsigned int i) {
           return i == none;
         }))

@@ -35,7 +35,6 @@ namespace isochor
     mean(l.pressure, 1, v);
     if (l.mixed())
       {
-        mean(l.memory(), 1, v);
         const auto at_start = [&](const double *values) {
           return values[l.volume] / (1 + values[l.volume_gain]);
         };

@@ -37,7 +37,7 @@ namespace isochor
     place(F, dim * dim);
     place(pressure, 1);
     if (mixed)
-      place(volume_gain, 2);
+      place(volume_gain, 1);
     place(stress, dim == 2 ? 4 : 6);
     if (dynamic)
       {

@@ -187,8 +187,10 @@ namespace isochor
     for (auto &condition : scene.boundary_conditions)
       condition->advance(step, unknowns);
     setup.advance(step, unknowns);
-    if (setup.reset().due())
-      grid_to_points.pass_unseen_volume(step, scene.points);
+    grid_to_points.pass_unseen_volume(step,
+                                      setup.reset().due(),
+                                      scene.points,
+                                      setup.point_arrays());
     scene.time.accept(converged.result.newton.n_factorisations);
   }
 

@@ -30,12 +30,10 @@ namespace isochor
                       "bodies that share a field, as with another "
                       "<Quadrature/Type> than CPDI, don't feel each other, nor "
                       "a constrained boundary that they did not touch at the "
-                      "last reset. auto: 0 in dynamics with another "
+                      "last reset. auto: 1, but 0 in dynamics with another "
                       "<Quadrature/Type> than CPDI, where points that change "
-                      "cells lose energy; but 1 on an adaptive grid that "
-                      "changes, with <Grid/Stretch> or <Material points/Split "
-                      "at share of cell>; and 1 without inertia and with CPDI. "
-                      "In dynamics with another quadrature the run reports "
+                      "cells lose energy, if there is no <Grid/Stretch>. In "
+                      "dynamics with another quadrature the run reports "
                       "which.");
     prm.declare_entry("Smallest element quality",
                       "0.3",

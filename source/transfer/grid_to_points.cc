@@ -97,10 +97,12 @@ namespace isochor
   template <int dim>
   void
   GridToPoints<dim>::pass_unseen_volume(const StepContext<dim> &step,
-                                        MaterialPoints<dim>    &points)
+                                        const bool              grid_is_reset,
+                                        MaterialPoints<dim>    &points,
+                                        PointArrays<dim>       &of_step)
   {
     if (step.mixed())
-      unseen_volume.apply(step, points);
+      unseen_volume.apply(step, grid_is_reset, points, of_step);
   }
 
 

@@ -70,13 +70,11 @@ namespace isochor
                          const Kinematics<dim>                       &increment,
                          const typename MixedKernel<dim>::PointState &state,
                          const PointLayout                           &layout,
-                         const ArrayView<double> &properties)
+                         const ArrayView<const double> &properties)
   {
     AssertIndexRange(q, unseen.size());
-    const auto &material = *step.kernel.materials[step.points.material[q]];
-    double     &memory   = properties[layout.memory()];
-    memory =
-      (step.grid_is_kept ? memory : 1.) *
+    const auto  &material = *step.kernel.materials[step.points.material[q]];
+    const double memory =
       memory_of_step<dim>(material,
                           increment,
                           load_symmetric<dim>(&properties[layout.stress]),
@@ -182,7 +180,9 @@ namespace isochor
   template <int dim>
   void
   UnseenVolume<dim>::apply(const StepContext<dim> &step,
-                           MaterialPoints<dim>    &points)
+                           const bool              grid_is_reset,
+                           MaterialPoints<dim>    &points,
+                           PointArrays<dim>       &of_step)
   {
     Assert(step.mixed(), ExcMessage("There are no pressures."));
     const auto &materials = step.kernel.materials;
@@ -207,9 +207,15 @@ namespace isochor
       const auto &material =
         *materials[static_cast<unsigned int>(properties[l.material])];
       if (material.dissipates() && 1 + unseen[q] > 0)
-        fill_shape(1 + unseen[q], material, l, properties);
+        {
+          fill_shape(1 + unseen[q], material, l, properties);
+          if (l.with_domains)
+            of_step.weight[q] *= 1 + unseen[q];
+        }
     });
-    DomainRelaxation<dim>(points, step.grid, materials).relax();
+    // the functions of a grid that is kept are those of the domains as they are
+    if (grid_is_reset)
+      DomainRelaxation<dim>(points, step.grid, materials).relax();
     if (l.dynamic)
       keep_momentum(step, mass, points);
   }

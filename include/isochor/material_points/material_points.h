@@ -83,12 +83,6 @@ namespace isochor
       return volume_gain > 0;
     }
 
-    unsigned int
-    memory() const
-    {
-      return volume_gain + 1;
-    }
-
     /** Where the vectors begin whose sums weighted with masses are conserved.
      */
     std::vector<unsigned int>

@@ -40,10 +40,12 @@ namespace isochor
              MaterialPoints<dim>    &points,
              PointArrays<dim>       &of_step);
 
-    /** The grid will be reset: see UnseenVolume::apply(). Collective. */
+    /** See UnseenVolume::apply(). Collective. */
     void
     pass_unseen_volume(const StepContext<dim> &step,
-                       MaterialPoints<dim>    &points);
+                       const bool              grid_is_reset,
+                       MaterialPoints<dim>    &points,
+                       PointArrays<dim>       &of_step);
 
     /** This rank's Σ_p |V_p τ:Δε| of the step, in dynamics plus the kinetic
      * energy (J). */

@@ -20,9 +20,9 @@ namespace isochor
    * Σ_p V_p N_I e_p only. What they don't see stays with the points, and where
    * these flow nothing resists it. Once the grid is reset, other moments are
    * seen: of what was unseen before a part is "corrected", by motions that
-   * leave more behind, and volumes drift without bound. So where the grid is
-   * reset the shape of a point keeps its volume, and material passes between
-   * points, V_0 (1 + x), x the unseen part of (1 - m) e: a material that has no
+   * leave more behind, and volumes drift without bound. So after each step
+   * the shape of a point keeps its volume, and material passes between points,
+   * V_0 (1 + x), x the unseen part of (1 - m) e: a material that has no
    * memory of its shape (m = 0) fills the shapes with the density that the
    * pressure asks for; an elastic one (m = 1), whose shear stresses resist,
    * stays as it is. As x has no moments, mass, momentum and centre of mass stay
@@ -46,8 +46,7 @@ namespace isochor
     start(const StepContext<dim> &step);
 
     /** At the end of the step point @p q has the @p excess θ^e - p/K and
-     * dev τ of @p state; @p properties are still those of its start, of which
-     * this changes the memory: that since the last reset of the grid.
+     * dev τ of @p state; @p properties are still those of its start.
      * @p increment: that of the step. */
     void
     set(const StepContext<dim>                      &step,
@@ -56,12 +55,15 @@ namespace isochor
         const Kinematics<dim>                       &increment,
         const typename MixedKernel<dim>::PointState &state,
         const PointLayout                           &layout,
-        const ArrayView<double>                     &properties);
+        const ArrayView<const double>               &properties);
 
-    /** The grid will be reset: let material pass between the @p points, which
-     * have moved. Collective. */
+    /** Let material pass between the @p points, which have moved, and domains
+     * follow if the grid will be reset. Collective. */
     void
-    apply(const StepContext<dim> &step, MaterialPoints<dim> &points);
+    apply(const StepContext<dim> &step,
+          const bool              grid_is_reset,
+          MaterialPoints<dim>    &points,
+          PointArrays<dim>       &of_step);
 
   private:
     /** Let a point have @p factor times as much material in its shape. Without
