@@ -91,21 +91,24 @@ namespace isochor
   RigidPartner<dim>::depth(
     const std::array<typename Partner<dim>::Way, dim + 1> &corners) const
   {
-    // as the rigid body sees them
-    std::array<Point<dim>, dim + 1>     from;
-    std::array<Tensor<1, dim>, dim + 1> way;
+    // as the rigid body sees them; last their mean, which may be outside of one
+    // with a hollow that has all corners on its surface
+    std::array<Point<dim>, dim + 2>     from;
+    std::array<Tensor<1, dim>, dim + 2> way;
     double                              longest = 0;
     for (unsigned int c = 0; c <= dim; ++c)
       {
         from[c] = move->old_pose().original(corners[c][0]);
         way[c]  = move->pose().original(corners[c][1]) - from[c];
         longest = std::max(longest, way[c].norm());
+        from[dim + 1] += from[c] / (dim + 1.);
+        way[dim + 1] += way[c] / (dim + 1.);
       }
-    // of the farthest corner after a part s of the step, or of one that the
+    // of the farthest of them after a part s of the step, or of one that the
     // rest of it can't bring there
     const auto distance = [&](const double s) {
       double largest = std::numeric_limits<double>::lowest();
-      for (unsigned int c = dim + 1; c > 0 && largest < (1 - s) * longest; --c)
+      for (unsigned int c = dim + 2; c > 0 && largest < (1 - s) * longest; --c)
         largest = std::max(
           largest,
           rigid->body.shape().closest(from[c - 1] + s * way[c - 1]).distance);

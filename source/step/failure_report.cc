@@ -215,10 +215,6 @@ namespace isochor
            "). Lower <Time/Minimum step size>, look for what happens at "
            "the place of the residual, or use <Dynamics/Inertia = true> "
            "where the body snaps." +
-           (failure.step.grid_is_kept ?
-              "" :
-              " If the body is stretched to twice its length or more, keep "
-              "the grid (<Grid reset/Steps between resets = 0>).") +
            evidence.advice_on_flow();
   }
 
