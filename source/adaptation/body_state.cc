@@ -7,8 +7,6 @@
 #include <isochor/equations/invariants.h>
 #include <isochor/material_model/plastic_strain.h>
 
-#include <algorithm>
-
 namespace isochor
 {
   template <int dim>

@@ -67,8 +67,9 @@ namespace isochor
 
     /** Where a place is at the start of the step and at the iterate. */
     using Way = std::array<Point<dim>, 2>;
-    /** How deep (m) all @p corners of a subdomain are in the partner at once,
-     * where they are so first on their ways, or at the end. 0: nowhere. */
+    /** How deep (m) all @p corners of a subdomain and its centre are in the
+     * partner at once, where they are so first on their ways, or at the end. 0:
+     * nowhere. */
     virtual double
     depth(const std::array<Way, dim + 1> & /*corners*/) const
     {
