@@ -261,7 +261,8 @@ namespace
           "(3.1*y - 1.7*x) + 2) > " + (how == "sparsely" ? "0.8" : "0.3") :
         "(x - 0.3)^2 + (y - 0.4)^2 + (z - 0.6)^2 < " +
           std::string(how == "sparsely" ? "0.01" : "0.1");
-    return "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
+    return "Quadrature/Type = CPDI\n"
+           "Grid/Type = adaptive\nGrid/Coarse cells = box\n"
            "Grid/Subdivisions = " +
            number + ", " + number + (dim == 3 ? ", " + number : "") +
            "\nAdaptive grid/Maximum level = " + std::to_string(n_levels) +

@@ -106,6 +106,25 @@ def heavy_footing(cells):
     )
 
 
+def tube_ratio(columns):
+    """The force over its closed form, after the first steps."""
+    a = 1 + columns["Time (s)"]
+    exact = a * 2e4 / np.sqrt(3) * np.log(np.sqrt(3 + a**2) / a)
+    return (abs(columns["Force x on bore by place (N)"]) / exact)[a > 1.05]
+
+
+def tube(name, overrides):
+    return Flow(
+        "tube, bore widened to twice" + name,
+        SCENES / "tube_in_flow.prm",
+        (
+            ("force / exact, least", lambda columns: tube_ratio(columns).min(), "1"),
+            ("largest", lambda columns: tube_ratio(columns).max(), "1"),
+        ),
+        overrides,
+    )
+
+
 def spherical_cavity(cells, full):
     name = "Force y on cavity by place (N)"
     return Flow(
@@ -151,6 +170,10 @@ FLOWS = (
              last("Force x on cavity by place (N)", 1 / 35.946), "1"),
         ),
     ),
+    tube("", {}),
+    tube(", E/σ_Y = 1000", {"Material/Young modulus": 1e7}),
+    tube(", quarter steps", {"Time/Step size": 0.0025}),
+    tube(", grid never reset", {"Grid reset/Steps between resets": 0}),
     spherical_cavity(4, False),
     spherical_cavity(8, True),
     Flow(

@@ -57,6 +57,28 @@ namespace isochor
 
   template <int dim>
   template <int strain_dim>
+  void
+  SurfaceStress<dim>::set_step(
+    const Tensor<2, dim>                 &F_increment,
+    const double                          hoop_increment,
+    const SymmetricTensor<2, strain_dim> &deviatoric_stress)
+  {
+    step_F       = Tensor<2, 3>();
+    step_F[2][2] = hoop_increment;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        step_F[i][j] = F_increment[i][j];
+    kirchhoff       = SymmetricTensor<2, 3>();
+    kirchhoff[2][2] = -trace(deviatoric_stress); // of plane strain
+    for (unsigned int i = 0; i < strain_dim; ++i)
+      for (unsigned int j = i; j < strain_dim; ++j)
+        kirchhoff[i][j] = deviatoric_stress[i][j];
+  }
+
+
+
+  template <int dim>
+  template <int strain_dim>
   EvaluationStatus
   SurfaceStress<dim>::evaluate_in(const MixedKernel<dim> &kernel,
                                   const Domain           &domain,
@@ -105,6 +127,9 @@ namespace isochor
                                           kinematics.J);
     const double                   inverse_K = material.inverse_bulk_modulus();
     const Tensor<1, dim>           a         = N * invert(kinematics.F);
+    set_step(F_increment,
+             kinematics.hoop_increment,
+             response.deviatoric_stress);
     deviatoric      = in_plane<dim>(response.deviatoric_stress, a);
     volume          = factor.s * a;
     area            = kinematics.J * a;
@@ -123,7 +148,8 @@ namespace isochor
     // laws that may yield: what is elastic of them
     const SymmetricTensor<4, strain_dim> elastic =
       material.dissipates() ?
-        2 * material.shear_modulus() * deviator_tensor<strain_dim>() :
+        2 * material.shear_modulus() * std::sqrt(domain.kept) *
+          deviator_tensor<strain_dim>() :
         response.tangent;
     const Tensor<2, dim> inverse = invert(F_increment);
     for (unsigned int J = 0; J < stencil.n_nodes; ++J)

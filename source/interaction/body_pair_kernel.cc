@@ -30,14 +30,14 @@ namespace isochor
                                       const std::vector<FaceCopy<dim>> &copies,
                                       const PairLaws<dim>              &laws,
                                       const InteractionLaw<dim>        &tie,
-                                      const SlipMemory<dim>            &slips,
+                                      const SurfaceMemory<dim>         &memory,
                                       const double                      reach)
     : step(step)
     , nodal(step, unknowns)
     , copies(copies)
     , laws(laws)
     , tie(tie)
-    , slips(slips)
+    , memory(memory)
     , reach(reach)
   {}
 
@@ -64,10 +64,12 @@ namespace isochor
   template <int dim>
   void
   BodyPairKernel<dim>::set_place(const std::array<double, dim> &weights,
+                                 const Tensor<1, dim>          &shift,
                                  Side                          &side) const
   {
     const FaceCopy<dim> &face = *side.face;
-    side.r = side.start = side.X = Tensor<1, dim>();
+    side.r = side.start = shift;
+    side.X              = Tensor<1, dim>();
     for (unsigned int i = 0; i < dim; ++i)
       {
         side.r += weights[i] * face.r[i];
@@ -222,7 +224,7 @@ namespace isochor
       }
     const Tensor<1, dim> slip =
       (law.constrains_tangent() ?
-         slips.get(own.face->key, element.gauss_point) :
+         memory.get(own.face->key, element.gauss_point) :
          Tensor<1, dim>()) +
       du - (y - other.start);
     if (with_matrix)
@@ -277,7 +279,10 @@ namespace isochor
     kernel.start_element(element.vertices.size(),
                          step.n_components,
                          with_matrix);
-    set_place(BodySurface<dim>::coordinates(element.gauss_point), own);
+    const Tensor<1, dim> shift = element.is_tied ?
+                                   memory.get(face.key, element.gauss_point) :
+                                   Tensor<1, dim>();
+    set_place(BodySurface<dim>::coordinates(element.gauss_point), shift, own);
     own.nodes.resize(own.N.size());
     std::iota(own.nodes.begin(), own.nodes.end(), 0);
     const Tensor<1, dim> du = increment_at(nodal, face, own.r);
@@ -296,7 +301,7 @@ namespace isochor
     if (status_of_other != EvaluationStatus::success)
       return status_of_other;
     const auto on_other = at.corner_weights();
-    set_place(on_other, other);
+    set_place(on_other, Tensor<1, dim>(), other);
     other.nodes = element.of_other[meeting.place];
     Tensor<1, dim> y;
     for (unsigned int i = 0; i < dim; ++i)
@@ -313,7 +318,12 @@ namespace isochor
     result.meets = true;
     result.force = measure.weight * kernel.mean_traction();
     result.end   = kernel.at_end();
-    result.slip  = kernel.slip();
+    result.kept  = kept(own);
+    // each side's part of the gap relaxes with its material
+    result.remembered =
+      kernel.remembered(law,
+                        own.stress.carried(shift),
+                        share * kept(own) + (1 - share) * kept(other));
     return EvaluationStatus::success;
   }
 

@@ -75,8 +75,8 @@ namespace isochor
     if (grid->n_layers() == 1)
       return;
     surface.find(grid->geometry(), *points);
-    slips.send(surface, grid->communicator());
-    copies    = copy_faces(*grid, *points, surface);
+    memory.send(surface, grid->communicator());
+    copies    = copy_faces(*grid, *points, surface, memory);
     first_own = 0;
     for (unsigned int n = surface.faces().size();
          first_own + n < copies.size() && n > 0 &&
@@ -285,7 +285,7 @@ namespace isochor
     if (surface.faces().empty())
       resume(step);
     else if (step.grid_is_kept)
-      copies = copy_faces(*grid, *points, surface);
+      copies = copy_faces(*grid, *points, surface, memory);
     for (FaceCopy<dim> &copy : copies)
       start_step(step, copy);
     for (Element &element : elements)
@@ -400,7 +400,7 @@ namespace isochor
     // by pair of bodies, on the first of them
     std::vector<double> forces(n_bodies * n_bodies * dim);
     BodyPairKernel<dim> kernel = kernel_at(step, unknowns);
-    slips.start_noting();
+    memory.start_noting();
     for (const Element &element : elements)
       {
         kernel.evaluate(element, false);
@@ -414,8 +414,11 @@ namespace isochor
             forces[(body * n_bodies + other) * dim + a] += action.force[a];
             forces[(other * n_bodies + body) * dim + a] -= action.force[a];
           }
-        if (action.slip.norm_square() > 0)
-          slips.set_next(own.key, element.gauss_point, action.slip);
+        if (action.kept < 1 || action.remembered.norm_square() > 0)
+          memory.set_next(own.key,
+                          element.gauss_point,
+                          action.remembered,
+                          action.kept);
       }
     Utilities::MPI::sum(forces, step.grid.communicator(), forces);
     for (unsigned int i = 0; i < n_bodies; ++i)
@@ -435,7 +438,7 @@ namespace isochor
   {
     if (grid->n_layers() == 1)
       return;
-    slips.accept();
+    memory.accept();
     const NodalUnknowns<dim> nodal(step, unknowns);
     double                   largest = 0;
     for (unsigned int f = 0; f < surface.faces().size(); ++f)

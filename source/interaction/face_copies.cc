@@ -73,11 +73,15 @@ namespace isochor
   std::vector<FaceCopy<dim>>
   copy_faces(const BackgroundGrid<dim> &grid,
              const PointArrays<dim>    &points,
-             const BodySurface<dim>    &surface)
+             const BodySurface<dim>    &surface,
+             const SurfaceMemory<dim>  &memory)
   {
     std::vector<FaceCopy<dim>> own;
     for (const auto &face : surface.faces())
-      own.push_back(copy_face(grid, points, face));
+      {
+        own.push_back(copy_face(grid, points, face));
+        own.back().kept = memory.kept(own.back().key);
+      }
     if (Utilities::MPI::n_mpi_processes(grid.communicator()) == 1)
       return own;
     std::vector<FaceCopy<dim>> all;
@@ -106,6 +110,7 @@ namespace isochor
     AssertThrow(status == EvaluationStatus::success,
                 ExcMessage("The stress of a point can't be evaluated as it was "
                            "at the end of the last step."));
+    copy.kirchhoff = stress.kirchhoff;
     copy.gamma =
       surface_stiffness(step, stress, *domain.material, copy.area_per_volume);
     copy.area_ratio = stress.area.norm();
@@ -120,13 +125,15 @@ namespace isochor
   template std::vector<FaceCopy<2>>
   copy_faces(const BackgroundGrid<2> &,
              const PointArrays<2> &,
-             const BodySurface<2> &);
+             const BodySurface<2> &,
+             const SurfaceMemory<2> &);
   template void
   start_step(const StepContext<2> &, FaceCopy<2> &);
   template std::vector<FaceCopy<3>>
   copy_faces(const BackgroundGrid<3> &,
              const PointArrays<3> &,
-             const BodySurface<3> &);
+             const BodySurface<3> &,
+             const SurfaceMemory<3> &);
   template void
   start_step(const StepContext<3> &, FaceCopy<3> &);
 } // namespace isochor

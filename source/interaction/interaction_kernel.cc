@@ -225,11 +225,11 @@ namespace isochor
           end.pressure[s]      = sides[s].pressure;
           end.t_by_pressure[s] = sides[s].weight * sides[s].stress->volume;
         }
-    to_remember = Tensor<1, dim>();
-    if (law.is_unilateral() && law.constrains_tangent() &&
-        f_1.state != SurfaceState::open)
-      to_remember = (t_end - f_1.f) / measure.gamma;
-    to_remember -= (to_remember * n) * n;
+    gap_left = Tensor<1, dim>();
+    if (law.constrains_tangent() && f_1.state != SurfaceState::open)
+      gap_left = place.mask * (t_end - f_1.f) / measure.gamma;
+    if (law.is_unilateral())
+      gap_left -= (gap_left * n) * n;
 
     const Tensor<1, dim> in_pressure_equation =
                            (f_1.f - constrained(law, place, t_end)) /

@@ -18,7 +18,7 @@ namespace isochor
     std::vector<std::array<double, dim + 3>> sums(interactions.size());
     InteractionKernel<dim>                   kernel;
     std::vector<Action>                      actions;
-    slips.start_noting();
+    memory.start_noting();
     forces.start_noting();
     update_partners(step, unknowns);
     for (const FaceElement &element : faces)
@@ -37,8 +37,11 @@ namespace isochor
             for (unsigned int a = 0; a < 3; ++a)
               sum[dim + a] += moment[a];
             forces.set_next(key, action.gauss_point, action.force);
-            if (action.slip.norm_square() > 0)
-              slips.set_next(key, action.gauss_point, action.slip);
+            if (action.kept < 1 || action.remembered.norm_square() > 0)
+              memory.set_next(key,
+                              action.gauss_point,
+                              action.remembered,
+                              action.kept);
           }
       }
     for (auto &sum : sums)

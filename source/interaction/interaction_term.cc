@@ -45,12 +45,18 @@ namespace isochor
           if (interactions[i]->has(body, X) &&
               !(interactions[i]->region && surface.faces()[f].meets_other_body))
             element.partners.push_back(i);
+        element.is_tied =
+          std::any_of(element.partners.begin(),
+                      element.partners.end(),
+                      [&](const unsigned int i) {
+                        return !interactions[i]->law->is_unilateral();
+                      });
         if (!element.partners.empty())
           faces.push_back(element);
       }
     if (!is_checked)
       check_surfaces();
-    slips.send(surface, grid->communicator());
+    memory.send(surface, grid->communicator());
     forces.send(surface, grid->communicator());
   }
 
@@ -101,7 +107,8 @@ namespace isochor
             points->F[face.q],
             points->history.data() + face.q * std::size_t(points->n_history),
             points->radius.empty() ? 0. : points->radius[face.q],
-            points->stencil(grid->geometry(), face.k, face.q)};
+            points->stencil(grid->geometry(), face.k, face.q),
+            memory.kept(BodySurface<dim>::key(face))};
   }
 
 
@@ -131,6 +138,7 @@ namespace isochor
                     ExcMessage("The stress of a point can't be evaluated as it "
                                "was at the end of the last step."));
         element.start.clear();
+        element.kirchhoff = stress.kirchhoff;
         element.gamma =
           2 *
           surface_stiffness(step, stress, *of.material, face.area_per_volume);
@@ -255,10 +263,14 @@ namespace isochor
       motions;
     for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
       {
-        const auto start = BodySurface<dim>::place(step, face, g);
+        auto                 start = BodySurface<dim>::place(step, face, g);
+        const Tensor<1, dim> remembered =
+          memory.get(BodySurface<dim>::key(face), g);
+        if (element.is_tied)
+          start.shift(remembered);
         typename Partner<dim>::SurfacePlace place{&start,
                                                   {},
-                                                  {},
+                                                  remembered,
                                                   element.normal};
         double                              p = 0;
         for (unsigned int I = 0; I < N_p.n_nodes; ++I)
@@ -269,7 +281,6 @@ namespace isochor
             if (step.mixed())
               p += N[I] * pressure(I);
           }
-        place.slip = slips.get(BodySurface<dim>::key(face), g);
         PartnerPlace<dim> found;
         const int         chosen = choose(element, g, place, found);
         if (chosen < 0)
@@ -320,6 +331,7 @@ namespace isochor
         const auto projection = kernel.add(*interaction.law, found, measure);
         if (actions == nullptr)
           continue;
+        const double kept = stress.kept(*of.material, element.kirchhoff);
         actions->push_back({element.partners[chosen],
                             g,
                             start.x + place.increment -
@@ -329,7 +341,10 @@ namespace isochor
                             measure.weight * (interaction.law->is_unilateral() ?
                                                 kernel.mean_traction() :
                                                 kernel.at_end().f),
-                            kernel.slip(),
+                            kernel.remembered(*interaction.law,
+                                              stress.carried(remembered),
+                                              kept),
+                            kept,
                             projection.state,
                             kernel.at_end()});
       }
@@ -454,7 +469,7 @@ namespace isochor
   InteractionTerm<dim>::advance(const StepContext<dim> & /*step*/,
                                 const NodalField & /*unknowns*/)
   {
-    slips.accept();
+    memory.accept();
     forces.accept();
   }
 
@@ -465,7 +480,7 @@ namespace isochor
   InteractionTerm<dim>::save_state() const
   {
     const MPI_Comm    comm  = grid->communicator();
-    const std::string first = slips.save(comm);
+    const std::string first = memory.save(comm);
     return std::to_string(first.size()) + '\n' + first + forces.save(comm);
   }
 
@@ -479,7 +494,7 @@ namespace isochor
     if (line == std::string::npos)
       return;
     const std::size_t size = std::stoul(state);
-    slips.load(state.substr(line + 1, size));
+    memory.load(state.substr(line + 1, size));
     forces.load(state.substr(line + 1 + size));
   }
 

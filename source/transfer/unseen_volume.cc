@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/material_model/plastic_strain.h>
 #include <isochor/material_points/domain_relaxation.h>
 #include <isochor/transfer/unseen_volume.h>
 
@@ -24,30 +25,15 @@ namespace isochor
       Assert(increment.hoop_increment > 0, ExcInternalError());
       if (!material.dissipates())
         return 1;
-      Tensor<2, 3> F               = unit_symmetric_tensor<3>(), l;
-      F[2][2]                      = increment.hoop_increment;
-      l[2][2]                      = 1 - 1 / increment.hoop_increment;
-      const Tensor<2, dim> inverse = invert(increment.F_increment);
+      Tensor<2, 3> F = unit_symmetric_tensor<3>();
+      F[2][2]        = increment.hoop_increment;
       for (unsigned int a = 0; a < dim; ++a)
         for (unsigned int b = 0; b < dim; ++b)
-          {
-            F[a][b] = increment.F_increment[a][b];
-            l[a][b] = (a == b ? 1 : 0) - inverse[a][b];
-          }
-      // the stress at the start, carried along, and that at the end
-      const SymmetricTensor<2, 3> before = state.J *
-                                           std::pow(determinant(F), -5. / 3) *
-                                           deviator(symmetrize(
-                                             F * Tensor<2, 3>(stress_n) *
-                                             transpose(F))),
-                                  after =
-                                    state.J * deviator(state.cauchy_stress);
-      const double two_G   = 2 * material.shear_modulus(),
-                   elastic = after.norm() / two_G,
-                   plastic =
-                     (deviator(symmetrize(l)) - (after - before) / two_G)
-                       .norm();
-      return plastic > 0 ? elastic / (elastic + plastic) : 1;
+          F[a][b] = increment.F_increment[a][b];
+      return kept_shear_strain(material.shear_modulus(),
+                               F,
+                               (state.J / determinant(F)) * deviator(stress_n),
+                               state.J * deviator(state.cauchy_stress));
     }
   } // namespace
 

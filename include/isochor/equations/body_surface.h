@@ -64,6 +64,16 @@ namespace isochor
       Tensor<1, dim> displacement; ///< x - X, not as that difference (m)
       Tensor<1, dim> r;            ///< from the subdomain's point, at t_n (m)
       double         weight;       ///< of the face's area
+
+      /** Go to another place of the body, @p way from it, that takes part
+       * instead of this one. */
+      void
+      shift(const Tensor<1, dim> &way)
+      {
+        x += way;
+        displacement += way;
+        r += way;
+      }
     };
 
     /** Find the faces of @p points, as they are at the start of a step. */

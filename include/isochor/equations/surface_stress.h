@@ -6,6 +6,7 @@
 #define isochor_surface_stress_h
 
 #include <isochor/equations/mixed_kernel.h>
+#include <isochor/material_model/plastic_strain.h>
 
 #include <vector>
 
@@ -37,6 +38,7 @@ namespace isochor
       const double                      *history;
       double                             radius; ///< in axisymmetry (m)
       typename PointArrays<dim>::Stencil stencil;
+      double kept = 1; ///< m: kept() of the last step
     };
 
     /** Evaluate for the reference normal @p N. @p increment(I) and
@@ -83,8 +85,11 @@ namespace isochor
     }
 
     /** B_J,b of the adjoint consistency term, linear in the test function: the
-     * constitutive and the initial-stress part of ∂t/∂u_J,b with elastic
-     * moduli, without δ(s a) of the pressure. */
+     * constitutive and the initial-stress part of ∂t/∂u_J,b with the moduli A,
+     * without δ(s a) of the pressure. A are elastic moduli, with G √m in place
+     * of G where material that yields has kept the part m of its elastic shear
+     * strain in the last step: the mean of G, if it unloads, and the secant
+     * modulus G m, if it flows on. */
     Tensor<1, dim>
     elastic_traction_by_displacement(const unsigned int J,
                                      const unsigned int b) const
@@ -92,14 +97,39 @@ namespace isochor
       return elastic_by_u[J * dim + b];
     }
 
+    /** kept_shear_strain() of the step that began with @p kirchhoff_n, dev τ
+     * (Pa). */
+    double
+    kept(const MaterialModel<dim>    &material,
+         const SymmetricTensor<2, 3> &kirchhoff_n) const
+    {
+      return material.dissipates() ? kept_shear_strain(material.shear_modulus(),
+                                                       step_F,
+                                                       kirchhoff_n,
+                                                       kirchhoff) :
+                                     1.;
+    }
+
+    /** What @p r in the subdomain has become by the end of the step. */
+    Tensor<1, dim>
+    carried(const Tensor<1, dim> &r) const
+    {
+      Tensor<1, dim> result;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          result[i] += step_F[i][j] * r[j];
+      return result;
+    }
+
     /** |N · A · N| (Pa): the largest change of the traction with the gradient
-     * v ⊗ N of the displacement, elastic moduli A; in u-p the deviatoric ones.
-     */
+     * v ⊗ N of the displacement; of A in u-p the deviatoric part. */
     double normal_modulus = 0;
 
-    Tensor<1, dim>              deviatoric;             ///< dev τ a
-    Tensor<1, dim>              volume;                 ///< s a
-    Tensor<1, dim>              area;                   ///< J a
+    Tensor<1, dim>              deviatoric; ///< dev τ a
+    SymmetricTensor<2, 3>       kirchhoff;  ///< dev τ (Pa)
+    Tensor<2, 3>                step_F;     ///< the step's deformation gradient
+    Tensor<1, dim>              volume;     ///< s a
+    Tensor<1, dim>              area;       ///< J a
     std::vector<Tensor<1, dim>> volume_by_u, area_by_u; ///< J * dim + b
     /** ∂(dev τ)/∂p a, of laws that depend on the pressure, with p of the point.
      */
@@ -121,6 +151,12 @@ namespace isochor
                 const Tensor<1, dim>   &N,
                 const double            p,
                 const bool              with_derivatives);
+    /** Set what is left of the step: kirchhoff and step_F. */
+    template <int strain_dim>
+    void
+    set_step(const Tensor<2, dim>                 &F_increment,
+             const double                          hoop_increment,
+             const SymmetricTensor<2, strain_dim> &deviatoric_stress);
 
     double                      own_pressure = 0; ///< K θ^e, in the u form
     std::vector<Tensor<1, dim>> increments;

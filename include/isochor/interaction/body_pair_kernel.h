@@ -9,7 +9,7 @@
 #include <isochor/interaction/face_projection.h>
 #include <isochor/interaction/interaction_kernel.h>
 #include <isochor/interaction/pair_laws.h>
-#include <isochor/interaction/slip_memory.h>
+#include <isochor/interaction/surface_memory.h>
 
 #include <memory>
 #include <vector>
@@ -49,7 +49,7 @@ namespace isochor
                    const std::vector<FaceCopy<dim>> &copies,
                    const PairLaws<dim>              &laws,
                    const InteractionLaw<dim>        &tie,
-                   const SlipMemory<dim>            &slips,
+                   const SurfaceMemory<dim>         &memory,
                    const double                      reach);
 
     /** What acts at a Gauss point, at the iterate. */
@@ -58,7 +58,8 @@ namespace isochor
       unsigned int other = 0; ///< number of the copy
       /** On the body of the Gauss point (N), the mean over the step. */
       Tensor<1, dim>   force;
-      Tensor<1, dim>   slip;          ///< to be remembered (m)
+      Tensor<1, dim>   remembered;    ///< for the next step (m)
+      double           kept  = 1;     ///< SurfaceStress::kept() of its side
       bool             meets = false; ///< whether there is another face
       StartOfStep<dim> end;           ///< InteractionKernel::at_end()
     };
@@ -103,12 +104,22 @@ namespace isochor
 
     EvaluationStatus
     set_face(const FaceCopy<dim> &face, const bool with_matrix, Side &side);
+    /** The place with these weights of the corners, shifted by @p shift. */
     void
-    set_place(const std::array<double, dim> &weights, Side &side) const;
+    set_place(const std::array<double, dim> &weights,
+              const Tensor<1, dim>          &shift,
+              Side                          &side) const;
     Meeting
     find_meeting(const PairElement<dim> &element, const Point<dim> &x) const;
     void
     add_sides(const double share);
+    /** SurfaceStress::kept() of the @p side. */
+    double
+    kept(const Side &side) const
+    {
+      return side.stress.kept(*step.kernel.materials[side.face->material],
+                              side.face->kirchhoff);
+    }
     /** What turns at the other side with its unknowns: the derivatives of
      * normal and coordinates of the projection. */
     void
@@ -136,7 +147,7 @@ namespace isochor
     const std::vector<FaceCopy<dim>> &copies;
     const PairLaws<dim>              &laws;
     const InteractionLaw<dim>        &tie;
-    const SlipMemory<dim>            &slips;
+    const SurfaceMemory<dim>         &memory;
     const double                      reach;
 
     InteractionKernel<dim> kernel;

@@ -97,12 +97,12 @@ namespace isochor
     std::string
     save_state() const override
     {
-      return slips.save(grid->communicator());
+      return memory.save(grid->communicator());
     }
     void
     load_state(const std::string &state) override
     {
-      slips.load(state);
+      memory.load(state);
     }
 
   private:
@@ -122,7 +122,7 @@ namespace isochor
     BodyPairKernel<dim>
     kernel_at(const StepContext<dim> &step, const NodalField &unknowns) const
     {
-      return {step, unknowns, copies, laws, *default_tie, slips, reach};
+      return {step, unknowns, copies, laws, *default_tie, memory, reach};
     }
     PairLaws<dim>                        laws;
     std::unique_ptr<InteractionLaw<dim>> default_tie;
@@ -143,8 +143,8 @@ namespace isochor
      * there the nearest face is an element's: a place that is farther beyond
      * its nearest face than this and what it slides in the step is next to one
      * that it doesn't have, and isn't met. */
-    double                  reach = 0, way_since_reset = 0;
-    mutable SlipMemory<dim> slips;
+    double                     reach = 0, way_since_reset = 0;
+    mutable SurfaceMemory<dim> memory;
   };
 } // namespace isochor
 

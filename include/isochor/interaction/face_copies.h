@@ -9,6 +9,7 @@
 
 #include <isochor/equations/body_surface.h>
 #include <isochor/equations/surface_stress.h>
+#include <isochor/interaction/surface_memory.h>
 
 #include <utility>
 #include <vector>
@@ -35,8 +36,11 @@ namespace isochor
     std::array<Point<dim>, dim> X; ///< corners at t = 0
     std::array<Point<dim>, dim> x; ///< at the start of the step
     std::array<Tensor<1, dim>, dim>
-           r;              ///< from the subdomain's point, at t_n (m)
-    double gamma      = 0; ///< surface_stiffness() (Pa/m)
+      r; ///< from the subdomain's point, at t_n (m)
+    /** SurfaceStress::kept() of the last step. */
+    double                kept = 1;
+    SymmetricTensor<2, 3> kirchhoff; ///< dev τ at the start of the step (Pa)
+    double gamma      = 0; ///< as InteractionKernel wants it, one half (Pa/m)
     double area_ratio = 1; ///< of the area at t_n to that at t = 0
     /** B_J,b of SurfaceStress at the start of the step; empty in statics. */
     std::vector<Tensor<1, dim>> adjoint;
@@ -69,7 +73,8 @@ namespace isochor
               {static_cast<unsigned int>(vertex.size()),
                vertex.data(),
                shape.data(),
-               gradient.data()}};
+               gradient.data()},
+              kept};
     }
 
     template <class Archive>
@@ -77,7 +82,7 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &body &material &key &F &history &radius &pressure &vertex &shape
-        &gradient &normal &normal_now &area &area_per_volume &X &x &r;
+        &gradient &normal &normal_now &area &area_per_volume &X &x &r &kept;
     }
   };
 
@@ -87,9 +92,11 @@ namespace isochor
   std::vector<FaceCopy<dim>>
   copy_faces(const BackgroundGrid<dim> &grid,
              const PointArrays<dim>    &points,
-             const BodySurface<dim>    &surface);
+             const BodySurface<dim>    &surface,
+             const SurfaceMemory<dim>  &memory);
 
-  /** Set gamma, area_ratio and, in dynamics, the adjoint of a copy. */
+  /** Set gamma, area_ratio, the stress and, in dynamics, the adjoint of a copy.
+   */
   template <int dim>
   void
   start_step(const StepContext<dim> &step, FaceCopy<dim> &copy);

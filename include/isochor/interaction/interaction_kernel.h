@@ -211,12 +211,19 @@ namespace isochor
         residual[i] -= force * trace[i];
     }
 
-    /** After add(): the tangential gap that friction remembers, T (t - f)/γ
-     * (m). */
-    const Tensor<1, dim> &
-    slip() const
+    /** After add(): what the place remembers of the step (m). Laws leave the
+     * gap e = (t - f)/γ, which relaxes as the elastic strain of the material
+     * does: m e is left where it keeps the part m = @p kept
+     * (kept_shear_strain()). Friction remembers this, along the surface. A tie
+     * gets as much nearer by holding another place of the body, at @p shift
+     * from this one at the end of the step. */
+    Tensor<1, dim>
+    remembered(const InteractionLaw<dim> &law,
+               const Tensor<1, dim>      &shift,
+               const double               kept) const
     {
-      return to_remember;
+      return law.is_unilateral() ? kept * gap_left :
+                                   shift - (1 - kept) * gap_left;
     }
     /** After add() without a start: what the next step starts with. With one f
      * is what takes the place of that at the end, of a tie the same. */
@@ -317,7 +324,7 @@ namespace isochor
     std::array<std::vector<double>, 2> pressure_by;
     /** t_1, and with the mean pressures of the step t_1 and w_0. */
     Tensor<1, dim>               t, t_end, w_0;
-    Tensor<1, dim>               mean, to_remember;
+    Tensor<1, dim>               mean, gap_left;
     StartOfStep<dim>             end;
     std::vector<Side>            sides;
     std::vector<Turn>            turns;

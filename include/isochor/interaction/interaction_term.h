@@ -10,7 +10,7 @@
 #include <isochor/interaction/face_loads.h>
 #include <isochor/interaction/interaction.h>
 #include <isochor/interaction/interaction_kernel.h>
-#include <isochor/interaction/slip_memory.h>
+#include <isochor/interaction/surface_memory.h>
 
 #include <algorithm>
 #include <array>
@@ -183,9 +183,11 @@ namespace isochor
     {
       unsigned int              face;     ///< in the surface
       std::vector<unsigned int> partners; ///< numbers of its interactions
+      bool                      is_tied = false; ///< by one of them
       /** By Gauss point and partner: facing(), at the start of the step. */
       std::array<std::vector<double>, BodySurface<dim>::n_gauss> facing;
       Tensor<1, dim>              normal; ///< outward, at the start of the step
+      SymmetricTensor<2, 3>       kirchhoff; ///< dev τ at the start (Pa)
       double                      gamma      = 0;
       double                      area_ratio = 1;
       std::vector<Tensor<1, dim>> adjoint; ///< B, if θ is not 0
@@ -202,7 +204,8 @@ namespace isochor
       /** On the body (N): of contact the mean over the step, of a tie that at
        * its end. */
       Tensor<1, dim>   force;
-      Tensor<1, dim>   slip; ///< to be remembered (m)
+      Tensor<1, dim>   remembered; ///< for the next step (m)
+      double           kept;       ///< SurfaceStress::kept()
       SurfaceState     state;
       StartOfStep<dim> end; ///< InteractionKernel::at_end()
     };
@@ -242,7 +245,7 @@ namespace isochor
            const typename Partner<dim>::SurfacePlace &place,
            PartnerPlace<dim>                         &found) const;
     /** The force (N) and the moment (N m; in 2D the third component) on the
-     * body by each interaction, of all ranks. Notes the slips, too. */
+     * body by each interaction, of all ranks. Notes what is remembered, too. */
     std::vector<std::array<double, dim + 3>>
     resultants(const StepContext<dim> &step, const NodalField &unknowns) const;
     void
@@ -258,10 +261,12 @@ namespace isochor
     std::string              description;
     BodySurface<dim>         surface;
     std::vector<FaceElement> faces;
-    mutable SlipMemory<dim>  slips;
+    /** Of each Gauss point InteractionKernel::remembered(), of the face the
+     * part of its elastic strain that its point kept in the last step. */
+    mutable SurfaceMemory<dim> memory;
     /** The forces at the end of the last step (N): with the pressures that
      * nodes of another grid get from the points they would be others. */
-    mutable SlipMemory<dim>    forces;
+    mutable SurfaceMemory<dim> forces;
     mutable SurfaceStress<dim> stress;
   };
 } // namespace isochor

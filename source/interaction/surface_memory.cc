@@ -2,7 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/interaction/slip_memory.h>
+#include <isochor/interaction/surface_memory.h>
 
 #include <limits>
 #include <sstream>
@@ -11,10 +11,10 @@ namespace isochor
 {
   template <int dim>
   void
-  SlipMemory<dim>::send(const BodySurface<dim> &surface, const MPI_Comm comm)
+  SurfaceMemory<dim>::send(const BodySurface<dim> &surface, const MPI_Comm comm)
   {
-    std::map<std::uint64_t, Slips> kept;
-    const auto                     take = [&](auto &from) {
+    std::map<std::uint64_t, OfFace> kept;
+    const auto                      take = [&](auto &from) {
       for (const auto &face : surface.faces())
         {
           const auto found = from.find(BodySurface<dim>::key(face));
@@ -22,31 +22,31 @@ namespace isochor
             kept.insert(from.extract(found));
         }
     };
-    take(slips);
+    take(faces);
     // what is left belongs to points that went to other ranks
-    using Orphans = std::vector<std::pair<std::uint64_t, Slips>>;
-    std::map<std::uint64_t, Slips> others;
+    using Orphans = std::vector<std::pair<std::uint64_t, OfFace>>;
+    std::map<std::uint64_t, OfFace> others;
     for (const Orphans &orphans :
-         Utilities::MPI::all_gather(comm, Orphans(slips.begin(), slips.end())))
+         Utilities::MPI::all_gather(comm, Orphans(faces.begin(), faces.end())))
       others.insert(orphans.begin(), orphans.end());
     take(others);
-    slips.swap(kept);
+    faces.swap(kept);
   }
 
 
 
   template <int dim>
   std::string
-  SlipMemory<dim>::save(const MPI_Comm comm) const
+  SurfaceMemory<dim>::save(const MPI_Comm comm) const
   {
     std::ostringstream text;
     text.precision(std::numeric_limits<double>::max_digits10);
-    for (const auto &of_rank : Utilities::MPI::all_gather(comm, slips))
-      for (const auto &[key, values] : of_rank)
+    for (const auto &of_rank : Utilities::MPI::all_gather(comm, faces))
+      for (const auto &[key, face] : of_rank)
         {
-          text << key;
-          for (const Tensor<1, dim> &slip : values)
-            text << ' ' << slip;
+          text << key << ' ' << face.kept;
+          for (const Tensor<1, dim> &vector : face.at)
+            text << ' ' << vector;
           text << '\n';
         }
     return text.str();
@@ -56,18 +56,22 @@ namespace isochor
 
   template <int dim>
   void
-  SlipMemory<dim>::load(const std::string &state)
+  SurfaceMemory<dim>::load(const std::string &state)
   {
     std::istringstream text(state);
     std::uint64_t      key;
     while (text >> key)
-      for (Tensor<1, dim> &slip : slips[key])
-        for (unsigned int d = 0; d < dim; ++d)
-          text >> slip[d];
+      {
+        OfFace &face = faces[key];
+        text >> face.kept;
+        for (Tensor<1, dim> &vector : face.at)
+          for (unsigned int d = 0; d < dim; ++d)
+            text >> vector[d];
+      }
   }
 
 
 
-  template class SlipMemory<2>;
-  template class SlipMemory<3>;
+  template class SurfaceMemory<2>;
+  template class SurfaceMemory<3>;
 } // namespace isochor

@@ -2,8 +2,8 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#ifndef isochor_slip_memory_h
-#define isochor_slip_memory_h
+#ifndef isochor_surface_memory_h
+#define isochor_surface_memory_h
 
 #include <isochor/equations/body_surface.h>
 
@@ -12,36 +12,44 @@
 
 namespace isochor
 {
-  /** A vector at each Gauss point that is remembered from step to step, by
-   * face. Of friction the tangential gap g_t = T (t - f)/γ (m). */
+  /** What is remembered of the faces of surfaces from step to step: a vector at
+   * each Gauss point, and a number. */
   template <int dim>
-  class SlipMemory
+  class SurfaceMemory
   {
   public:
-    using Slips = std::array<Tensor<1, dim>, BodySurface<dim>::n_gauss>;
-
     /** Of Gauss point @p g of the face with this BodySurface::key(); zero if
      * nothing is known of it. */
     Tensor<1, dim>
     get(const std::uint64_t key, const unsigned int g) const
     {
-      const auto found = slips.find(key);
-      return found == slips.end() ? Tensor<1, dim>() : found->second[g];
+      const auto found = faces.find(key);
+      return found == faces.end() ? Tensor<1, dim>() : found->second.at[g];
+    }
+    /** Of the face; 1 if nothing is known of it. */
+    double
+    kept(const std::uint64_t key) const
+    {
+      const auto found = faces.find(key);
+      return found == faces.end() ? 1. : found->second.kept;
     }
 
     bool
     knows(const std::uint64_t key) const
     {
-      return slips.count(key) > 0;
+      return faces.count(key) > 0;
     }
 
-    /** Note the vector at the end of the step. */
+    /** Note both at the end of the step. */
     void
     set_next(const std::uint64_t   key,
              const unsigned int    g,
-             const Tensor<1, dim> &slip)
+             const Tensor<1, dim> &vector,
+             const double          kept = 1)
     {
-      next[key][g] = slip;
+      OfFace &face = next[key];
+      face.at[g]   = vector;
+      face.kept    = kept;
     }
     /** The step has converged: forget what was noted before. */
     void
@@ -53,7 +61,7 @@ namespace isochor
     void
     accept()
     {
-      slips.swap(next);
+      faces.swap(next);
     }
 
     /** Points have other owners, @p surface is that of this rank: bring what is
@@ -69,7 +77,19 @@ namespace isochor
     load(const std::string &state);
 
   private:
-    std::map<std::uint64_t, Slips> slips, next;
+    struct OfFace
+    {
+      std::array<Tensor<1, dim>, BodySurface<dim>::n_gauss> at;
+      double                                                kept = 1;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &at &kept;
+      }
+    };
+    std::map<std::uint64_t, OfFace> faces, next;
   };
 } // namespace isochor
 
