@@ -146,17 +146,24 @@ namespace isochor
         element.normal     = stress.area / element.area_ratio;
         for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
           {
-            const auto start = BodySurface<dim>::place(step, face, g);
+            const auto           start = BodySurface<dim>::place(step, face, g);
+            const Tensor<1, dim> t = stress.traction(points->pressure[face.q]);
             element.facing[g].clear();
+            element.touches[g] = -1;
             for (const unsigned int i : element.partners)
-              element.facing[g].push_back(
-                interactions[i]->law->is_unilateral() ?
-                  facing<dim>(element.normal,
-                              interactions[i]
-                                ->partner
-                                ->nearest({&start, {}, {}, element.normal})
-                                .normal) :
-                  1.);
+              {
+                auto &faced = element.facing[g];
+                faced.push_back(1);
+                if (!interactions[i]->law->is_unilateral())
+                  continue;
+                const auto place = interactions[i]->partner->nearest(
+                  {&start, {}, {}, element.normal});
+                faced.back() = facing<dim>(element.normal, place.normal);
+                if (int &touched = element.touches[g];
+                    t * place.normal > element.gamma * place.normal_gap &&
+                    faced.back() > (touched < 0 ? 0. : faced[touched]))
+                  touched = faced.size() - 1;
+              }
           }
         element.adjoint.clear();
         for (unsigned int J = 0; J < of.stencil.n_nodes && step.has_inertia;
@@ -207,7 +214,8 @@ namespace isochor
             found = interaction.partner->original(place);
             return i;
           }
-        if (element.facing[g][i] == 0)
+        if (element.facing[g][i] == 0 ||
+            (element.touches[g] >= 0 && element.touches[g] != int(i)))
           continue;
         const PartnerPlace<dim> candidate = interaction.partner->nearest(place);
         if (chosen < 0 || candidate.normal_gap < found.normal_gap)
