@@ -57,28 +57,6 @@ namespace isochor
 
   template <int dim>
   template <int strain_dim>
-  void
-  SurfaceStress<dim>::set_step(
-    const Tensor<2, dim>                 &F_increment,
-    const double                          hoop_increment,
-    const SymmetricTensor<2, strain_dim> &deviatoric_stress)
-  {
-    step_F       = Tensor<2, 3>();
-    step_F[2][2] = hoop_increment;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        step_F[i][j] = F_increment[i][j];
-    kirchhoff       = SymmetricTensor<2, 3>();
-    kirchhoff[2][2] = -trace(deviatoric_stress); // of plane strain
-    for (unsigned int i = 0; i < strain_dim; ++i)
-      for (unsigned int j = i; j < strain_dim; ++j)
-        kirchhoff[i][j] = deviatoric_stress[i][j];
-  }
-
-
-
-  template <int dim>
-  template <int strain_dim>
   EvaluationStatus
   SurfaceStress<dim>::evaluate_in(const MixedKernel<dim> &kernel,
                                   const Domain           &domain,
@@ -86,17 +64,16 @@ namespace isochor
                                   const double            p,
                                   const bool              with_derivatives)
   {
-    constexpr bool                  hoop     = (strain_dim > dim);
-    const auto                     &stencil  = domain.stencil;
-    const MaterialModel<dim>       &material = *domain.material;
-    Kinematics<dim>                 kinematics;
-    StressResponse<strain_dim>      response;
-    std::array<double, max_history> history;
-    mixed                            = kernel.has_pressures;
-    kinematics.with_history          = false;
-    const Tensor<2, dim> F_increment = deformation_increment<dim>(
+    constexpr bool             hoop     = (strain_dim > dim);
+    const auto                &stencil  = domain.stencil;
+    const MaterialModel<dim>  &material = *domain.material;
+    Kinematics<dim>            kinematics;
+    StressResponse<strain_dim> response;
+    mixed                   = kernel.has_pressures;
+    kinematics.with_history = !with_derivatives; // for flow()
+    F_increment             = deformation_increment<dim>(
       stencil.n_nodes,
-      [&](const unsigned int I) -> const Tensor<1, dim> & {
+      [&](const unsigned int I) -> const Tensor<1, dim>             &{
         return increments[I];
       },
       stencil.gradient);
@@ -127,9 +104,9 @@ namespace isochor
                                           kinematics.J);
     const double                   inverse_K = material.inverse_bulk_modulus();
     const Tensor<1, dim>           a         = N * invert(kinematics.F);
-    set_step(F_increment,
-             kinematics.hoop_increment,
-             response.deviatoric_stress);
+    // plane strain: with τ_zz
+    stress_norm     = std::hypot(response.deviatoric_stress.norm(),
+                             trace(response.deviatoric_stress));
     deviatoric      = in_plane<dim>(response.deviatoric_stress, a);
     volume          = factor.s * a;
     area            = kinematics.J * a;

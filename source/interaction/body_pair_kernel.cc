@@ -318,12 +318,16 @@ namespace isochor
     result.meets = true;
     result.force = measure.weight * kernel.mean_traction();
     result.end   = kernel.at_end();
-    result.kept  = kept(own);
-    // each side's part of the gap relaxes with its material
-    result.remembered =
-      kernel.remembered(law,
-                        own.stress.carried(shift),
-                        share * kept(own) + (1 - share) * kept(other));
+    // each side has its part of the gap
+    const auto of_own = flow(own), of_other = flow(other);
+    const auto mean = [&](const double a, const double b) {
+      return share * a + (1 - share) * b;
+    };
+    result.kept       = of_own.kept;
+    result.remembered = kernel.remembered(law,
+                                          own.stress.carried(shift),
+                                          {mean(of_own.strain, of_other.strain),
+                                           mean(of_own.kept, of_other.kept)});
     return EvaluationStatus::success;
   }
 

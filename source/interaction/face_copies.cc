@@ -110,7 +110,6 @@ namespace isochor
     AssertThrow(status == EvaluationStatus::success,
                 ExcMessage("The stress of a point can't be evaluated as it was "
                            "at the end of the last step."));
-    copy.kirchhoff = stress.kirchhoff;
     copy.gamma =
       surface_stiffness(step, stress, *domain.material, copy.area_per_volume);
     copy.area_ratio = stress.area.norm();

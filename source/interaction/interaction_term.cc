@@ -138,7 +138,6 @@ namespace isochor
                     ExcMessage("The stress of a point can't be evaluated as it "
                                "was at the end of the last step."));
         element.start.clear();
-        element.kirchhoff = stress.kirchhoff;
         element.gamma =
           2 *
           surface_stiffness(step, stress, *of.material, face.area_per_volume);
@@ -339,7 +338,10 @@ namespace isochor
         const auto projection = kernel.add(*interaction.law, found, measure);
         if (actions == nullptr)
           continue;
-        const double kept = stress.kept(*of.material, element.kirchhoff);
+        // in dynamics what acts has to be the gradient of an energy
+        const auto flow = step.has_inertia ?
+                            typename SurfaceStress<dim>::Flow() :
+                            stress.flow(*of.material, of.history);
         actions->push_back({element.partners[chosen],
                             g,
                             start.x + place.increment -
@@ -351,8 +353,8 @@ namespace isochor
                                                 kernel.at_end().f),
                             kernel.remembered(*interaction.law,
                                               stress.carried(remembered),
-                                              kept),
-                            kept,
+                                              flow),
+                            flow.kept,
                             projection.state,
                             kernel.at_end()});
       }

@@ -60,7 +60,7 @@ namespace isochor
             excess_of_volume<dim>(state,
                                   *step.kernel.materials[arrays.material[q]]);
           excesses.push_back(excess);
-          unseen_volume.set(step, q, excess, increment, state, l, properties);
+          unseen_volume.set(step, q, excess, state, history.data());
         }
       location += displacement;
       properties[l.pressure] = state.pressure;

@@ -11,39 +11,12 @@
 
 namespace isochor
 {
-  namespace
-  {
-    /** The part of its elastic shear strain that a point remembers through a
-     * step; @p stress_n is its Cauchy stress at the start. */
-    template <int dim>
-    double
-    memory_of_step(const MaterialModel<dim>                    &material,
-                   const Kinematics<dim>                       &increment,
-                   const SymmetricTensor<2, 3>                 &stress_n,
-                   const typename MixedKernel<dim>::PointState &state)
-    {
-      Assert(increment.hoop_increment > 0, ExcInternalError());
-      if (!material.dissipates())
-        return 1;
-      Tensor<2, 3> F = unit_symmetric_tensor<3>();
-      F[2][2]        = increment.hoop_increment;
-      for (unsigned int a = 0; a < dim; ++a)
-        for (unsigned int b = 0; b < dim; ++b)
-          F[a][b] = increment.F_increment[a][b];
-      return kept_shear_strain(material.shear_modulus(),
-                               F,
-                               (state.J / determinant(F)) * deviator(stress_n),
-                               state.J * deviator(state.cauchy_stress));
-    }
-  } // namespace
-
-
-
   template <int dim>
   void
   UnseenVolume<dim>::start(const StepContext<dim> &step)
   {
     unseen.assign(step.points.weight.size(), 0.);
+    plastic_strain = entries_of_plastic_strain<dim>(step.kernel.materials);
   }
 
 
@@ -53,18 +26,21 @@ namespace isochor
   UnseenVolume<dim>::set(const StepContext<dim>                      &step,
                          const unsigned int                           q,
                          const double                                 excess,
-                         const Kinematics<dim>                       &increment,
                          const typename MixedKernel<dim>::PointState &state,
-                         const PointLayout                           &layout,
-                         const ArrayView<const double> &properties)
+                         const double *const                          history)
   {
     AssertIndexRange(q, unseen.size());
-    const auto  &material = *step.kernel.materials[step.points.material[q]];
+    const unsigned int i     = step.points.material[q];
+    const unsigned int entry = plastic_strain[i];
+    if (entry == numbers::invalid_unsigned_int)
+      return; // it remembers everything
+    const auto         &material = *step.kernel.materials[i];
+    const double *const before =
+      step.points.history.data() + q * std::size_t(step.points.n_history);
     const double memory =
-      memory_of_step<dim>(material,
-                          increment,
-                          load_symmetric<dim>(&properties[layout.stress]),
-                          state);
+      kept_shear_strain(material.shear_modulus(),
+                        state.J * deviator(state.cauchy_stress).norm(),
+                        history[entry] - before[entry]);
     // of the volume, whatever the measure of its change
     const double relative =
       material.volumetric_measure() == VolumetricMeasure::logarithmic ?

@@ -38,7 +38,7 @@ namespace isochor
       const double                      *history;
       double                             radius; ///< in axisymmetry (m)
       typename PointArrays<dim>::Stencil stencil;
-      double kept = 1; ///< m: kept() of the last step
+      double kept = 1; ///< m: Flow::kept of the last step
     };
 
     /** Evaluate for the reference normal @p N. @p increment(I) and
@@ -97,39 +97,38 @@ namespace isochor
       return elastic_by_u[J * dim + b];
     }
 
-    /** kept_shear_strain() of the step that began with @p kirchhoff_n, dev τ
-     * (Pa). */
-    double
-    kept(const MaterialModel<dim>    &material,
-         const SymmetricTensor<2, 3> &kirchhoff_n) const
+    /** What the material has flown in a step. */
+    struct Flow
     {
-      return material.dissipates() ? kept_shear_strain(material.shear_modulus(),
-                                                       step_F,
-                                                       kirchhoff_n,
-                                                       kirchhoff) :
-                                     1.;
+      double strain = 0; ///< the change of the equivalent plastic strain
+      double kept   = 1; ///< kept_shear_strain()
+    };
+    /** Of the step, which began with @p history_n. */
+    Flow
+    flow(const MaterialModel<dim> &material, const double *history_n) const
+    {
+      const unsigned int entry = entry_of_plastic_strain(material);
+      if (entry == numbers::invalid_unsigned_int)
+        return {};
+      const double strain = history[entry] - history_n[entry];
+      return {strain,
+              kept_shear_strain(material.shear_modulus(), stress_norm, strain)};
     }
 
     /** What @p r in the subdomain has become by the end of the step. */
     Tensor<1, dim>
     carried(const Tensor<1, dim> &r) const
     {
-      Tensor<1, dim> result;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          result[i] += step_F[i][j] * r[j];
-      return result;
+      return F_increment * r;
     }
 
     /** |N · A · N| (Pa): the largest change of the traction with the gradient
      * v ⊗ N of the displacement; of A in u-p the deviatoric part. */
     double normal_modulus = 0;
 
-    Tensor<1, dim>              deviatoric; ///< dev τ a
-    SymmetricTensor<2, 3>       kirchhoff;  ///< dev τ (Pa)
-    Tensor<2, 3>                step_F;     ///< the step's deformation gradient
-    Tensor<1, dim>              volume;     ///< s a
-    Tensor<1, dim>              area;       ///< J a
+    Tensor<1, dim>              deviatoric;             ///< dev τ a
+    Tensor<1, dim>              volume;                 ///< s a
+    Tensor<1, dim>              area;                   ///< J a
     std::vector<Tensor<1, dim>> volume_by_u, area_by_u; ///< J * dim + b
     /** ∂(dev τ)/∂p a, of laws that depend on the pressure, with p of the point.
      */
@@ -146,22 +145,18 @@ namespace isochor
              const bool              with_derivatives);
     template <int strain_dim>
     EvaluationStatus
-    evaluate_in(const MixedKernel<dim> &kernel,
-                const Domain           &domain,
-                const Tensor<1, dim>   &N,
-                const double            p,
-                const bool              with_derivatives);
-    /** Set what is left of the step: kirchhoff and step_F. */
-    template <int strain_dim>
-    void
-    set_step(const Tensor<2, dim>                 &F_increment,
-             const double                          hoop_increment,
-             const SymmetricTensor<2, strain_dim> &deviatoric_stress);
-
-    double                      own_pressure = 0; ///< K θ^e, in the u form
-    std::vector<Tensor<1, dim>> increments;
-    std::vector<Tensor<1, dim>> deviatoric_by_u, elastic_by_u;
-    std::vector<double>         own_pressure_by_u;
+                                    evaluate_in(const MixedKernel<dim> &kernel,
+                                                const Domain           &domain,
+                                                const Tensor<1, dim>   &N,
+                                                const double            p,
+                                                const bool              with_derivatives);
+    Tensor<2, dim>                  F_increment;
+    std::array<double, max_history> history; ///< at the end of the step
+    double                          stress_norm  = 0; ///< |dev τ| (Pa)
+    double                          own_pressure = 0; ///< K θ^e, in the u form
+    std::vector<Tensor<1, dim>>     increments;
+    std::vector<Tensor<1, dim>>     deviatoric_by_u, elastic_by_u;
+    std::vector<double>             own_pressure_by_u;
   };
 } // namespace isochor
 

@@ -59,7 +59,7 @@ namespace isochor
       /** On the body of the Gauss point (N), the mean over the step. */
       Tensor<1, dim>   force;
       Tensor<1, dim>   remembered;    ///< for the next step (m)
-      double           kept  = 1;     ///< SurfaceStress::kept() of its side
+      double           kept  = 1;     ///< SurfaceStress::Flow::kept
       bool             meets = false; ///< whether there is another face
       StartOfStep<dim> end;           ///< InteractionKernel::at_end()
     };
@@ -113,12 +113,14 @@ namespace isochor
     find_meeting(const PairElement<dim> &element, const Point<dim> &x) const;
     void
     add_sides(const double share);
-    /** SurfaceStress::kept() of the @p side. */
-    double
-    kept(const Side &side) const
+    /** Of the @p side's material; none in dynamics, as in InteractionTerm. */
+    typename SurfaceStress<dim>::Flow
+    flow(const Side &side) const
     {
-      return side.stress.kept(*step.kernel.materials[side.face->material],
-                              side.face->kirchhoff);
+      return step.has_inertia ?
+               typename SurfaceStress<dim>::Flow() :
+               side.stress.flow(*step.kernel.materials[side.face->material],
+                                side.face->history.data());
     }
     /** What turns at the other side with its unknowns: the derivatives of
      * normal and coordinates of the projection. */

@@ -37,9 +37,8 @@ namespace isochor
     std::array<Point<dim>, dim> x; ///< at the start of the step
     std::array<Tensor<1, dim>, dim>
       r; ///< from the subdomain's point, at t_n (m)
-    /** SurfaceStress::kept() of the last step. */
-    double                kept = 1;
-    SymmetricTensor<2, 3> kirchhoff; ///< dev τ at the start of the step (Pa)
+    /** SurfaceStress::Flow::kept of the last step. */
+    double kept       = 1;
     double gamma      = 0; ///< as InteractionKernel wants it, one half (Pa/m)
     double area_ratio = 1; ///< of the area at t_n to that at t = 0
     /** B_J,b of SurfaceStress at the start of the step; empty in statics. */
@@ -95,8 +94,7 @@ namespace isochor
              const BodySurface<dim>    &surface,
              const SurfaceMemory<dim>  &memory);
 
-  /** Set gamma, area_ratio, the stress and, in dynamics, the adjoint of a copy.
-   */
+  /** Set gamma, area_ratio and, in dynamics, the adjoint of a copy. */
   template <int dim>
   void
   start_step(const StepContext<dim> &step, FaceCopy<dim> &copy);

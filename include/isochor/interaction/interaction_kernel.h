@@ -213,17 +213,20 @@ namespace isochor
 
     /** After add(): what the place remembers of the step (m). Laws leave the
      * gap e = (t - f)/γ, which relaxes as the elastic strain of the material
-     * does: m e is left where it keeps the part m = @p kept
-     * (kept_shear_strain()). Friction remembers this, along the surface. A tie
-     * gets as much nearer by holding another place of the body, at @p shift
-     * from this one at the end of the step. */
+     * does, of which the part m = @p flow.kept is left. Friction remembers m e,
+     * along the surface. A tie gets as much nearer by holding another place of
+     * the body, at v from this one, v = @p shift at the end of the step; and it
+     * goes back to this one with the plastic strain,
+     *   v ← (v - (1 - m) e)/(1 + Δε_p),
+     * so that the total gap has the modulus γ |e^e| in the end. */
     Tensor<1, dim>
-    remembered(const InteractionLaw<dim> &law,
-               const Tensor<1, dim>      &shift,
-               const double               kept) const
+    remembered(const InteractionLaw<dim>               &law,
+               const Tensor<1, dim>                    &shift,
+               const typename SurfaceStress<dim>::Flow &flow) const
     {
-      return law.is_unilateral() ? kept * gap_left :
-                                   shift - (1 - kept) * gap_left;
+      return law.is_unilateral() ?
+               flow.kept * gap_left :
+               (shift - (1 - flow.kept) * gap_left) / (1 + flow.strain);
     }
     /** After add() without a start: what the next step starts with. With one f
      * is what takes the place of that at the end, of a tie the same. */

@@ -190,7 +190,6 @@ namespace isochor
        * start of the step, of several that which it faces most; -1: none. */
       std::array<int, BodySurface<dim>::n_gauss> touches;
       Tensor<1, dim>              normal; ///< outward, at the start of the step
-      SymmetricTensor<2, 3>       kirchhoff; ///< dev τ at the start (Pa)
       double                      gamma      = 0;
       double                      area_ratio = 1;
       std::vector<Tensor<1, dim>> adjoint; ///< B, if θ is not 0
@@ -208,7 +207,7 @@ namespace isochor
        * its end. */
       Tensor<1, dim>   force;
       Tensor<1, dim>   remembered; ///< for the next step (m)
-      double           kept;       ///< SurfaceStress::kept()
+      double           kept;       ///< SurfaceStress::Flow::kept
       SurfaceState     state;
       StartOfStep<dim> end; ///< InteractionKernel::at_end()
     };

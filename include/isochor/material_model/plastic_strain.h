@@ -5,6 +5,7 @@
 #ifndef isochor_plastic_strain_h
 #define isochor_plastic_strain_h
 
+#include <isochor/base/rounding.h>
 #include <isochor/material_model/material_model.h>
 
 #include <algorithm>
@@ -15,8 +16,20 @@
 
 namespace isochor
 {
-  /** Where the equivalent plastic strain stands in the history of each of the
-   * @p materials; numbers::invalid_unsigned_int where there is none. */
+  /** Where the equivalent plastic strain stands in the history of @p material;
+   * numbers::invalid_unsigned_int if there is none. */
+  template <int dim>
+  unsigned int
+  entry_of_plastic_strain(const MaterialModel<dim> &material)
+  {
+    const std::vector<std::string> names = material.history_names();
+    const auto                     found =
+      std::find(names.begin(), names.end(), "equivalent_plastic_strain");
+    return found == names.end() ? numbers::invalid_unsigned_int :
+                                  found - names.begin();
+  }
+
+  /** The same of each of the @p materials. */
   template <int dim>
   std::vector<unsigned int>
   entries_of_plastic_strain(
@@ -24,37 +37,26 @@ namespace isochor
   {
     std::vector<unsigned int> entries;
     for (const auto &material : materials)
-      {
-        const std::vector<std::string> names = material->history_names();
-        const auto                     found =
-          std::find(names.begin(), names.end(), "equivalent_plastic_strain");
-        entries.push_back(found == names.end() ? numbers::invalid_unsigned_int :
-                                                 found - names.begin());
-      }
+      entries.push_back(entry_of_plastic_strain(*material));
     return entries;
   }
 
   /** m = |e^e|/(|e^e| + |Δe^p|), the part of its elastic shear strain e^e that
-   * a point keeps through a step with the plastic one Δe^p: 1 if the step is
-   * elastic. @p F is the step's deformation gradient, @p before and @p after
-   * the deviatoric Kirchhoff stresses (Pa) at its ends. */
+   * a point keeps through a step with the plastic one Δe^p: 1 if nothing flows.
+   * @p stress is |dev τ| (Pa) at the end of the step, @p plastic_strain the
+   * change of the equivalent plastic strain, √(2/3) |Δe^p|. Positive also at
+   * the apex of a cone, where there is no shear stress. */
   inline double
-  kept_shear_strain(const double                 shear_modulus,
-                    const Tensor<2, 3>          &F,
-                    const SymmetricTensor<2, 3> &before,
-                    const SymmetricTensor<2, 3> &after)
+  kept_shear_strain(const double shear_modulus,
+                    const double stress,
+                    const double plastic_strain)
   {
-    Assert(determinant(F) > 0 && shear_modulus > 0, ExcInternalError());
-    const Tensor<2, 3> l = Tensor<2, 3>(unit_symmetric_tensor<3>()) - invert(F);
-    const SymmetricTensor<2, 3> carried =
-      std::pow(determinant(F), -2. / 3) *
-      deviator(symmetrize(F * Tensor<2, 3>(before) * transpose(F)));
-    const double elastic = after.norm() / (2 * shear_modulus),
-                 plastic = (deviator(symmetrize(l)) -
-                            (after - carried) / (2 * shear_modulus))
-                             .norm();
-    return plastic > 0 ? elastic / (elastic + plastic) : 1;
+    Assert(shear_modulus > 0, ExcInternalError());
+    const double elastic = stress / (2 * shear_modulus) + rounding::accumulated,
+                 plastic = std::sqrt(1.5) * std::max(0., plastic_strain);
+    return elastic / (elastic + plastic);
   }
+
 } // namespace isochor
 
 #endif

@@ -32,10 +32,8 @@ namespace isochor
    * stabilisation's part; from nodal means, by Chebyshev's iteration.
    *
    * *Memory*: the part m of its elastic shear strain that a point brings
-   * through a step. With the plastic strain of the step and the elastic one at
-   * its end (Maxwell's element, one step of backward Euler),
-   *   m = ε_e / (ε_e + Δε_p),  ε_e = |dev τ|/2G,
-   *   Δε_p = |dev d - Δ(dev τ)/2G|.
+   * through a step, kept_shear_strain(), as in one step of backward Euler with
+   * Maxwell's element.
    */
   template <int dim>
   class UnseenVolume
@@ -45,17 +43,14 @@ namespace isochor
     void
     start(const StepContext<dim> &step);
 
-    /** At the end of the step point @p q has the @p excess θ^e - p/K and
-     * dev τ of @p state; @p properties are still those of its start.
-     * @p increment: that of the step. */
+    /** At the end of the step point @p q has the @p excess θ^e - p/K, dev τ of
+     * @p state and the @p history. */
     void
     set(const StepContext<dim>                      &step,
         const unsigned int                           q,
         const double                                 excess,
-        const Kinematics<dim>                       &increment,
         const typename MixedKernel<dim>::PointState &state,
-        const PointLayout                           &layout,
-        const ArrayView<const double>               &properties);
+        const double *const                          history);
 
     /** Let material pass between the @p points, which have moved, and domains
      * follow if the grid will be reset. Collective. */
@@ -102,8 +97,9 @@ namespace isochor
             const unsigned int      k,
             const unsigned int      q) const;
 
-    std::vector<double> unseen; ///< by point; all of it at first
-    NodalField          mean, weight;
+    std::vector<double>       unseen;         ///< by point; all of it at first
+    std::vector<unsigned int> plastic_strain; ///< entries, by material
+    NodalField                mean, weight;
   };
 } // namespace isochor
 
