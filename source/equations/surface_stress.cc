@@ -35,6 +35,27 @@ namespace isochor
         B[strain_dim - 1][strain_dim - 1] = h;
       return B;
     }
+
+    /** The largest eigenvalue of a · @p elastic · a + @p geometric 1 +
+     * @p bulk a ⊗ a (Pa). */
+    template <int dim, int strain_dim>
+    double
+    largest_modulus(const SymmetricTensor<4, strain_dim> &elastic,
+                    const Tensor<1, dim>                 &a,
+                    const double                          geometric,
+                    const double                          bulk)
+    {
+      SymmetricTensor<2, dim> Q = bulk * symmetrize(outer_product(a, a));
+      for (unsigned int b = 0; b < dim; ++b)
+        {
+          const Tensor<1, dim> column =
+            in_plane<dim>(elastic * strain_of<dim, strain_dim>(b, a, 0.), a);
+          for (unsigned int i = 0; i < dim; ++i)
+            Q[i][b] += (i == b ? 1. : 0.5) * column[i];
+          Q[b][b] += geometric;
+        }
+      return eigenvalues(Q)[0];
+    }
   } // namespace
 
 
@@ -153,18 +174,11 @@ namespace isochor
           }
       }
 
-    SymmetricTensor<2, dim> Q;
-    for (unsigned int b = 0; b < dim; ++b)
-      {
-        const Tensor<1, dim> column =
-          in_plane<dim>(elastic * strain_of<dim, strain_dim>(b, a, 0.), a);
-        for (unsigned int i = 0; i < dim; ++i)
-          Q[i][b] += (i == b ? 1. : 0.5) * column[i];
-        Q[b][b] += std::max(0., a * deviatoric);
-      }
-    if (!mixed)
-      Q += (factor.s * factor.s / inverse_K) * symmetrize(outer_product(a, a));
-    normal_modulus = eigenvalues(Q)[0];
+    normal_modulus =
+      largest_modulus(elastic,
+                      a,
+                      std::max(0., a * deviatoric),
+                      mixed ? 0. : factor.s * factor.s / inverse_K);
     return EvaluationStatus::success;
   }
 

@@ -319,7 +319,7 @@ namespace isochor
     result.force = measure.weight * kernel.mean_traction();
     result.end   = kernel.at_end();
     // each side has its part of the gap
-    const auto of_own = flow(own), of_other = flow(other);
+    const auto of_own = flow(element, own), of_other = flow(element, other);
     const auto mean = [&](const double a, const double b) {
       return share * a + (1 - share) * b;
     };

@@ -2,7 +2,8 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-// What InteractionTerm leaves in the statistics.
+// What InteractionTerm leaves of a step: in the statistics and for the next
+// one.
 
 #include <isochor/base/mpi_sums.h>
 #include <isochor/base/plain_message.h>
@@ -124,9 +125,57 @@ namespace isochor
 
 
 
+  template <int dim>
+  void
+  InteractionTerm<dim>::advance(const StepContext<dim> & /*step*/,
+                                const NodalField & /*unknowns*/)
+  {
+    memory.accept();
+    forces.accept();
+  }
+
+
+
+  template <int dim>
+  std::string
+  InteractionTerm<dim>::save_state() const
+  {
+    const MPI_Comm    comm  = grid->communicator();
+    const std::string first = memory.save(comm);
+    return std::to_string(first.size()) + '\n' + first + forces.save(comm);
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::load_state(const std::string &state)
+  {
+    const std::size_t line = state.find('\n');
+    if (line == std::string::npos)
+      return;
+    const std::size_t size = std::stoul(state);
+    memory.load(state.substr(line + 1, size));
+    forces.load(state.substr(line + 1 + size));
+  }
+
+
+
+  template void
+  InteractionTerm<2>::advance(const StepContext<2> &, const NodalField &);
+  template std::string
+  InteractionTerm<2>::save_state() const;
+  template void
+  InteractionTerm<2>::load_state(const std::string &);
   template std::string
   InteractionTerm<2>::objection(const StepContext<2> &,
                                 const NodalField &) const;
+  template void
+  InteractionTerm<3>::advance(const StepContext<3> &, const NodalField &);
+  template std::string
+  InteractionTerm<3>::save_state() const;
+  template void
+  InteractionTerm<3>::load_state(const std::string &);
   template std::string
   InteractionTerm<3>::objection(const StepContext<3> &,
                                 const NodalField &) const;

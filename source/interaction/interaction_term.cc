@@ -145,24 +145,17 @@ namespace isochor
         element.normal     = stress.area / element.area_ratio;
         for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
           {
-            const auto           start = BodySurface<dim>::place(step, face, g);
-            const Tensor<1, dim> t = stress.traction(points->pressure[face.q]);
+            const auto start = BodySurface<dim>::place(step, face, g);
             element.facing[g].clear();
-            element.touches[g] = -1;
             for (const unsigned int i : element.partners)
-              {
-                auto &faced = element.facing[g];
-                faced.push_back(1);
-                if (!interactions[i]->law->is_unilateral())
-                  continue;
-                const auto place = interactions[i]->partner->nearest(
-                  {&start, {}, {}, element.normal});
-                faced.back() = facing<dim>(element.normal, place.normal);
-                if (int &touched = element.touches[g];
-                    t * place.normal > element.gamma * place.normal_gap &&
-                    faced.back() > (touched < 0 ? 0. : faced[touched]))
-                  touched = faced.size() - 1;
-              }
+              element.facing[g].push_back(
+                interactions[i]->law->is_unilateral() ?
+                  facing<dim>(element.normal,
+                              interactions[i]
+                                ->partner
+                                ->nearest({&start, {}, {}, element.normal})
+                                .normal) :
+                  1.);
           }
         element.adjoint.clear();
         for (unsigned int J = 0; J < of.stencil.n_nodes && step.has_inertia;
@@ -213,8 +206,7 @@ namespace isochor
             found = interaction.partner->original(place);
             return i;
           }
-        if (element.facing[g][i] == 0 ||
-            (element.touches[g] >= 0 && element.touches[g] != int(i)))
+        if (element.facing[g][i] == 0)
           continue;
         const PartnerPlace<dim> candidate = interaction.partner->nearest(place);
         if (chosen < 0 || candidate.normal_gap < found.normal_gap)
@@ -224,6 +216,35 @@ namespace isochor
           }
       }
     return chosen;
+  }
+
+
+
+  template <int dim>
+  typename InteractionKernel<dim>::Measure
+  InteractionTerm<dim>::measure_of(const StepContext<dim> &step,
+                                   const FaceElement      &element,
+                                   const unsigned int      g,
+                                   const double            facing) const
+  {
+    const auto         &face  = surface.faces()[element.face];
+    const auto          start = BodySurface<dim>::place(step, face, g);
+    const double *const history =
+      step.points.history.data() +
+      face.q * static_cast<std::size_t>(step.points.n_history);
+    // R = r / F_θθ, not X: flips give a point the mean of what flows in
+    return {start.weight * face.area * facing *
+              thickness(step.kernel.axisymmetric,
+                        start.x[0] / step.kernel.hoop_stretch(history)),
+            element.gamma,
+            step.has_inertia ? 1. : 0.,
+            element.area_ratio,
+            rounding_of_contact(element.gamma, face.area_per_volume),
+            step.unknowns_at_start != nullptr && step.step_size() > 0 &&
+                !element.start.empty() ?
+              &element.start[g] :
+              nullptr,
+            step.end_weight};
   }
 
 
@@ -318,28 +339,13 @@ namespace isochor
             kernel.add_force(forces.get(key, g));
             continue;
           }
-        // R = r / F_θθ, not X: flips give a point the mean of what flows in
-        const double *const history =
-          step.points.history.data() +
-          face.q * static_cast<std::size_t>(step.points.n_history);
-        const typename InteractionKernel<dim>::Measure measure{
-          start.weight * face.area * element.facing[g][chosen] *
-            thickness(step.kernel.axisymmetric,
-                      start.x[0] / step.kernel.hoop_stretch(history)),
-          element.gamma,
-          step.has_inertia ? 1. : 0.,
-          element.area_ratio,
-          rounding_of_contact(element.gamma, face.area_per_volume),
-          step.unknowns_at_start != nullptr && step.step_size() > 0 &&
-              !element.start.empty() ?
-            &element.start[g] :
-            nullptr,
-          step.end_weight};
+        const auto measure =
+          measure_of(step, element, g, element.facing[g][chosen]);
         const auto projection = kernel.add(*interaction.law, found, measure);
         if (actions == nullptr)
           continue;
         // in dynamics what acts has to be the gradient of an energy
-        const auto flow = step.has_inertia ?
+        const auto flow = step.has_inertia || !element.is_tied ?
                             typename SurfaceStress<dim>::Flow() :
                             stress.flow(*of.material, of.history);
         actions->push_back({element.partners[chosen],
@@ -470,42 +476,6 @@ namespace isochor
     description +=
       (description.empty() || of_loads.empty() ? "" : "\n") + of_loads;
     is_checked = true;
-  }
-
-
-
-  template <int dim>
-  void
-  InteractionTerm<dim>::advance(const StepContext<dim> & /*step*/,
-                                const NodalField & /*unknowns*/)
-  {
-    memory.accept();
-    forces.accept();
-  }
-
-
-
-  template <int dim>
-  std::string
-  InteractionTerm<dim>::save_state() const
-  {
-    const MPI_Comm    comm  = grid->communicator();
-    const std::string first = memory.save(comm);
-    return std::to_string(first.size()) + '\n' + first + forces.save(comm);
-  }
-
-
-
-  template <int dim>
-  void
-  InteractionTerm<dim>::load_state(const std::string &state)
-  {
-    const std::size_t line = state.find('\n');
-    if (line == std::string::npos)
-      return;
-    const std::size_t size = std::stoul(state);
-    memory.load(state.substr(line + 1, size));
-    forces.load(state.substr(line + 1 + size));
   }
 
 

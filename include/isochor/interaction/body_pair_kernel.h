@@ -113,11 +113,12 @@ namespace isochor
     find_meeting(const PairElement<dim> &element, const Point<dim> &x) const;
     void
     add_sides(const double share);
-    /** Of the @p side's material; none in dynamics, as in InteractionTerm. */
+    /** Of the @p side's material, for ties; none in dynamics, as in
+     * InteractionTerm. */
     typename SurfaceStress<dim>::Flow
-    flow(const Side &side) const
+    flow(const PairElement<dim> &element, const Side &side) const
     {
-      return step.has_inertia ?
+      return step.has_inertia || !element.is_tied ?
                typename SurfaceStress<dim>::Flow() :
                side.stress.flow(*step.kernel.materials[side.face->material],
                                 side.face->history.data());

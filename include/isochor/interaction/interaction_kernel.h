@@ -212,10 +212,10 @@ namespace isochor
     }
 
     /** After add(): what the place remembers of the step (m). Laws leave the
-     * gap e = (t - f)/γ, which relaxes as the elastic strain of the material
-     * does, of which the part m = @p flow.kept is left. Friction remembers m e,
-     * along the surface. A tie gets as much nearer by holding another place of
-     * the body, at v from this one, v = @p shift at the end of the step; and it
+     * gap e = (t - f)/γ. Friction remembers it, along the surface. Of a tie it
+     * relaxes as the elastic strain of the material does, of which the part m =
+     * @p flow.kept is left: the tie is from then on that of another place of
+     * the body, at v from this one, v = @p shift at the end of the step; and
      * goes back to this one with the plastic strain,
      *   v ← (v - (1 - m) e)/(1 + Δε_p),
      * so that the total gap has the modulus γ |e^e| in the end. */
@@ -225,7 +225,7 @@ namespace isochor
                const typename SurfaceStress<dim>::Flow &flow) const
     {
       return law.is_unilateral() ?
-               flow.kept * gap_left :
+               gap_left :
                (shift - (1 - flow.kept) * gap_left) / (1 + flow.strain);
     }
     /** After add() without a start: what the next step starts with. With one f
