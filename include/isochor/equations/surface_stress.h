@@ -145,11 +145,12 @@ namespace isochor
              const bool              with_derivatives);
     template <int strain_dim>
     EvaluationStatus
-                                    evaluate_in(const MixedKernel<dim> &kernel,
-                                                const Domain           &domain,
-                                                const Tensor<1, dim>   &N,
-                                                const double            p,
-                                                const bool              with_derivatives);
+    evaluate_in(const MixedKernel<dim> &kernel,
+                const Domain           &domain,
+                const Tensor<1, dim>   &N,
+                const double            p,
+                const bool              with_derivatives);
+
     Tensor<2, dim>                  F_increment;
     std::array<double, max_history> history; ///< at the end of the step
     double                          stress_norm  = 0; ///< |dev τ| (Pa)
