@@ -222,13 +222,14 @@ namespace isochor
 
   template <int dim>
   typename InteractionKernel<dim>::Measure
-  InteractionTerm<dim>::measure_of(const StepContext<dim> &step,
-                                   const FaceElement      &element,
-                                   const unsigned int      g,
-                                   const double            facing) const
+  InteractionTerm<dim>::measure_of(
+    const StepContext<dim>                 &step,
+    const FaceElement                      &element,
+    const unsigned int                      g,
+    const typename BodySurface<dim>::Place &start,
+    const double                            facing) const
   {
-    const auto         &face  = surface.faces()[element.face];
-    const auto          start = BodySurface<dim>::place(step, face, g);
+    const auto         &face = surface.faces()[element.face];
     const double *const history =
       step.points.history.data() +
       face.q * static_cast<std::size_t>(step.points.n_history);
@@ -340,7 +341,7 @@ namespace isochor
             continue;
           }
         const auto measure =
-          measure_of(step, element, g, element.facing[g][chosen]);
+          measure_of(step, element, g, start, element.facing[g][chosen]);
         const auto projection = kernel.add(*interaction.law, found, measure);
         if (actions == nullptr)
           continue;

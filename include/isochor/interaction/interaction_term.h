@@ -243,12 +243,14 @@ namespace isochor
            const unsigned int                         g,
            const typename Partner<dim>::SurfacePlace &place,
            PartnerPlace<dim>                         &found) const;
-    /** Of Gauss point @p g, @p facing() its partner. */
+    /** Of Gauss point @p g, at @p start at the start of the step, with
+     * @p facing, facing() of its partner. */
     typename InteractionKernel<dim>::Measure
-    measure_of(const StepContext<dim> &step,
-               const FaceElement      &element,
-               const unsigned int      g,
-               const double            facing) const;
+    measure_of(const StepContext<dim>                 &step,
+               const FaceElement                      &element,
+               const unsigned int                      g,
+               const typename BodySurface<dim>::Place &start,
+               const double                            facing) const;
     /** The force (N) and the moment (N m; in 2D the third component) on the
      * body by each interaction, of all ranks. Notes what is remembered, too. */
     std::vector<std::array<double, dim + 3>>
