@@ -58,15 +58,13 @@ namespace isochor
     void
     look(const StepContext<dim> &step, const bool on_kept_grid)
     {
-      const BackgroundGrid<dim>  &grid     = step.grid;
-      const PointArrays<dim>     &points   = step.points;
-      const SimplexGeometry<dim> &geometry = grid.geometry();
-      BodySurface<dim>            surface;
-      surface.find(geometry, points);
+      const BackgroundGrid<dim> &grid = step.grid;
+      BodySurface<dim>           surface;
+      surface.find(step.points);
       std::vector<Spot> spots;
       for (const Face &face : surface.faces())
         {
-          Tensor<1, dim> normal = face.normal * invert(points.F[face.q]);
+          Tensor<1, dim> normal = face.normal * invert(step.points.F[face.q]);
           normal /= normal.norm();
           for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
             spots.push_back(

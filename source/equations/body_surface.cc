@@ -36,8 +36,7 @@ namespace isochor
 
   template <int dim>
   void
-  BodySurface<dim>::find(const SimplexGeometry<dim> &geometry,
-                         const PointArrays<dim>     &points)
+  BodySurface<dim>::find(const PointArrays<dim> &points)
   {
     all_faces.clear();
     if (points.domain_corners.outer_faces.empty())
@@ -70,8 +69,7 @@ namespace isochor
               face.area      = A.norm();
               face.stretch   = points.domain_corners.stretch[q];
               face.normal    = A / face.area;
-              face.reference = Point<dim>(points.location(geometry, k, q) -
-                                          points.displacement[q]);
+              face.reference = points.reference[q];
               for (unsigned int o = 0, i = 0; o <= dim; ++o)
                 if (o != c)
                   face.corners[i++] = corners[o];
@@ -124,11 +122,10 @@ namespace isochor
     const Point<dim>      x = points.location(geometry, face.k, face.q);
     const Tensor<1, dim> &u = points.displacement[face.q];
     place.r                 = points.F[face.q] * before_F;
-    // not face.reference, which rounds otherwise in a run that is resumed
-    place.X            = Point<dim>(x - u) + R;
-    place.x            = x + place.r;
-    place.displacement = u + place.r - R;
-    place.weight       = 1. / n_gauss;
+    place.X                 = face.reference + R;
+    place.x                 = x + place.r;
+    place.displacement      = u + place.r - R;
+    place.weight            = 1. / n_gauss;
     return place;
   }
 

@@ -74,7 +74,7 @@ namespace isochor
   {
     if (grid->n_layers() == 1)
       return;
-    surface.find(grid->geometry(), *points);
+    surface.find(*points);
     memory.send(surface, grid->communicator());
     copies    = copy_faces(*grid, *points, surface, memory);
     first_own = 0;

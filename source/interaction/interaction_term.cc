@@ -30,7 +30,7 @@ namespace isochor
   void
   InteractionTerm<dim>::find_faces()
   {
-    surface.find(grid->geometry(), *points);
+    surface.find(*points);
     loads.find(surface, *grid, *points);
     faces.clear();
     for (unsigned int f = 0; f < surface.faces().size(); ++f)
@@ -122,7 +122,9 @@ namespace isochor
     NodalField rest;
     step.nodes.initialize(rest, step.n_components);
     rest.update_ghost_values();
-    update_partners(step, rest);
+    StepContext<dim> at_start = step;
+    at_start.time             = step.old_time;
+    update_partners(at_start, rest);
     for (FaceElement &element : faces)
       {
         const auto &face   = surface.faces()[element.face];
@@ -145,17 +147,26 @@ namespace isochor
         element.normal     = stress.area / element.area_ratio;
         for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
           {
-            const auto start = BodySurface<dim>::place(step, face, g);
-            element.facing[g].clear();
+            const auto           start = BodySurface<dim>::place(step, face, g);
+            const Tensor<1, dim> t = stress.traction(points->pressure[face.q]);
+            auto                &faced = element.facing[g];
+            faced.clear();
+            element.touches[g] = -1;
             for (const unsigned int i : element.partners)
-              element.facing[g].push_back(
-                interactions[i]->law->is_unilateral() ?
-                  facing<dim>(element.normal,
-                              interactions[i]
-                                ->partner
-                                ->nearest({&start, {}, {}, element.normal})
-                                .normal) :
-                  1.);
+              {
+                faced.push_back(1);
+                if (!interactions[i]->law->is_unilateral())
+                  continue;
+                const auto place = interactions[i]->partner->nearest(
+                  {&start, {}, {}, element.normal});
+                faced.back() = facing<dim>(element.normal, place.normal);
+                if (int &touched = element.touches[g];
+                    t * place.normal - element.gamma * place.normal_gap >
+                      -rounding_of_contact(element.gamma,
+                                           face.area_per_volume) &&
+                    faced.back() > (touched < 0 ? 0. : faced[touched]))
+                  touched = faced.size() - 1;
+              }
           }
         element.adjoint.clear();
         for (unsigned int J = 0; J < of.stencil.n_nodes && step.has_inertia;
@@ -206,7 +217,8 @@ namespace isochor
             found = interaction.partner->original(place);
             return i;
           }
-        if (element.facing[g][i] == 0)
+        if (element.facing[g][i] == 0 ||
+            (element.touches[g] >= 0 && element.touches[g] != int(i)))
           continue;
         const PartnerPlace<dim> candidate = interaction.partner->nearest(place);
         if (chosen < 0 || candidate.normal_gap < found.normal_gap)

@@ -275,6 +275,7 @@ namespace isochor
     arrays.velocity.resize(point_layout.dynamic ? n : 0);
     arrays.acceleration.resize(point_layout.dynamic ? n : 0);
     arrays.domain.resize(point_layout.with_domains ? n : 0);
+    arrays.reference.resize(point_layout.with_domains ? n : 0);
     arrays.displacement.resize(point_layout.with_domains ? n : 0);
     arrays.domain_corners.stretch.resize(point_layout.with_domains ? n : 0);
     arrays.domain_corners.outer_faces.resize(point_layout.with_surface ? n : 0);
@@ -298,7 +299,7 @@ namespace isochor
             particles->get_property_pool().get_id(slots->slot[q]);
         }
       if (l.with_domains)
-        gather_domain(q, properties, arrays);
+        gather_domain(q, location, properties, arrays);
     });
   }
 
@@ -307,13 +308,13 @@ namespace isochor
   template <int dim>
   void
   MaterialPoints<dim>::gather_domain(const unsigned int             q,
+                                     const Point<dim>              &location,
                                      const ArrayView<const double> &properties,
                                      PointArrays<dim> &arrays) const
   {
     const PointLayout &l       = point_layout;
     const double       stretch = domain_stretch<dim>(properties.data(), l);
-    for (unsigned int d = 0; d < dim; ++d)
-      arrays.displacement[q][d] = properties[l.displacement + d];
+    arrays.reference[q]        = Point<dim>(location - arrays.displacement[q]);
     arrays.domain_corners.stretch[q] = stretch;
     arrays.domain[q][0]              = Tensor<1, dim>();
     for (unsigned int c = 0; c < dim; ++c)
@@ -336,7 +337,7 @@ namespace isochor
     attach(arrays);
     const PointLayout &l = point_layout;
     if (!fields_are_copied && !l.axisymmetric && l.n_history == 0 &&
-        !l.dynamic && !l.with_surface)
+        !l.dynamic && !l.with_domains)
       return;
     for_each([&](const unsigned int /*k*/,
                  const unsigned int q,
@@ -376,7 +377,7 @@ namespace isochor
       }
     if (l.axisymmetric)
       arrays.radius[q] = location[0];
-    for (unsigned int d = 0; l.with_surface && d < dim; ++d)
+    for (unsigned int d = 0; l.with_domains && d < dim; ++d)
       arrays.displacement[q][d] = properties[l.displacement + d];
     double *const history =
       arrays.history.data() + q * std::size_t(l.n_history);

@@ -78,7 +78,7 @@ namespace isochor
 
     /** Find the faces of @p points, as they are at the start of a step. */
     void
-    find(const SimplexGeometry<dim> &geometry, const PointArrays<dim> &points);
+    find(const PointArrays<dim> &points);
 
     const std::vector<Face> &
     faces() const

@@ -186,6 +186,9 @@ namespace isochor
       bool                      is_tied = false; ///< by one of them
       /** By Gauss point and partner: facing(), at the start of the step. */
       std::array<std::vector<double>, BodySurface<dim>::n_gauss> facing;
+      /** By Gauss point: which of the partners it is in contact with at the
+       * start of the step, of several that which it faces most; -1: none. */
+      std::array<int, BodySurface<dim>::n_gauss> touches;
       Tensor<1, dim>              normal; ///< outward, at the start of the step
       double                      gamma      = 0;
       double                      area_ratio = 1;
@@ -236,8 +239,9 @@ namespace isochor
                   InteractionKernel<dim> &kernel,
                   std::vector<Action>    *actions) const;
     /** Which of the partners of an element acts at Gauss point @p g, at
-     * @p place: the tie or, of those that it faces, the nearest; and the place
-     * of this. -1: none. */
+     * @p place, and the place of this: the tie, or that in contact at the start
+     * of the step, so that it doesn't change with iterates, or the nearest of
+     * those that it faces. -1: none. */
     int
     choose(const FaceElement                         &element,
            const unsigned int                         g,

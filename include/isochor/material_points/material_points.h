@@ -326,6 +326,7 @@ namespace isochor
     /** The domain of point @p q. */
     void
     gather_domain(const unsigned int             q,
+                  const Point<dim>              &location,
                   const ArrayView<const double> &properties,
                   PointArrays<dim>              &arrays) const;
 

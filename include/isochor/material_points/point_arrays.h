@@ -122,11 +122,11 @@ namespace isochor
     /** What F maps to the domains, relative to the points, if the layout has
      * them. */
     std::vector<CornerVectors<dim>> domain;
-    /** Of the points since t = 0: at the last reset of the grid or, if the
-     * layout has their surface, at the start of the step. Only if they have
-     * domains. If functions are linear on these
+    /** Where the points were at t = 0, and their displacements at the start of
+     * the step. Only if they have domains. If functions are linear on these
      * (BodyQuadrature::is_linear_on_domains()), N_I at x in the domain of point
      * p is N_pI + ∇N_pI·(x - x_p). */
+    std::vector<Point<dim>>     reference;
     std::vector<Tensor<1, dim>> displacement;
 
     /**
@@ -185,12 +185,15 @@ namespace isochor
       return result;
     }
 
-    /** Where point @p q of cell k of the list is at the start of the step. */
+    /** Where point @p q of cell k of the list is at the start of the step: with
+     * a domain, as the means over this have moved it, not as its cell has. */
     Point<dim>
     location(const SimplexGeometry<dim> &geometry,
              const unsigned int          k,
              const unsigned int          q) const
     {
+      if (!reference.empty())
+        return reference[q] + displacement[q];
       Point<dim> x;
       for (unsigned int v = 0; v <= dim; ++v)
         x += shape[q][v] * corner(geometry, k, v);
@@ -341,7 +344,7 @@ namespace isochor
       archive &cell &cell_start &shape &weight &material &history &velocity
         &acceleration &domain &stencil_start &stencil_vertex &stencil_shape
           &stencil_gradient &domain_corners &overlapped_cells &deformed_cell
-            &n_history &radius &displacement &shear_stress;
+            &n_history &radius &reference &displacement &shear_stress;
     }
   };
 } // namespace isochor
