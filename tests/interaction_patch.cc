@@ -150,6 +150,16 @@ namespace
            (nu < 0.5 ? (J - 1) / (3 - 6 * nu) : p);
   }
 
+  /** What is above the floor: a lid that presses; a pressure, with the lid at a
+   * distance; two bodies, one on the other, below the lid, that may come into
+   * contact with everything. */
+  enum class Above
+  {
+    lid,
+    pressure,
+    two_bodies
+  };
+
   /** The body between half planes, on all sides if @p confined; otherwise free
    * at one end of the others. */
   template <int dim>
@@ -158,7 +168,8 @@ namespace
                    const double       nu,
                    const double       offset,
                    const bool         confined,
-                   const bool         axisymmetric = false)
+                   const bool         axisymmetric = false,
+                   const Above        above        = Above::lid)
   {
     const double   d = 0.1;
     Tensor<2, dim> Q = unit_symmetric_tensor<dim>();
@@ -189,19 +200,45 @@ namespace
       }
     if (both && !confined)
       f[2] = f[0];
-    std::string scene = write_block<dim>(Q);
-    const auto  add =
+    std::string              scene = write_block<dim>(Q);
+    std::vector<std::string> bodies{"body"};
+    Tensor<1, dim>           e_1;
+    e_1[1]                  = 1;
+    const Tensor<1, dim> up = Q * e_1;
+    std::string          height;
+    for (unsigned int a = 0; a < dim; ++a)
+      height += (a > 0 ? " + (" : "(") + Utilities::to_string(up[a], 17) +
+                ")*" + "xyz"[a];
+    if (above == Above::two_bodies)
+      {
+        bodies = {"low", "high"};
+        scene += "Material points/Bodies = low: " + height +
+                 " < 0.5; high: " + height +
+                 " > 0.5\nInteraction: low - high/Law = unilateral\n";
+      }
+    if (above == Above::pressure)
+      scene += "Boundary conditions/Surfaces of body = top: " + height +
+               " > 1 - 1e-6\nBoundary conditions/Pressure on body = top: " +
+               Utilities::to_string(-E * stress(1, f, nu), 17) + "*t\n";
+    const auto add =
       [&](const std::string &name, const unsigned int axis, const bool upper) {
         Tensor<1, dim> e;
         e[axis]                = 1;
-        const std::string body = "Rigid body: " + name + '/',
-                          at   = "Interaction: body - " + name + '/';
-        scene +=
-          body + "Shape = half plane\n" + body +
-          "Normal = " + text<dim>(Q * ((upper ? -1. : 1.) * e)) + '\n' + body +
-          "Point = " + text<dim>(Q * ((upper ? 1. : 0.) * e)) + '\n' + body +
-          "Motion = " + motion<dim>(Q * ((upper ? f[axis] - 1 : 0.) * e)) +
-          '\n' + at + "Law = unilateral\n";
+        const std::string body = "Rigid body: " + name + '/';
+        const bool is_apart    = above == Above::pressure && axis == 1 && upper;
+        scene += body + "Shape = half plane\n" + body +
+                 "Normal = " + text<dim>(Q * ((upper ? -1. : 1.) * e)) + '\n' +
+                 body + "Point = " +
+                 text<dim>(Q * ((is_apart ? 1.4 :
+                                 upper    ? 1. :
+                                            0.) *
+                                e)) +
+                 '\n';
+        if (!is_apart)
+          scene += body + "Motion = " +
+                   motion<dim>(Q * ((upper ? f[axis] - 1 : 0.) * e)) + '\n';
+        for (const std::string &of : bodies)
+          scene += "Interaction: " + of + " - " + name + "/Law = unilateral\n";
       };
     add("floor", 1, false);
     add("lid", 1, true);
@@ -247,14 +284,15 @@ namespace
                                          1.);
     Tensor<1, dim> on_floor;
     for (unsigned int a = 0; a < dim; ++a)
-      on_floor[a] =
-        test::get(*problem,
-                  std::string("Force ") + "xyz"[a] + " on body by floor (N)") /
-        force;
-    Tensor<1, dim> up;
-    up[1] = 1;
+      on_floor[a] = test::get(*problem,
+                              std::string("Force ") + "xyz"[a] + " on " +
+                                bodies[0] + " by floor (N)") /
+                    force;
     const std::string label =
       "half planes, " + std::string(confined ? "confined and turned, " : "") +
+      (above == Above::pressure   ? "a pressure, " :
+       above == Above::two_bodies ? "two bodies, " :
+                                    "") +
       (axisymmetric ? "axisymmetric, " : "") + "offset " +
       test::in_short(offset) + ", nu = " + test::in_short(nu) + ", dim " +
       std::to_string(dim) + ", " + form.substr(0, form.size() - 1);
@@ -262,7 +300,7 @@ namespace
                       deviation(*problem,
                                 Q * stretch * Tensor<2, dim>(transpose(Q))),
                       1e-8);
-    test::check_error(label + ": force", (on_floor - Q * up).norm(), 1e-7);
+    test::check_error(label + ": force", (on_floor - up).norm(), 1e-7);
   }
 } // namespace
 
@@ -283,12 +321,16 @@ main(int argc, char **argv)
             test_half_planes<2>(form, nu, offset, false);
             test_half_planes<2>(form, nu, offset, false, true);
             if (nu < 0.5)
-              test_half_planes<2>(form, nu, offset, true);
+              for (const Above above :
+                   {Above::lid, Above::pressure, Above::two_bodies})
+                test_half_planes<2>(form, nu, offset, true, false, above);
           }
       }
   test_place<3>(u_p, 0.3);
   test_half_planes<3>(u, 0.3, 0.3, true);
   test_half_planes<3>(u_p, 0.4999, 0.3, true);
   test_half_planes<3>(u_p, 0.5, 0.3, false);
+  test_half_planes<3>(u_p, 0.3, 0.3, true, false, Above::pressure);
+  test_half_planes<3>(u_p, 0.3, 0.3, true, false, Above::two_bodies);
   return 0;
 }

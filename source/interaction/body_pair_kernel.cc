@@ -6,6 +6,7 @@
 #include <isochor/interaction/body_pair_kernel.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace isochor
@@ -31,6 +32,7 @@ namespace isochor
                                       const PairLaws<dim>              &laws,
                                       const InteractionLaw<dim>        &tie,
                                       const SurfaceMemory<dim>         &memory,
+                                      const FaceLoads<dim>             *loads,
                                       const double                      reach)
     : step(step)
     , nodal(step, unknowns)
@@ -38,6 +40,7 @@ namespace isochor
     , laws(laws)
     , tie(tie)
     , memory(memory)
+    , loads(loads)
     , reach(reach)
   {}
 
@@ -138,21 +141,41 @@ namespace isochor
 
 
   template <int dim>
+  double
+  BodyPairKernel<dim>::gap(const PairElement<dim> &element)
+  {
+    own.face = &copies[element.own];
+    set_place(BodySurface<dim>::coordinates(element.gauss_point),
+              Tensor<1, dim>(),
+              own);
+    const Tensor<1, dim> du = increment_at(nodal, *own.face, own.r);
+    const Meeting meeting   = find_meeting(element, Point<dim>(own.start + du));
+    return meeting.projection ? meeting.projection->distance :
+                                std::numeric_limits<double>::max();
+  }
+
+
+
+  template <int dim>
   void
   BodyPairKernel<dim>::add_sides(const double share)
   {
     const auto add =
       [&](const Side &side, const double part, const double sign) {
         const FaceCopy<dim> &face = *side.face;
-        kernel.add_side({&side.stress,
-                         static_cast<unsigned int>(side.N.size()),
-                         side.nodes.data(),
-                         side.N.data(),
-                         face.shape.data(),
-                         side.p,
-                         part,
-                         sign,
-                         face.adjoint.empty() ? nullptr : face.adjoint.data()});
+        kernel.add_side(
+          {&side.stress,
+           static_cast<unsigned int>(side.N.size()),
+           side.nodes.data(),
+           side.N.data(),
+           face.shape.data(),
+           side.p,
+           part,
+           sign,
+           face.adjoint.empty() ? nullptr : face.adjoint.data(),
+           loads == nullptr ?
+             GivenTraction<dim>() :
+             loads->traction(face.loads, Point<dim>(side.X), step.time)});
       };
     kernel.start_place();
     add(own, share, 1.);
@@ -279,6 +302,8 @@ namespace isochor
     kernel.start_element(element.vertices.size(),
                          step.n_components,
                          with_matrix);
+    if (!element.acts)
+      return EvaluationStatus::success;
     const Tensor<1, dim> shift = element.is_tied ?
                                    memory.get(face.key, element.gauss_point) :
                                    Tensor<1, dim>();

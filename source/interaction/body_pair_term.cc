@@ -76,7 +76,7 @@ namespace isochor
       return;
     surface.find(*points);
     memory.send(surface, grid->communicator());
-    copies    = copy_faces(*grid, *points, surface, memory);
+    copies    = copy_faces(*grid, *points, surface, memory, given());
     first_own = 0;
     for (unsigned int n = surface.faces().size();
          first_own + n < copies.size() && n > 0 &&
@@ -285,11 +285,33 @@ namespace isochor
     if (surface.faces().empty())
       resume(step);
     else if (step.grid_is_kept)
-      copies = copy_faces(*grid, *points, surface, memory);
+      copies = copy_faces(*grid, *points, surface, memory, given());
     for (FaceCopy<dim> &copy : copies)
       start_step(step, copy);
     for (Element &element : elements)
       element.has_start = false;
+    if (others != nullptr)
+      share_with_others(step);
+  }
+
+
+
+  template <int dim>
+  void
+  BodyPairTerm<dim>::share_with_others(const StepContext<dim> &step)
+  {
+    NodalField rest;
+    step.nodes.initialize(rest, step.n_components);
+    rest.update_ghost_values();
+    BodyPairKernel<dim> kernel = kernel_at(step, rest);
+    for (Element &element : elements)
+      {
+        const unsigned int f = element.own - first_own;
+        element.acts         = element.is_tied || kernel.gap(element) <=
+                                            others->gap(f, element.gauss_point);
+        if (element.acts)
+          others->leave_to_body(f, element.gauss_point);
+      }
   }
 
 

@@ -74,13 +74,17 @@ namespace isochor
   copy_faces(const BackgroundGrid<dim> &grid,
              const PointArrays<dim>    &points,
              const BodySurface<dim>    &surface,
-             const SurfaceMemory<dim>  &memory)
+             const SurfaceMemory<dim>  &memory,
+             const FaceLoads<dim>      *loads)
   {
     std::vector<FaceCopy<dim>> own;
     for (const auto &face : surface.faces())
       {
         own.push_back(copy_face(grid, points, face));
         own.back().kept = memory.kept(own.back().key);
+        if (loads != nullptr && !face.meets_other_body)
+          own.back().loads =
+            loads->on_face(own.back().body, own.back().centre());
       }
     if (Utilities::MPI::n_mpi_processes(grid.communicator()) == 1)
       return own;
@@ -125,14 +129,16 @@ namespace isochor
   copy_faces(const BackgroundGrid<2> &,
              const PointArrays<2> &,
              const BodySurface<2> &,
-             const SurfaceMemory<2> &);
+             const SurfaceMemory<2> &,
+             const FaceLoads<2> *);
   template void
   start_step(const StepContext<2> &, FaceCopy<2> &);
   template std::vector<FaceCopy<3>>
   copy_faces(const BackgroundGrid<3> &,
              const PointArrays<3> &,
              const BodySurface<3> &,
-             const SurfaceMemory<3> &);
+             const SurfaceMemory<3> &,
+             const FaceLoads<3> *);
   template void
   start_step(const StepContext<3> &, FaceCopy<3> &);
 } // namespace isochor

@@ -31,13 +31,47 @@ namespace isochor
     faces.clear();
     for (unsigned int f = 0; f < surface.faces().size() && !all.empty(); ++f)
       {
-        const auto        &face = surface.faces()[f];
-        const Point<dim>   X    = BodySurface<dim>::centre(face);
-        const unsigned int body = grid.layer_of_cell(points.cell[face.k]);
-        for (unsigned int i = 0; i < all.size(); ++i)
-          if (!face.meets_other_body && all[i]->has(body, X))
-            faces.emplace_back(f, i);
+        const auto &face = surface.faces()[f];
+        if (face.meets_other_body)
+          continue;
+        for (const unsigned int i :
+             on_face(grid.layer_of_cell(points.cell[face.k]),
+                     BodySurface<dim>::centre(face)))
+          faces.emplace_back(f, i);
       }
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  FaceLoads<dim>::on_face(const unsigned int body, const Point<dim> &X) const
+  {
+    std::vector<unsigned int> found;
+    for (unsigned int i = 0; i < all.size(); ++i)
+      if (all[i]->has(body, X))
+        found.push_back(i);
+    return found;
+  }
+
+
+
+  template <int dim>
+  GivenTraction<dim>
+  FaceLoads<dim>::traction(const std::vector<unsigned int> &which,
+                           const Point<dim>                &X,
+                           const double                     time) const
+  {
+    GivenTraction<dim> given;
+    for (const unsigned int i : which)
+      {
+        const SurfaceLoad<dim> &load = *all[i]->law->load();
+        for (unsigned int a = 0; a < dim && !load.traction.empty(); ++a)
+          given.dead[a] += load.traction[a](X, time);
+        if (!load.pressure.empty())
+          given.pressure += load.pressure.front()(X, time);
+      }
+    return given;
   }
 
 

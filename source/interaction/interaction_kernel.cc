@@ -48,7 +48,8 @@ namespace isochor
     std::vector<double> &p_by = pressure_by[sides.size()];
     sides.push_back(side);
     const SurfaceStress<dim> &stress = *side.stress;
-    t += side.weight * stress.traction(side.pressure);
+    t += side.weight * (stress.traction(side.pressure) - side.given.dead +
+                        side.given.pressure * stress.area);
     for (unsigned int J = 0; J < side.n_nodes; ++J)
       {
         const unsigned int first = side.node[J] * n_components;
@@ -58,7 +59,8 @@ namespace isochor
             if (with_matrix)
               t_by[first + b] +=
                 side.weight *
-                stress.traction_by_displacement(J, b, side.pressure);
+                (stress.traction_by_displacement(J, b, side.pressure) +
+                 side.given.pressure * stress.area_by_u[J * dim + b]);
             if (side.adjoint != nullptr)
               adjoint[first + b] += side.weight * side.adjoint[J * dim + b];
           }

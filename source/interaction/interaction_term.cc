@@ -2,7 +2,6 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
-#include <isochor/interaction/interaction_checks.h>
 #include <isochor/interaction/interaction_term.h>
 
 #include <algorithm>
@@ -22,42 +21,6 @@ namespace isochor
     , walls(walls)
   {
     this->name = "Interactions";
-  }
-
-
-
-  template <int dim>
-  void
-  InteractionTerm<dim>::find_faces()
-  {
-    surface.find(*points);
-    loads.find(surface, *grid, *points);
-    faces.clear();
-    for (unsigned int f = 0; f < surface.faces().size(); ++f)
-      {
-        FaceElement        element;
-        const Point<dim>   X = BodySurface<dim>::centre(surface.faces()[f]);
-        const unsigned int body =
-          grid->layer_of_cell(points->cell[surface.faces()[f].k]);
-        element.face = f;
-        for (unsigned int i = 0; i < interactions.size(); ++i)
-          // what is between bodies belongs to no named surface
-          if (interactions[i]->has(body, X) &&
-              !(interactions[i]->region && surface.faces()[f].meets_other_body))
-            element.partners.push_back(i);
-        element.is_tied =
-          std::any_of(element.partners.begin(),
-                      element.partners.end(),
-                      [&](const unsigned int i) {
-                        return !interactions[i]->law->is_unilateral();
-                      });
-        if (!element.partners.empty())
-          faces.push_back(element);
-      }
-    if (!is_checked)
-      check_surfaces();
-    memory.send(surface, grid->communicator());
-    forces.send(surface, grid->communicator());
   }
 
 
@@ -146,28 +109,7 @@ namespace isochor
         element.area_ratio = stress.area.norm();
         element.normal     = stress.area / element.area_ratio;
         for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
-          {
-            const auto           start = BodySurface<dim>::place(step, face, g);
-            const Tensor<1, dim> t = stress.traction(points->pressure[face.q]);
-            auto                &faced = element.facing[g];
-            faced.clear();
-            element.touches[g] = -1;
-            for (const unsigned int i : element.partners)
-              {
-                faced.push_back(1);
-                if (!interactions[i]->law->is_unilateral())
-                  continue;
-                const auto place = interactions[i]->partner->nearest(
-                  {&start, {}, {}, element.normal});
-                faced.back() = facing<dim>(element.normal, place.normal);
-                if (int &touched = element.touches[g];
-                    t * place.normal - element.gamma * place.normal_gap >
-                      -rounding_of_contact(element.gamma,
-                                           face.area_per_volume) &&
-                    faced.back() > (touched < 0 ? 0. : faced[touched]))
-                  touched = faced.size() - 1;
-              }
-          }
+          look_at_partners(step, g, element);
         element.adjoint.clear();
         for (unsigned int J = 0; J < of.stencil.n_nodes && step.has_inertia;
              ++J)
@@ -336,7 +278,8 @@ namespace isochor
            p,
            1.,
            1.,
-           element.adjoint.empty() ? nullptr : element.adjoint.data()});
+           element.adjoint.empty() ? nullptr : element.adjoint.data(),
+           loads.traction(element.loads, start.X, step.time)});
         const Interaction<dim> &interaction =
           *interactions[element.partners[chosen]];
         interaction.partner->motion(place,
@@ -460,35 +403,6 @@ namespace isochor
               kernel.residual[I * step.n_components + a];
       }
     loads.add_pressures(step, unknowns, force);
-  }
-
-
-
-  template <int dim>
-  void
-  InteractionTerm<dim>::check_surfaces()
-  {
-    FacesOfInteractions<dim> faces_of_all(interactions.size());
-    std::vector<std::pair<unsigned int, unsigned int>> tied_twice;
-    for (const FaceElement &element : faces)
-      {
-        std::vector<unsigned int> ties;
-        for (const unsigned int i : element.partners)
-          {
-            faces_of_all[i].push_back(surface.faces()[element.face]);
-            if (!interactions[i]->law->is_unilateral())
-              ties.push_back(i);
-          }
-        if (ties.size() > 1)
-          tied_twice.emplace_back(ties[0], ties[1]);
-      }
-    const MPI_Comm comm = grid->communicator();
-    description = check_faces(interactions, faces_of_all, tied_twice, comm);
-    const std::string of_loads =
-      check_faces(loads.interactions(), loads.faces_of_all(), {}, comm);
-    description +=
-      (description.empty() || of_loads.empty() ? "" : "\n") + of_loads;
-    is_checked = true;
   }
 
 

@@ -118,6 +118,8 @@ namespace isochor
         boundary_conditions.push_back(std::move(term));
       }
     auto pairs = std::make_unique<BodyPairTerm<dim>>(std::move(of_bodies));
+    if (surface_interactions != nullptr)
+      pairs->set_others(*surface_interactions);
     body_pairs = pairs.get();
     boundary_conditions.push_back(std::move(pairs));
   }

@@ -20,8 +20,9 @@ namespace isochor
   template <int dim>
   struct PairElement
   {
-    unsigned int              own; ///< its face, number of the copy
-    unsigned int              gauss_point;
+    bool         acts = true; ///< no rigid body or wall is nearer at the start
+    unsigned int own;         ///< its face, number of the copy
+    unsigned int gauss_point;
     std::vector<unsigned int> others; ///< numbers of copies
     /** Tied to the only one of the others, at these coordinates of it. */
     bool               is_tied = false;
@@ -50,7 +51,13 @@ namespace isochor
                    const PairLaws<dim>              &laws,
                    const InteractionLaw<dim>        &tie,
                    const SurfaceMemory<dim>         &memory,
+                   const FaceLoads<dim>             *loads,
                    const double                      reach);
+
+    /** How far the element's Gauss point is from the face that it meets (m);
+     * the largest number if it meets none. */
+    double
+    gap(const PairElement<dim> &element);
 
     /** What acts at a Gauss point, at the iterate. */
     struct Action
@@ -151,6 +158,7 @@ namespace isochor
     const PairLaws<dim>              &laws;
     const InteractionLaw<dim>        &tie;
     const SurfaceMemory<dim>         &memory;
+    const FaceLoads<dim>             *loads;
     const double                      reach;
 
     InteractionKernel<dim> kernel;

@@ -7,6 +7,7 @@
 
 #include <isochor/boundary_condition/boundary_condition.h>
 #include <isochor/interaction/body_pair_kernel.h>
+#include <isochor/interaction/interaction_term.h>
 
 #include <memory>
 #include <set>
@@ -37,6 +38,13 @@ namespace isochor
     /** The names of the bodies, by layer of the grid, once they are known. */
     void
     set_bodies(const std::vector<std::string> &names);
+
+    /** What else acts on the surfaces of the bodies, prepared before this. */
+    void
+    set_others(InteractionTerm<dim> &others)
+    {
+      this->others = &others;
+    }
 
     void
     initialize(const BackgroundGrid<dim> &grid) override
@@ -122,9 +130,20 @@ namespace isochor
     BodyPairKernel<dim>
     kernel_at(const StepContext<dim> &step, const NodalField &unknowns) const
     {
-      return {step, unknowns, copies, laws, *default_tie, memory, reach};
+      return {
+        step, unknowns, copies, laws, *default_tie, memory, given(), reach};
     }
-    PairLaws<dim>                        laws;
+    const FaceLoads<dim> *
+    given() const
+    {
+      return others == nullptr ? nullptr : &others->given();
+    }
+    /** Of a Gauss point that may come into contact with a body and with
+     * something else let what is nearer at the start of the @p step act. */
+    void
+                          share_with_others(const StepContext<dim> &step);
+    InteractionTerm<dim> *others = nullptr;
+    PairLaws<dim>         laws;
     std::unique_ptr<InteractionLaw<dim>> default_tie;
     /** Pairs of bodies, the lower number first, that are tied somewhere: they
      * don't come into contact elsewhere, as at the edges of what is tied. */

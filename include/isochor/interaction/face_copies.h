@@ -9,6 +9,7 @@
 
 #include <isochor/equations/body_surface.h>
 #include <isochor/equations/surface_stress.h>
+#include <isochor/interaction/face_loads.h>
 #include <isochor/interaction/surface_memory.h>
 
 #include <utility>
@@ -27,6 +28,7 @@ namespace isochor
     std::vector<double>       history;
     double                    radius = 0;
     double                    pressure; ///< of its point (Pa)
+    std::vector<unsigned int> loads;    ///< FaceLoads::on_face()
     std::vector<unsigned int> vertex;
     std::vector<double>       shape; ///< at its point
     std::vector<Tensor<1, dim>> gradient;
@@ -81,18 +83,20 @@ namespace isochor
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &body &material &key &F &history &radius &pressure &vertex &shape
-        &gradient &normal &normal_now &area &area_per_volume &X &x &r &kept;
+        &gradient &normal &normal_now &area &area_per_volume &X &x &r &kept
+          &loads;
     }
   };
 
   /** Of all ranks' faces, first those of rank 0, without what start_step()
-   * sets. Collective. */
+   * sets. @p loads: null if there are none. Collective. */
   template <int dim>
   std::vector<FaceCopy<dim>>
   copy_faces(const BackgroundGrid<dim> &grid,
              const PointArrays<dim>    &points,
              const BodySurface<dim>    &surface,
-             const SurfaceMemory<dim>  &memory);
+             const SurfaceMemory<dim>  &memory,
+             const FaceLoads<dim>      *loads);
 
   /** Set gamma, area_ratio and, in dynamics, the adjoint of a copy. */
   template <int dim>

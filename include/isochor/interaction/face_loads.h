@@ -49,6 +49,17 @@ namespace isochor
     std::vector<std::vector<typename BodySurface<dim>::Face>>
     faces_of_all() const;
 
+    /** The numbers of those on a face of @p body with its centre at @p X, at
+     * t = 0. */
+    std::vector<unsigned int>
+    on_face(const unsigned int body, const Point<dim> &X) const;
+
+    /** Of those with the numbers @p which, at @p X. */
+    GivenTraction<dim>
+    traction(const std::vector<unsigned int> &which,
+             const Point<dim>                &X,
+             const double                     time) const;
+
     void
     evaluate(const StepContext<dim> &step,
              const NodalField       &unknowns,

@@ -50,6 +50,15 @@ namespace isochor
     return 1e-10 * gamma / area_per_volume;
   }
 
+  /** The loads at a place, which act whatever the surface does: other
+   * interactions carry the rest of the traction there. */
+  template <int dim>
+  struct GivenTraction
+  {
+    Tensor<1, dim> dead;         ///< per area at t = 0 (Pa)
+    double         pressure = 0; ///< against the present area (Pa)
+  };
+
   /** What there is at a place at the start of a step. */
   template <int dim>
   struct StartOfStep
@@ -80,7 +89,8 @@ namespace isochor
   /**
    * The contribution of one Gauss point of a surface to the equations, for all
    * partners and laws the only place where it stands. With t the body's own
-   * traction, or the mean κ₁ t₁ - κ₂ t₂ of two bodies, f of InteractionLaw, M
+   * traction less that of loads there, or the mean κ₁ t₁ - κ₂ t₂ of two
+   * bodies, f of InteractionLaw, M
    * the projection to the constrained components and the trace v of a test
    * function (of two bodies v₁ - v₂):
    *   R(v) = - ∫ f·v + θ ∫ (f - M t)·B[v] / γ,
@@ -111,6 +121,7 @@ namespace isochor
       double sign;
       /** B_J,b by J * dim + b, if θ is not 0. */
       const Tensor<1, dim> *adjoint = nullptr;
+      GivenTraction<dim>    given   = {};
     };
 
     /** How a place is integrated, and γ. */

@@ -57,6 +57,20 @@ namespace isochor
       return loads.loads_on_supports();
     }
 
+    const FaceLoads<dim> &
+    given() const
+    {
+      return loads;
+    }
+    /** After prepare(): how far (m) the nearest of the partners that face @p f
+     * of the surface may come into contact with at Gauss point @p g is at the
+     * start of the step. */
+    double
+    gap(const unsigned int f, const unsigned int g) const;
+    /** Another body is nearer there: the partners don't act in the step. */
+    void
+    leave_to_body(const unsigned int f, const unsigned int g);
+
     /** Whether surfaces may leave what they touch. */
     bool
     may_let_go() const
@@ -183,12 +197,15 @@ namespace isochor
     {
       unsigned int              face;     ///< in the surface
       std::vector<unsigned int> partners; ///< numbers of its interactions
+      std::vector<unsigned int> loads;    ///< FaceLoads::on_face()
       bool                      is_tied = false; ///< by one of them
       /** By Gauss point and partner: facing(), at the start of the step. */
       std::array<std::vector<double>, BodySurface<dim>::n_gauss> facing;
       /** By Gauss point: which of the partners it is in contact with at the
        * start of the step, of several that which it faces most; -1: none. */
       std::array<int, BodySurface<dim>::n_gauss> touches;
+      /** By Gauss point: see InteractionTerm::gap(). */
+      std::array<double, BodySurface<dim>::n_gauss> gap;
       Tensor<1, dim>              normal; ///< outward, at the start of the step
       double                      gamma      = 0;
       double                      area_ratio = 1;
@@ -238,6 +255,15 @@ namespace isochor
                   const bool              with_matrix,
                   InteractionKernel<dim> &kernel,
                   std::vector<Action>    *actions) const;
+    /** Set its normal, and of Gauss point @p g what it faces and touches. The
+     * stress is evaluated. */
+    void
+    look_at_partners(const StepContext<dim> &step,
+                     const unsigned int      g,
+                     FaceElement            &element) const;
+    /** That of face @p f of the surface, or the end. */
+    typename std::vector<FaceElement>::const_iterator
+    element_of(const unsigned int f) const;
     /** Which of the partners of an element acts at Gauss point @p g, at
      * @p place, and the place of this: the tie, or that in contact at the start
      * of the step, so that it doesn't change with iterates, or the nearest of
