@@ -140,8 +140,8 @@ namespace
           (dim == 3 ? " && z<1" : "") +
           "\nQuadrature/Type = CPDI\n"
           "Material/Young modulus = 1\nMaterial/Density = 1\n"
-          "Material/Poisson ratio = 0.3\nTime/Step size = 0.03\n"
-          "Time/End time = 0.06\nBoundary conditions/Surfaces of body = "
+          "Material/Poisson ratio = 0.3\nTime/Step size = 0.05\n"
+          "Time/End time = 0.1\nBoundary conditions/Surfaces of body = "
           "foot: y<0.01; upper: y>0.5\n"
           "Interaction: foot - place/Displacement = " +
           zero + '\n' + tool.second + law + form.second);
@@ -169,7 +169,7 @@ namespace
            "Adhesion = 0.01\n"},
         {"slides under a pressure",
          at + "Law = Coulomb\n" + at + "Friction coefficient = 0.01\n" +
-           "Boundary conditions/Pressure on body = upper: 0.1*t\n"},
+           "Boundary conditions/Pressure on body = upper: 0.01*t\n"},
         {"capped",
          at + "Law = Coulomb\n" + at + "Friction coefficient = 1\n" + at +
            "Largest shear stress = 0.003\n"}};

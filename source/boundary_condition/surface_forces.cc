@@ -104,13 +104,13 @@ namespace isochor
     if (!(determinant(F) > 0) || !(determinant(F_increment) > 0))
       return EvaluationStatus::inverted_point;
     // Nanson: a = det F F^{-T} A_0
-    Tensor<1, dim> a = determinant(F) * (at.area * invert(F));
+    const Tensor<1, dim> in_plane = determinant(F) * (at.area * invert(F));
     // a ring of the radius at the end of the step
-    const double radius =
-      step.kernel.axisymmetric ?
-        (at.X + at.displacement + nodal.increment_at(at))[0] :
-        0.;
-    a *= thickness(step.kernel.axisymmetric, radius);
+    const bool           axisymmetric = step.kernel.axisymmetric;
+    const Tensor<1, dim> a =
+      thickness(axisymmetric,
+                (at.X + at.displacement + nodal.increment_at(at))[0]) *
+      in_plane;
 
     for (unsigned int I = 0; I < at.n_nodes; ++I)
       for (unsigned int d = 0; d < dim; ++d)
@@ -127,10 +127,10 @@ namespace isochor
             for (unsigned int e = 0; e < dim; ++e)
               element.matrix[(I * nc + d) * n_dofs + J * nc + e] +=
                 p * N[I] * (g[e] * a[d] - g[d] * a[e]);
-        for (unsigned int I = 0; I < at.n_nodes && radius > 0; ++I)
+        for (unsigned int I = 0; I < at.n_nodes && axisymmetric; ++I)
           for (unsigned int d = 0; d < dim; ++d)
             element.matrix[(I * nc + d) * n_dofs + J * nc] +=
-              p * N[I] * a[d] * N[J] / radius;
+              p * N[I] * in_plane[d] * thickness(true, N[J]);
       }
     return EvaluationStatus::success;
   }

@@ -52,37 +52,35 @@ namespace isochor
 
   template <int dim>
   void
-  InteractionTerm<dim>::look_at_partners(const StepContext<dim> &step,
-                                         const unsigned int      g,
-                                         FaceElement            &element) const
+  InteractionTerm<dim>::find_contact(const StepContext<dim> &step,
+                                     const unsigned int      g,
+                                     FaceElement            &element) const
   {
     const auto &face  = surface.faces()[element.face];
     const auto  start = BodySurface<dim>::place(step, face, g);
     const auto  given = loads.traction(element.loads, start.X, step.old_time);
     const Tensor<1, dim> t = stress.traction(points->pressure[face.q]) -
                              given.dead + given.pressure * stress.area;
-    auto &faced = element.facing[g];
-    faced.clear();
     element.touches[g] = -1;
     element.gap[g]     = std::numeric_limits<double>::max();
-    for (const unsigned int i : element.partners)
+    double most        = 0;
+    for (unsigned int i = 0; i < element.partners.size(); ++i)
       {
-        faced.push_back(1);
-        if (!interactions[i]->law->is_unilateral())
+        const Interaction<dim> &one = *interactions[element.partners[i]];
+        if (!one.law->acts() || !one.law->is_unilateral())
           continue;
         const auto place =
-          interactions[i]->partner->nearest({&start, {}, {}, element.normal});
-        faced.back() = interactions[i]->law->acts() ?
-                         facing<dim>(element.normal, place.normal) :
-                         0.;
-        if (faced.back() == 0)
-          continue;
-        element.gap[g] = std::min(element.gap[g], place.normal_gap);
-        if (int &touched = element.touches[g];
+          one.partner->nearest({&start, {}, {}, element.normal});
+        const double faced = facing<dim>(element.normal, place.normal);
+        if (faced > 0)
+          element.gap[g] = std::min(element.gap[g], place.normal_gap);
+        if (faced > most &&
             t * place.normal - element.gamma * place.normal_gap >
-              -rounding_of_contact(element.gamma, face.area_per_volume) &&
-            (touched < 0 || faced.back() > faced[touched]))
-          touched = faced.size() - 1;
+              -rounding_of_contact(element.gamma, face.area_per_volume))
+          {
+            most               = faced;
+            element.touches[g] = i;
+          }
       }
   }
 
@@ -101,6 +99,28 @@ namespace isochor
                          return element.face < face;
                        });
     return found != faces.end() && found->face == f ? found : faces.end();
+  }
+
+
+
+  template <int dim>
+  void
+  InteractionTerm<dim>::set_facing(const StepContext<dim> &step,
+                                   const unsigned int      g,
+                                   FaceElement            &element) const
+  {
+    const auto start =
+      BodySurface<dim>::place(step, surface.faces()[element.face], g);
+    element.facing[g].assign(element.partners.size(), 1.);
+    for (unsigned int i = 0; i < element.partners.size(); ++i)
+      if (const auto &one = *interactions[element.partners[i]];
+          one.law->is_unilateral())
+        element.facing[g][i] =
+          one.law->acts() ?
+            facing<dim>(
+              element.normal,
+              one.partner->nearest({&start, {}, {}, element.normal}).normal) :
+            0.;
   }
 
 
@@ -164,9 +184,13 @@ namespace isochor
   template void
   InteractionTerm<2>::find_faces();
   template void
-  InteractionTerm<2>::look_at_partners(const StepContext<2> &,
-                                       const unsigned int,
-                                       FaceElement &) const;
+  InteractionTerm<2>::find_contact(const StepContext<2> &,
+                                   const unsigned int,
+                                   FaceElement &) const;
+  template void
+  InteractionTerm<2>::set_facing(const StepContext<2> &,
+                                 const unsigned int,
+                                 FaceElement &) const;
   template double
   InteractionTerm<2>::gap(const unsigned int, const unsigned int) const;
   template void
@@ -174,9 +198,13 @@ namespace isochor
   template void
   InteractionTerm<3>::find_faces();
   template void
-  InteractionTerm<3>::look_at_partners(const StepContext<3> &,
-                                       const unsigned int,
-                                       FaceElement &) const;
+  InteractionTerm<3>::find_contact(const StepContext<3> &,
+                                   const unsigned int,
+                                   FaceElement &) const;
+  template void
+  InteractionTerm<3>::set_facing(const StepContext<3> &,
+                                 const unsigned int,
+                                 FaceElement &) const;
   template double
   InteractionTerm<3>::gap(const unsigned int, const unsigned int) const;
   template void

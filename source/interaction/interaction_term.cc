@@ -109,7 +109,7 @@ namespace isochor
         element.area_ratio = stress.area.norm();
         element.normal     = stress.area / element.area_ratio;
         for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
-          look_at_partners(step, g, element);
+          find_contact(step, g, element);
         element.adjoint.clear();
         for (unsigned int J = 0; J < of.stencil.n_nodes && step.has_inertia;
              ++J)
@@ -117,6 +117,10 @@ namespace isochor
             element.adjoint.push_back(
               stress.elastic_traction_by_displacement(J, b));
       }
+    update_partners(step, rest);
+    for (FaceElement &element : faces)
+      for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
+        set_facing(step, g, element);
   }
 
 

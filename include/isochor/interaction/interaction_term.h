@@ -199,7 +199,9 @@ namespace isochor
       std::vector<unsigned int> partners; ///< numbers of its interactions
       std::vector<unsigned int> loads;    ///< FaceLoads::on_face()
       bool                      is_tied = false; ///< by one of them
-      /** By Gauss point and partner: facing(), at the start of the step. */
+      /** By Gauss point and partner: facing() with the normals of the body at
+       * the start of the step and of the partner where it will be; 0 where
+       * another body is nearer. */
       std::array<std::vector<double>, BodySurface<dim>::n_gauss> facing;
       /** By Gauss point: which of the partners it is in contact with at the
        * start of the step, of several that which it faces most; -1: none. */
@@ -255,12 +257,17 @@ namespace isochor
                   const bool              with_matrix,
                   InteractionKernel<dim> &kernel,
                   std::vector<Action>    *actions) const;
-    /** Set its normal, and of Gauss point @p g what it faces and touches. The
-     * stress is evaluated. */
+    /** Set what Gauss point @p g touches, and its gap, with partners in their
+     * present poses and the stress that was evaluated last. */
     void
-    look_at_partners(const StepContext<dim> &step,
-                     const unsigned int      g,
-                     FaceElement            &element) const;
+    find_contact(const StepContext<dim> &step,
+                 const unsigned int      g,
+                 FaceElement            &element) const;
+    /** Set what Gauss point @p g faces of partners in their present poses. */
+    void
+    set_facing(const StepContext<dim> &step,
+               const unsigned int      g,
+               FaceElement            &element) const;
     /** That of face @p f of the surface, or the end. */
     typename std::vector<FaceElement>::const_iterator
     element_of(const unsigned int f) const;
