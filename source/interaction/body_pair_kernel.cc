@@ -96,30 +96,39 @@ namespace isochor
   BodyPairKernel<dim>::find_meeting(const PairElement<dim> &element,
                                     const Point<dim>       &x) const
   {
+    const auto on = [&](const unsigned int i) {
+      const FaceCopy<dim> &other = copies[element.others[i]];
+      Meeting              meeting;
+      meeting.place = i;
+      for (unsigned int c = 0; c < dim; ++c)
+        meeting.corners[c] =
+          other.x[c] + increment_at(nodal, other, other.r[c]);
+      meeting.projection =
+        std::make_unique<FaceProjection<dim>>(x, meeting.corners);
+      return meeting;
+    };
     Meeting nearest;
-    for (unsigned int i = 0; i < element.others.size(); ++i)
-      {
-        const FaceCopy<dim>        &other = copies[element.others[i]];
-        std::array<Point<dim>, dim> corners;
-        for (unsigned int c = 0; c < dim; ++c)
-          corners[c] = other.x[c] + increment_at(nodal, other, other.r[c]);
-        auto projection = std::make_unique<FaceProjection<dim>>(x, corners);
-        if (nearest.projection)
-          {
-            // of faces that meet at the nearest place the one is the surface
-            // there that x is farther out of
-            const double d     = projection->distance_square,
-                         least = nearest.projection->distance_square;
-            const bool is_same =
-              std::abs(d - least) <= rounding::accumulated * least;
-            if (is_same ? projection->distance <= nearest.projection->distance :
-                          d > least)
-              continue;
-          }
-        nearest.place      = i;
-        nearest.corners    = corners;
-        nearest.projection = std::move(projection);
-      }
+    if (element.touches >= 0)
+      nearest = on(element.touches);
+    if (!nearest.projection || nearest.projection->distance_beyond() > reach)
+      for (unsigned int i = 0; i < element.others.size(); ++i)
+        {
+          Meeting meeting = on(i);
+          if (nearest.projection)
+            {
+              // of faces that meet at the nearest place the one is the surface
+              // there that x is farther out of
+              const double d     = meeting.projection->distance_square,
+                           least = nearest.projection->distance_square;
+              const bool is_same =
+                std::abs(d - least) <= rounding::accumulated * least;
+              if (is_same ? meeting.projection->distance <=
+                              nearest.projection->distance :
+                            d > least)
+                continue;
+            }
+          nearest = std::move(meeting);
+        }
     if (!nearest.projection || element.is_tied)
       return nearest;
     const FaceCopy<dim> &own   = copies[element.own],
@@ -136,6 +145,26 @@ namespace isochor
         (beyond > reach && beyond > reach + slid()))
       nearest.projection.reset();
     return nearest;
+  }
+
+
+
+  template <int dim>
+  int
+  BodyPairKernel<dim>::touched(const PairElement<dim> &element)
+  {
+    if (evaluate(element, false) != EvaluationStatus::success || !result.meets)
+      return -1;
+    const FaceCopy<dim> &face = *own.face;
+    const double         gamma =
+      2 * face.gamma * other.face->gamma / (face.gamma + other.face->gamma);
+    return result.end.w * result.end.normal >
+               -rounding_of_contact(gamma, face.area_per_volume) ?
+             std::find(element.others.begin(),
+                       element.others.end(),
+                       result.other) -
+               element.others.begin() :
+             -1;
   }
 
 

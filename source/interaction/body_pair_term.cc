@@ -290,22 +290,29 @@ namespace isochor
       start_step(step, copy);
     for (Element &element : elements)
       element.has_start = false;
-    if (others != nullptr)
-      share_with_others(step);
+    find_contact(step);
   }
 
 
 
   template <int dim>
   void
-  BodyPairTerm<dim>::share_with_others(const StepContext<dim> &step)
+  BodyPairTerm<dim>::find_contact(const StepContext<dim> &step)
   {
+    StepContext<dim> start = step;
+    start.time             = step.old_time;
     NodalField rest;
     step.nodes.initialize(rest, step.n_components);
     rest.update_ghost_values();
-    BodyPairKernel<dim> kernel = kernel_at(step, rest);
+    BodyPairKernel<dim> kernel = kernel_at(start, rest);
     for (Element &element : elements)
       {
+        element.acts    = true;
+        element.touches = -1; // as long as it is looked for
+        if (!element.is_tied)
+          element.touches = kernel.touched(element);
+        if (others == nullptr)
+          continue;
         const unsigned int f = element.own - first_own;
         element.acts         = element.is_tied || kernel.gap(element) <=
                                             others->gap(f, element.gauss_point);

@@ -33,7 +33,7 @@ namespace isochor
     bool
     constrains_tangent() const override
     {
-      return true;
+      return friction > 0 || adhesion > 0;
     }
 
   private:

@@ -20,10 +20,15 @@ namespace isochor
   template <int dim>
   struct PairElement
   {
-    bool         acts = true; ///< no rigid body or wall is nearer at the start
-    unsigned int own;         ///< its face, number of the copy
-    unsigned int gauss_point;
+    unsigned int              own; ///< its face, number of the copy
+    unsigned int              gauss_point;
     std::vector<unsigned int> others; ///< numbers of copies
+    /** Whether no rigid body or wall is nearer at the start of the step. */
+    bool acts = true;
+    /** Of the others the one that it touches at the start of the step, which it
+     * meets as long as it isn't beyond its reach, as traction and normal would
+     * jump between iterates; -1: none, it meets the nearest. */
+    int touches = -1;
     /** Tied to the only one of the others, at these coordinates of it. */
     bool               is_tied = false;
     Tensor<1, dim - 1> tied_at;
@@ -58,6 +63,11 @@ namespace isochor
      * the largest number if it meets none. */
     double
     gap(const PairElement<dim> &element);
+
+    /** Which of the others the element's Gauss point is in contact with; -1:
+     * none. At the start of the step. */
+    int
+    touched(const PairElement<dim> &element);
 
     /** What acts at a Gauss point, at the iterate. */
     struct Action

@@ -138,10 +138,10 @@ namespace isochor
     {
       return others == nullptr ? nullptr : &others->given();
     }
-    /** Of a Gauss point that may come into contact with a body and with
-     * something else let what is nearer at the start of the @p step act. */
+    /** Find what Gauss points touch at the start of the @p step, and where a
+     * body and something else may be met let the nearer act. */
     void
-                          share_with_others(const StepContext<dim> &step);
+                          find_contact(const StepContext<dim> &step);
     InteractionTerm<dim> *others = nullptr;
     PairLaws<dim>         laws;
     std::unique_ptr<InteractionLaw<dim>> default_tie;
