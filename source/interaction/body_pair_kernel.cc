@@ -179,8 +179,12 @@ namespace isochor
               own);
     const Tensor<1, dim> du = increment_at(nodal, *own.face, own.r);
     const Meeting meeting   = find_meeting(element, Point<dim>(own.start + du));
-    return meeting.projection ? meeting.projection->distance :
-                                std::numeric_limits<double>::max();
+    if (!meeting.projection)
+      return std::numeric_limits<double>::max();
+    // beside the face it is no deeper in the body than it is apart
+    return meeting.projection->distance_beyond() > 0 ?
+             std::sqrt(meeting.projection->distance_square) :
+             meeting.projection->distance;
   }
 
 
@@ -313,7 +317,8 @@ namespace isochor
                 element.has_start ?
               &element.start :
               nullptr,
-            step.end_weight};
+            step.end_weight,
+            element.is_farther};
   }
 
 
@@ -331,8 +336,6 @@ namespace isochor
     kernel.start_element(element.vertices.size(),
                          step.n_components,
                          with_matrix);
-    if (!element.acts)
-      return EvaluationStatus::success;
     const Tensor<1, dim> shift = element.is_tied ?
                                    memory.get(face.key, element.gauss_point) :
                                    Tensor<1, dim>();

@@ -307,17 +307,18 @@ namespace isochor
     BodyPairKernel<dim> kernel = kernel_at(start, rest);
     for (Element &element : elements)
       {
-        element.acts    = true;
-        element.touches = -1; // as long as it is looked for
+        element.touches    = -1; // as long as it is looked for
+        element.is_farther = false;
         if (!element.is_tied)
           element.touches = kernel.touched(element);
         if (others == nullptr)
           continue;
         const unsigned int f = element.own - first_own;
-        element.acts         = element.is_tied || kernel.gap(element) <=
-                                            others->gap(f, element.gauss_point);
-        if (element.acts)
-          others->leave_to_body(f, element.gauss_point);
+        if (element.is_tied ||
+            kernel.gap(element) <= others->gap(f, element.gauss_point))
+          others->set_nearer_body(f, element.gauss_point);
+        else
+          element.is_farther = true;
       }
   }
 

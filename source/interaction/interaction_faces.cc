@@ -52,35 +52,23 @@ namespace isochor
 
   template <int dim>
   void
-  InteractionTerm<dim>::find_contact(const StepContext<dim> &step,
-                                     const unsigned int      g,
-                                     FaceElement            &element) const
+  InteractionTerm<dim>::set_gap(const StepContext<dim> &step,
+                                const unsigned int      g,
+                                FaceElement            &element) const
   {
-    const auto &face  = surface.faces()[element.face];
-    const auto  start = BodySurface<dim>::place(step, face, g);
-    const auto  given = loads.traction(element.loads, start.X, step.old_time);
-    const Tensor<1, dim> t = stress.traction(points->pressure[face.q]) -
-                             given.dead + given.pressure * stress.area;
-    element.touches[g] = -1;
-    element.gap[g]     = std::numeric_limits<double>::max();
-    double most        = 0;
-    for (unsigned int i = 0; i < element.partners.size(); ++i)
+    const auto start =
+      BodySurface<dim>::place(step, surface.faces()[element.face], g);
+    element.gap[g]            = std::numeric_limits<double>::max();
+    element.body_is_nearer[g] = false;
+    for (const unsigned int i : element.partners)
       {
-        const Interaction<dim> &one = *interactions[element.partners[i]];
+        const Interaction<dim> &one = *interactions[i];
         if (!one.law->acts() || !one.law->is_unilateral())
           continue;
         const auto place =
           one.partner->nearest({&start, {}, {}, element.normal});
-        const double faced = facing<dim>(element.normal, place.normal);
-        if (faced > 0)
+        if (facing<dim>(element.normal, place.normal) > 0)
           element.gap[g] = std::min(element.gap[g], place.normal_gap);
-        if (faced > most &&
-            t * place.normal - element.gamma * place.normal_gap >
-              -rounding_of_contact(element.gamma, face.area_per_volume))
-          {
-            most               = faced;
-            element.touches[g] = i;
-          }
       }
   }
 
@@ -138,16 +126,13 @@ namespace isochor
 
   template <int dim>
   void
-  InteractionTerm<dim>::leave_to_body(const unsigned int f,
-                                      const unsigned int g)
+  InteractionTerm<dim>::set_nearer_body(const unsigned int f,
+                                        const unsigned int g)
   {
     const auto element = element_of(f);
     if (element == faces.end())
       return;
-    FaceElement &left = faces[element - faces.begin()];
-    for (unsigned int i = 0; i < left.partners.size(); ++i)
-      if (interactions[left.partners[i]]->law->is_unilateral())
-        left.facing[g][i] = 0;
+    faces[element - faces.begin()].body_is_nearer[g] = true;
   }
 
 
@@ -184,9 +169,9 @@ namespace isochor
   template void
   InteractionTerm<2>::find_faces();
   template void
-  InteractionTerm<2>::find_contact(const StepContext<2> &,
-                                   const unsigned int,
-                                   FaceElement &) const;
+  InteractionTerm<2>::set_gap(const StepContext<2> &,
+                              const unsigned int,
+                              FaceElement &) const;
   template void
   InteractionTerm<2>::set_facing(const StepContext<2> &,
                                  const unsigned int,
@@ -194,13 +179,13 @@ namespace isochor
   template double
   InteractionTerm<2>::gap(const unsigned int, const unsigned int) const;
   template void
-  InteractionTerm<2>::leave_to_body(const unsigned int, const unsigned int);
+  InteractionTerm<2>::set_nearer_body(const unsigned int, const unsigned int);
   template void
   InteractionTerm<3>::find_faces();
   template void
-  InteractionTerm<3>::find_contact(const StepContext<3> &,
-                                   const unsigned int,
-                                   FaceElement &) const;
+  InteractionTerm<3>::set_gap(const StepContext<3> &,
+                              const unsigned int,
+                              FaceElement &) const;
   template void
   InteractionTerm<3>::set_facing(const StepContext<3> &,
                                  const unsigned int,
@@ -208,5 +193,5 @@ namespace isochor
   template double
   InteractionTerm<3>::gap(const unsigned int, const unsigned int) const;
   template void
-  InteractionTerm<3>::leave_to_body(const unsigned int, const unsigned int);
+  InteractionTerm<3>::set_nearer_body(const unsigned int, const unsigned int);
 } // namespace isochor

@@ -203,14 +203,13 @@ namespace isochor
     const Tensor<1, dim> w   = t_end - measure.gamma * place.gap;
     const Projection     f_1 = project(law, w, n, place, measure);
     Acting               acting{f_1.f, f_1.f_by_w, f_1.f_by_n, {}};
+    bool                 is_open = f_1.state == SurfaceState::open;
     if (start != nullptr)
-      acting = in_step(f_1,
-                       w,
-                       n,
-                       project(law, w_0, start->normal, place, measure),
-                       w_0,
-                       measure,
-                       law.is_unilateral());
+      {
+        const Projection f_0 = project(law, w_0, start->normal, place, measure);
+        is_open              = is_open && f_0.state == SurfaceState::open;
+        acting = in_step(f_1, w, n, f_0, w_0, measure, law.is_unilateral());
+      }
     mean = f_1.f;
     if (start != nullptr)
       mean =
@@ -232,6 +231,8 @@ namespace isochor
       gap_left = place.mask * (t_end - f_1.f) / measure.gamma;
     if (law.is_unilateral())
       gap_left -= (gap_left * n) * n;
+    if (is_open && measure.is_farther)
+      return f_1;
 
     const Tensor<1, dim> in_pressure_equation =
                            (f_1.f - constrained(law, place, t_end)) /

@@ -109,7 +109,7 @@ namespace isochor
         element.area_ratio = stress.area.norm();
         element.normal     = stress.area / element.area_ratio;
         for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
-          find_contact(step, g, element);
+          set_gap(step, g, element);
         element.adjoint.clear();
         for (unsigned int J = 0; J < of.stencil.n_nodes && step.has_inertia;
              ++J)
@@ -163,8 +163,7 @@ namespace isochor
             found = interaction.partner->original(place);
             return i;
           }
-        if (element.facing[g][i] == 0 ||
-            (element.touches[g] >= 0 && element.touches[g] != int(i)))
+        if (element.facing[g][i] == 0)
           continue;
         const PartnerPlace<dim> candidate = interaction.partner->nearest(place);
         if (chosen < 0 || candidate.normal_gap < found.normal_gap)
@@ -203,7 +202,8 @@ namespace isochor
                 !element.start.empty() ?
               &element.start[g] :
               nullptr,
-            step.end_weight};
+            step.end_weight,
+            element.body_is_nearer[g]};
   }
 
 

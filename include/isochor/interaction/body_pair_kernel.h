@@ -23,8 +23,8 @@ namespace isochor
     unsigned int              own; ///< its face, number of the copy
     unsigned int              gauss_point;
     std::vector<unsigned int> others; ///< numbers of copies
-    /** Whether no rigid body or wall is nearer at the start of the step. */
-    bool acts = true;
+    /** Whether a rigid body or wall is nearer at the start of the step. */
+    bool is_farther = false;
     /** Of the others the one that it touches at the start of the step, which it
      * meets as long as it isn't beyond its reach, as traction and normal would
      * jump between iterates; -1: none, it meets the nearest. */

@@ -138,6 +138,10 @@ namespace isochor
        * doesn't matter. */
       const StartOfStep<dim> *start      = nullptr;
       double                  end_weight = 0.5; ///< m
+      /** Something else that the surface may come into contact with is nearer
+       * at the start of the step: where this is open, the surface need not be
+       * free of tractions, and nothing is added. */
+      bool is_farther = false;
     };
 
     /** Begin with an element of @p n_nodes nodes with @p n_components unknowns.

@@ -67,9 +67,9 @@ namespace isochor
      * start of the step. */
     double
     gap(const unsigned int f, const unsigned int g) const;
-    /** Another body is nearer there: the partners don't act in the step. */
+    /** Another body is nearer there, see InteractionKernel::Measure. */
     void
-    leave_to_body(const unsigned int f, const unsigned int g);
+    set_nearer_body(const unsigned int f, const unsigned int g);
 
     /** Whether surfaces may leave what they touch. */
     bool
@@ -200,14 +200,12 @@ namespace isochor
       std::vector<unsigned int> loads;    ///< FaceLoads::on_face()
       bool                      is_tied = false; ///< by one of them
       /** By Gauss point and partner: facing() with the normals of the body at
-       * the start of the step and of the partner where it will be; 0 where
-       * another body is nearer. */
+       * the start of the step and of the partner where it will be. */
       std::array<std::vector<double>, BodySurface<dim>::n_gauss> facing;
-      /** By Gauss point: which of the partners it is in contact with at the
-       * start of the step, of several that which it faces most; -1: none. */
-      std::array<int, BodySurface<dim>::n_gauss> touches;
-      /** By Gauss point: see InteractionTerm::gap(). */
+      /** By Gauss point: see InteractionTerm::gap(), and whether a body is
+       * nearer. */
       std::array<double, BodySurface<dim>::n_gauss> gap;
+      std::array<bool, BodySurface<dim>::n_gauss>   body_is_nearer;
       Tensor<1, dim>              normal; ///< outward, at the start of the step
       double                      gamma      = 0;
       double                      area_ratio = 1;
@@ -257,12 +255,12 @@ namespace isochor
                   const bool              with_matrix,
                   InteractionKernel<dim> &kernel,
                   std::vector<Action>    *actions) const;
-    /** Set what Gauss point @p g touches, and its gap, with partners in their
-     * present poses and the stress that was evaluated last. */
+    /** Set the gap of Gauss point @p g, with partners in their present poses.
+     */
     void
-    find_contact(const StepContext<dim> &step,
-                 const unsigned int      g,
-                 FaceElement            &element) const;
+    set_gap(const StepContext<dim> &step,
+            const unsigned int      g,
+            FaceElement            &element) const;
     /** Set what Gauss point @p g faces of partners in their present poses. */
     void
     set_facing(const StepContext<dim> &step,
@@ -272,9 +270,8 @@ namespace isochor
     typename std::vector<FaceElement>::const_iterator
     element_of(const unsigned int f) const;
     /** Which of the partners of an element acts at Gauss point @p g, at
-     * @p place, and the place of this: the tie, or that in contact at the start
-     * of the step, so that it doesn't change with iterates, or the nearest of
-     * those that it faces. -1: none. */
+     * @p place: the tie or, of those that it faces, the nearest; and the place
+     * of this. -1: none. */
     int
     choose(const FaceElement                         &element,
            const unsigned int                         g,
