@@ -5,6 +5,7 @@
 #ifndef isochor_interaction_kernel_h
 #define isochor_interaction_kernel_h
 
+#include <isochor/base/rounding.h>
 #include <isochor/equations/equation_term.h>
 #include <isochor/equations/surface_stress.h>
 #include <isochor/interaction/interaction_law.h>
@@ -31,15 +32,18 @@ namespace isochor
   /**
    * How much of a surface with the outward normal @p nu faces the normal @p n
    * of its partner: the cosine of the angle between them, 0 from a right angle
-   * on. Contact is integrated with this factor, which is 1 but for second order
-   * in the angle where there is contact, so that faces which turn towards the
-   * partner or away from it begin and end to take part smoothly.
+   * on, as nearly as numbers have it: a side must not miss its wall because it
+   * faces a lid by rounding. Contact is integrated with this factor, which is 1
+   * but for second order in the angle where there is contact, so that faces
+   * which turn towards the partner or away from it begin and end to take part
+   * smoothly.
    */
   template <int dim>
   double
   facing(const Tensor<1, dim> &nu, const Tensor<1, dim> &n)
   {
-    return std::max(0., -(nu * n));
+    const double cosine = -(nu * n);
+    return cosine > rounding::accumulated ? cosine : 0.;
   }
 
   /** Measure::rounding of a subdomain: @p gamma times what is small against its
