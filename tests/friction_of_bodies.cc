@@ -131,6 +131,29 @@ namespace
       "Force y on A by B (N)");
   }
 
+  /** The force on a stiff disc that is pressed into a soft block, whose faces
+   * meet those of the disc at angles, in @p n_steps steps. */
+  double
+  force_on_disc(const unsigned int n_steps)
+  {
+    return test::get(
+      *test::run_scene<2>(
+        "Quadrature/Type = CPDI\nGrid/Upper corner = 1, 1.5\n"
+        "Grid/Subdivisions = 16, 24\n"
+        "Material points/Region = y < 0.49999 || x^2+(y-0.9)^2 < 0.16\n"
+        "Material points/Bodies = low: y < 0.5; disc: y > 0.5\n"
+        "Material points/Materials in zones = 2: y > 0.5\n"
+        "Material/Young modulus = 100\nMaterial/Poisson ratio = 0.45\n"
+        "Material 2/Young modulus = 1e5\nMaterial 2/Poisson ratio = 0.3\n"
+        "Boundary conditions/Displacement = left: x=0; right: x=0; "
+        "bottom: y=0\n"
+        "Boundary conditions/Surfaces of body = core: x < 0.001 && y > 0.8\n"
+        "Interaction: core - place/Displacement = y=-0.2*t\n"
+        "Time/Step size = " +
+        std::to_string(1. / n_steps) + '\n'),
+      "Force y on core by place (N)");
+  }
+
   /** A block that is pushed along; the centres of the faces at its side lie on
    * the border of the region. */
   void
@@ -174,6 +197,9 @@ main(int argc, char **argv)
   test::check_error("force in 1 and in 16 steps",
                     test::relative(force(1), force(16)),
                     0.1);
+  test::check_error("force on a disc in 50 and in 100 steps",
+                    test::relative(force_on_disc(50), force_on_disc(100)),
+                    0.005);
   test_border();
   return 0;
 }

@@ -121,6 +121,35 @@ namespace
           0.9);
   }
 
+  /** Two rings, one in the other and tied to it, widened on a grid that is not
+   * reset: a run that is resumed goes on as if not interrupted. */
+  void
+  test_resumed()
+  {
+    const std::string rings =
+      "Grid/Upper corner = 3, 3\nGrid/Subdivisions = 15, 15\n"
+      "Material points/Region = x^2 + y^2 > 1 && x^2 + y^2 < 4\n"
+      "Material points/Bodies = inner: x^2 + y^2 < 2.25; "
+      "outer: x^2 + y^2 > 2.25\n"
+      "Material/Young modulus = 1\nMaterial/Poisson ratio = 0.4\n" +
+      held + "left: x=0; bottom: y=0\n" + surfaces +
+      "bore: x^2 + y^2 < 1.5 && x > 1e-9 && y > 1e-9\n"
+      "Interaction: bore - place/Displacement = x=t*x, y=t*y\n"
+      "Grid reset/Steps between resets = 0\nTime/Step size = 0.02\n"
+      "Checkpoint/Interval = 3\n"; // a factorisation isn't kept there
+    const auto force = [&](const std::string &settings) {
+      return test::get(*test::run_scene<2>(rings + settings),
+                       "Force x on bore by place (N)");
+    };
+    const double whole = force("Time/End time = 0.12\n");
+    force("Time/End time = 0.06\n");
+    test::check_error(
+      "tied rings on a grid that is not reset, resumed",
+      test::relative(force("Time/End time = 0.12\nCheckpoint/Resume = true\n"),
+                     whole),
+      1e-11);
+  }
+
   /** Tied at one end and loaded at the other. */
   void
   test_held()
@@ -283,6 +312,7 @@ main(int argc, char **argv)
   test_pressed<2>("plane strain");
   test_pressed<2>("axisymmetric");
   test_pressed<3>("plane strain");
+  test_resumed();
   test_held();
   test_places_of_surfaces();
   test_layers();
