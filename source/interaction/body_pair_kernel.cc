@@ -196,19 +196,20 @@ namespace isochor
     const auto add =
       [&](const Side &side, const double part, const double sign) {
         const FaceCopy<dim> &face = *side.face;
-        kernel.add_side(
-          {&side.stress,
-           static_cast<unsigned int>(side.N.size()),
-           side.nodes.data(),
-           side.N.data(),
-           face.shape.data(),
-           side.p,
-           part,
-           sign,
-           face.adjoint.empty() ? nullptr : face.adjoint.data(),
-           loads == nullptr ?
-             GivenTraction<dim>() :
-             loads->traction(face.loads, Point<dim>(side.X), step.time)});
+        kernel.add_side({&side.stress,
+                         static_cast<unsigned int>(side.N.size()),
+                         side.nodes.data(),
+                         side.N.data(),
+                         face.shape.data(),
+                         side.p,
+                         part,
+                         sign,
+                         face.adjoint.empty() ? nullptr : face.adjoint.data(),
+                         loads == nullptr ? GivenTraction<dim>() :
+                                            loads->traction(face.loads,
+                                                            Point<dim>(side.X),
+                                                            face.stretch,
+                                                            step.time)});
       };
     kernel.start_place();
     add(own, share, 1.);

@@ -40,6 +40,7 @@ namespace isochor
       if (!points.radius.empty())
         copy.radius = points.radius[face.q];
       copy.pressure = points.pressure[face.q];
+      copy.stretch  = face.stretch;
       copy.vertex.assign(stencil.vertex, stencil.vertex + stencil.n_nodes);
       copy.shape.assign(stencil.shape, stencil.shape + stencil.n_nodes);
       copy.gradient.assign(stencil.gradient,

@@ -5,6 +5,7 @@
 #include <isochor/interaction/face_loads.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace isochor
 {
@@ -60,6 +61,7 @@ namespace isochor
   GivenTraction<dim>
   FaceLoads<dim>::traction(const std::vector<unsigned int> &which,
                            const Point<dim>                &X,
+                           const double                     stretch,
                            const double                     time) const
   {
     GivenTraction<dim> given;
@@ -67,7 +69,8 @@ namespace isochor
       {
         const SurfaceLoad<dim> &load = *all[i]->law->load();
         for (unsigned int a = 0; a < dim && !load.traction.empty(); ++a)
-          given.dead[a] += load.traction[a](X, time);
+          given.dead[a] +=
+            load.traction[a](X, time) / std::pow(stretch, dim - 1.);
         if (!load.pressure.empty())
           given.pressure += load.pressure.front()(X, time);
       }

@@ -52,22 +52,27 @@ namespace isochor
 
   template <int dim>
   void
-  InteractionTerm<dim>::set_gap(const StepContext<dim> &step,
-                                const unsigned int      g,
-                                FaceElement            &element) const
+  InteractionTerm<dim>::look_at_partners(const StepContext<dim> &step,
+                                         const unsigned int      g,
+                                         FaceElement            &element) const
   {
     const auto start =
       BodySurface<dim>::place(step, surface.faces()[element.face], g);
+    element.facing[g].assign(element.partners.size(), 1.);
     element.gap[g]            = std::numeric_limits<double>::max();
     element.body_is_nearer[g] = false;
-    for (const unsigned int i : element.partners)
+    for (unsigned int i = 0; i < element.partners.size(); ++i)
       {
-        const Interaction<dim> &one = *interactions[i];
-        if (!one.law->acts() || !one.law->is_unilateral())
+        const Interaction<dim> &one = *interactions[element.partners[i]];
+        if (!one.law->is_unilateral())
+          continue;
+        element.facing[g][i] = 0;
+        if (!one.law->acts())
           continue;
         const auto place =
           one.partner->nearest({&start, {}, {}, element.normal});
-        if (facing<dim>(element.normal, place.normal) > 0)
+        element.facing[g][i] = facing<dim>(element.normal, place.normal);
+        if (element.facing[g][i] > 0)
           element.gap[g] = std::min(element.gap[g], place.normal_gap);
       }
   }
@@ -87,28 +92,6 @@ namespace isochor
                          return element.face < face;
                        });
     return found != faces.end() && found->face == f ? found : faces.end();
-  }
-
-
-
-  template <int dim>
-  void
-  InteractionTerm<dim>::set_facing(const StepContext<dim> &step,
-                                   const unsigned int      g,
-                                   FaceElement            &element) const
-  {
-    const auto start =
-      BodySurface<dim>::place(step, surface.faces()[element.face], g);
-    element.facing[g].assign(element.partners.size(), 1.);
-    for (unsigned int i = 0; i < element.partners.size(); ++i)
-      if (const auto &one = *interactions[element.partners[i]];
-          one.law->is_unilateral())
-        element.facing[g][i] =
-          one.law->acts() ?
-            facing<dim>(
-              element.normal,
-              one.partner->nearest({&start, {}, {}, element.normal}).normal) :
-            0.;
   }
 
 
@@ -169,13 +152,9 @@ namespace isochor
   template void
   InteractionTerm<2>::find_faces();
   template void
-  InteractionTerm<2>::set_gap(const StepContext<2> &,
-                              const unsigned int,
-                              FaceElement &) const;
-  template void
-  InteractionTerm<2>::set_facing(const StepContext<2> &,
-                                 const unsigned int,
-                                 FaceElement &) const;
+  InteractionTerm<2>::look_at_partners(const StepContext<2> &,
+                                       const unsigned int,
+                                       FaceElement &) const;
   template double
   InteractionTerm<2>::gap(const unsigned int, const unsigned int) const;
   template void
@@ -183,13 +162,9 @@ namespace isochor
   template void
   InteractionTerm<3>::find_faces();
   template void
-  InteractionTerm<3>::set_gap(const StepContext<3> &,
-                              const unsigned int,
-                              FaceElement &) const;
-  template void
-  InteractionTerm<3>::set_facing(const StepContext<3> &,
-                                 const unsigned int,
-                                 FaceElement &) const;
+  InteractionTerm<3>::look_at_partners(const StepContext<3> &,
+                                       const unsigned int,
+                                       FaceElement &) const;
   template double
   InteractionTerm<3>::gap(const unsigned int, const unsigned int) const;
   template void

@@ -85,9 +85,7 @@ namespace isochor
     NodalField rest;
     step.nodes.initialize(rest, step.n_components);
     rest.update_ghost_values();
-    StepContext<dim> at_start = step;
-    at_start.time             = step.old_time;
-    update_partners(at_start, rest);
+    update_partners(step, rest);
     for (FaceElement &element : faces)
       {
         const auto &face   = surface.faces()[element.face];
@@ -109,7 +107,7 @@ namespace isochor
         element.area_ratio = stress.area.norm();
         element.normal     = stress.area / element.area_ratio;
         for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
-          set_gap(step, g, element);
+          look_at_partners(step, g, element);
         element.adjoint.clear();
         for (unsigned int J = 0; J < of.stencil.n_nodes && step.has_inertia;
              ++J)
@@ -117,10 +115,6 @@ namespace isochor
             element.adjoint.push_back(
               stress.elastic_traction_by_displacement(J, b));
       }
-    update_partners(step, rest);
-    for (FaceElement &element : faces)
-      for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
-        set_facing(step, g, element);
   }
 
 
@@ -283,7 +277,7 @@ namespace isochor
            1.,
            1.,
            element.adjoint.empty() ? nullptr : element.adjoint.data(),
-           loads.traction(element.loads, start.X, step.time)});
+           loads.traction(element.loads, start.X, face.stretch, step.time)});
         const Interaction<dim> &interaction =
           *interactions[element.partners[chosen]];
         interaction.partner->motion(place,

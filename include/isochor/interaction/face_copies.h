@@ -29,6 +29,7 @@ namespace isochor
     double                    radius = 0;
     double                    pressure; ///< of its point (Pa)
     std::vector<unsigned int> loads;    ///< FaceLoads::on_face()
+    double                    stretch;  ///< of BodySurface::Face
     std::vector<unsigned int> vertex;
     std::vector<double>       shape; ///< at its point
     std::vector<Tensor<1, dim>> gradient;
@@ -84,7 +85,7 @@ namespace isochor
     {
       archive &body &material &key &F &history &radius &pressure &vertex &shape
         &gradient &normal &normal_now &area &area_per_volume &X &x &r &kept
-          &loads;
+          &loads &stretch;
     }
   };
 

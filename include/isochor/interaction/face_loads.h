@@ -54,10 +54,12 @@ namespace isochor
     std::vector<unsigned int>
     on_face(const unsigned int body, const Point<dim> &X) const;
 
-    /** Of those with the numbers @p which, at @p X. */
+    /** Of those with the numbers @p which, at @p X of a face whose subdomain is
+     * @p stretch times as large as at t = 0 (BodySurface::Face). */
     GivenTraction<dim>
     traction(const std::vector<unsigned int> &which,
              const Point<dim>                &X,
+             const double                     stretch,
              const double                     time) const;
 
     void

@@ -59,7 +59,7 @@ namespace isochor
   template <int dim>
   struct GivenTraction
   {
-    Tensor<1, dim> dead;         ///< per area at t = 0 (Pa)
+    Tensor<1, dim> dead;         ///< per area of BodySurface::Face (Pa)
     double         pressure = 0; ///< against the present area (Pa)
   };
 

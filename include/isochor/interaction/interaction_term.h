@@ -63,8 +63,8 @@ namespace isochor
       return loads;
     }
     /** After prepare(): how far (m) the nearest of the partners that face @p f
-     * of the surface may come into contact with at Gauss point @p g is at the
-     * start of the step. */
+     * of the surface may come into contact with will be from where Gauss point
+     * @p g is at the start of the step. */
     double
     gap(const unsigned int f, const unsigned int g) const;
     /** Another body is nearer there, see InteractionKernel::Measure. */
@@ -255,17 +255,12 @@ namespace isochor
                   const bool              with_matrix,
                   InteractionKernel<dim> &kernel,
                   std::vector<Action>    *actions) const;
-    /** Set the gap of Gauss point @p g, with partners in their present poses.
-     */
+    /** Set what Gauss point @p g faces, and its gap, with partners in their
+     * present poses. */
     void
-    set_gap(const StepContext<dim> &step,
-            const unsigned int      g,
-            FaceElement            &element) const;
-    /** Set what Gauss point @p g faces of partners in their present poses. */
-    void
-    set_facing(const StepContext<dim> &step,
-               const unsigned int      g,
-               FaceElement            &element) const;
+    look_at_partners(const StepContext<dim> &step,
+                     const unsigned int      g,
+                     FaceElement            &element) const;
     /** That of face @p f of the surface, or the end. */
     typename std::vector<FaceElement>::const_iterator
     element_of(const unsigned int f) const;
