@@ -141,9 +141,10 @@ namespace isochor
     /** Find what Gauss points touch at the start of the @p step, and where a
      * body and something else may be met let the nearer act. */
     void
-                          find_contact(const StepContext<dim> &step);
-    InteractionTerm<dim> *others = nullptr;
-    PairLaws<dim>         laws;
+    find_contact(const StepContext<dim> &step);
+
+    InteractionTerm<dim>                *others = nullptr;
+    PairLaws<dim>                        laws;
     std::unique_ptr<InteractionLaw<dim>> default_tie;
     /** Pairs of bodies, the lower number first, that are tied somewhere: they
      * don't come into contact elsewhere, as at the edges of what is tied. */
