@@ -138,8 +138,8 @@ namespace isochor
     {
       return others == nullptr ? nullptr : &others->given();
     }
-    /** Find what Gauss points touch at the start of the @p step, and where a
-     * body and something else may be met let the nearer act. */
+    /** Find what Gauss points touch at the start of the @p step and, where a
+     * body and something else may be met, which is farther. */
     void
     find_contact(const StepContext<dim> &step);
 
