@@ -9,6 +9,8 @@
 #include <isochor/base/plain_message.h>
 #include <isochor/interaction/interaction_term.h>
 
+#include <array>
+
 namespace isochor
 {
   template <int dim>
@@ -27,17 +29,23 @@ namespace isochor
         actions.clear();
         evaluate_face(step, unknowns, element, false, kernel, &actions);
         const auto key = BodySurface<dim>::key(surface.faces()[element.face]);
+        std::array<Tensor<1, dim>, BodySurface<dim>::n_gauss> on_place;
         for (const Action &action : actions)
           {
-            auto &sum = sums[action.interaction];
+            const unsigned int i   = element.partners[action.partner];
+            auto              &sum = sums[i];
             for (unsigned int a = 0; a < dim; ++a)
               sum[a] += action.force[a];
             const Tensor<1, 3> moment =
-              interactions[action.interaction]->partner->moment(
-                action.y, action.force, step.has_inertia);
+              interactions[i]->partner->moment(action.y,
+                                               action.force,
+                                               step.has_inertia);
             for (unsigned int a = 0; a < 3; ++a)
               sum[dim + a] += moment[a];
-            forces.set_next(key, action.gauss_point, action.force);
+            on_place[action.gauss_point] += action.force;
+            forces.set_next(key,
+                            action.gauss_point,
+                            on_place[action.gauss_point]);
             if (action.kept < 1 || action.remembered.norm_square() > 0)
               memory.set_next(key,
                               action.gauss_point,

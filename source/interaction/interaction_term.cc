@@ -132,41 +132,33 @@ namespace isochor
       {
         actions.clear();
         evaluate_face(start, unknowns, element, false, kernel, &actions);
-        element.start.assign(BodySurface<dim>::n_gauss, {});
+        element.start.assign(BodySurface<dim>::n_gauss *
+                               element.partners.size(),
+                             {});
         for (const Action &action : actions)
-          element.start[action.gauss_point] = action.end;
+          element.start[action.gauss_point * element.partners.size() +
+                        action.partner] = action.end;
       }
   }
 
 
 
   template <int dim>
-  int
-  InteractionTerm<dim>::choose(const FaceElement &element,
-                               const unsigned int g,
-                               const typename Partner<dim>::SurfacePlace &place,
-                               PartnerPlace<dim> &found) const
+  std::vector<unsigned int>
+  InteractionTerm<dim>::acting(const FaceElement &element,
+                               const unsigned int g) const
   {
-    int chosen = -1;
+    std::vector<unsigned int> all;
     for (unsigned int i = 0; i < element.partners.size(); ++i)
       {
-        const Interaction<dim> &interaction =
-          *interactions[element.partners[i]];
-        if (!interaction.law->is_unilateral())
-          {
-            found = interaction.partner->original(place);
-            return i;
-          }
-        if (element.facing[g][i] == 0)
-          continue;
-        const PartnerPlace<dim> candidate = interaction.partner->nearest(place);
-        if (chosen < 0 || candidate.normal_gap < found.normal_gap)
-          {
-            chosen = i;
-            found  = candidate;
-          }
+        if (!interactions[element.partners[i]]->law->is_unilateral())
+          return {i};
+        if (element.facing[g][i] > 0 && i != element.nearest[g])
+          all.push_back(i);
       }
-    return chosen;
+    if (element.nearest[g] != numbers::invalid_unsigned_int)
+      all.push_back(element.nearest[g]);
+    return all;
   }
 
 
@@ -177,15 +169,15 @@ namespace isochor
     const StepContext<dim>                 &step,
     const FaceElement                      &element,
     const unsigned int                      g,
-    const typename BodySurface<dim>::Place &start,
-    const double                            facing) const
+    const unsigned int                      partner,
+    const typename BodySurface<dim>::Place &start) const
   {
     const auto         &face = surface.faces()[element.face];
     const double *const history =
       step.points.history.data() +
       face.q * static_cast<std::size_t>(step.points.n_history);
     // R = r / F_θθ, not X: flips give a point the mean of what flows in
-    return {start.weight * face.area * facing *
+    return {start.weight * face.area * element.facing[g][partner] *
               thickness(step.kernel.axisymmetric,
                         start.x[0] / step.kernel.hoop_stretch(history)),
             element.gamma,
@@ -194,10 +186,11 @@ namespace isochor
             rounding_of_contact(element.gamma, face.area_per_volume),
             step.unknowns_at_start != nullptr && step.step_size() > 0 &&
                 !element.start.empty() ?
-              &element.start[g] :
+              &element.start[g * element.partners.size() + partner] :
               nullptr,
             step.end_weight,
-            element.body_is_nearer[g]};
+            element.body_is_nearer[g] ||
+              (!element.is_tied && partner != element.nearest[g])};
   }
 
 
@@ -262,61 +255,65 @@ namespace isochor
             if (step.mixed())
               p += N[I] * pressure(I);
           }
-        PartnerPlace<dim> found;
-        const int         chosen = choose(element, g, place, found);
-        if (chosen < 0)
-          continue;
-        kernel.start_place();
-        kernel.add_side(
-          {&stress,
-           N_p.n_nodes,
-           own_nodes.data(),
-           N.data(),
-           N_p.shape,
-           p,
-           1.,
-           1.,
-           element.adjoint.empty() ? nullptr : element.adjoint.data(),
-           loads.traction(element.loads, start.X, face.stretch, step.time)});
-        const Interaction<dim> &interaction =
-          *interactions[element.partners[chosen]];
-        interaction.partner->motion(place,
-                                    interaction.law->is_unilateral(),
-                                    motions);
-        for (unsigned int c = 0; c < motions.size(); ++c)
-          for (unsigned int a = 0; a < motions[c].size(); ++a)
-            kernel.add_partner(first_of_partner[chosen] + c, a, motions[c][a]);
-        // the work of statics begins with what there was
-        if (const auto key = BodySurface<dim>::key(face);
-            !step.has_inertia && step.step_size() == 0 && forces.knows(key))
+        for (const unsigned int chosen : acting(element, g))
           {
-            kernel.add_force(forces.get(key, g));
-            continue;
+            const Interaction<dim> &interaction =
+              *interactions[element.partners[chosen]];
+            const PartnerPlace<dim> found =
+              interaction.law->is_unilateral() ?
+                interaction.partner->nearest(place) :
+                interaction.partner->original(place);
+            kernel.start_place();
+            kernel.add_side(
+              {&stress,
+               N_p.n_nodes,
+               own_nodes.data(),
+               N.data(),
+               N_p.shape,
+               p,
+               1.,
+               1.,
+               element.adjoint.empty() ? nullptr : element.adjoint.data(),
+               loads.traction(
+                 element.loads, start.X, face.stretch, step.time)});
+            interaction.partner->motion(place,
+                                        interaction.law->is_unilateral(),
+                                        motions);
+            for (unsigned int c = 0; c < motions.size(); ++c)
+              for (unsigned int a = 0; a < motions[c].size(); ++a)
+                kernel.add_partner(first_of_partner[chosen] + c,
+                                   a,
+                                   motions[c][a]);
+            // the work of statics begins with what there was
+            if (const auto key = BodySurface<dim>::key(face);
+                !step.has_inertia && step.step_size() == 0 && forces.knows(key))
+              {
+                kernel.add_force(forces.get(key, g));
+                break;
+              }
+            const auto measure = measure_of(step, element, g, chosen, start);
+            const auto projection =
+              kernel.add(*interaction.law, found, measure);
+            if (actions == nullptr)
+              continue;
+            const auto flow = flow_at(step, element, of);
+            actions->push_back(
+              {chosen,
+               g,
+               start.x + place.increment -
+                 (interaction.law->is_unilateral() ?
+                    found.normal_gap * found.normal :
+                    found.gap),
+               measure.weight * (interaction.law->is_unilateral() ?
+                                   kernel.mean_traction() :
+                                   kernel.at_end().f),
+               kernel.remembered(*interaction.law,
+                                 stress.carried(remembered),
+                                 flow),
+               flow.kept,
+               projection.state,
+               kernel.at_end()});
           }
-        const auto measure =
-          measure_of(step, element, g, start, element.facing[g][chosen]);
-        const auto projection = kernel.add(*interaction.law, found, measure);
-        if (actions == nullptr)
-          continue;
-        // in dynamics what acts has to be the gradient of an energy
-        const auto flow = step.has_inertia || !element.is_tied ?
-                            typename SurfaceStress<dim>::Flow() :
-                            stress.flow(*of.material, of.history);
-        actions->push_back({element.partners[chosen],
-                            g,
-                            start.x + place.increment -
-                              (interaction.law->is_unilateral() ?
-                                 found.normal_gap * found.normal :
-                                 found.gap),
-                            measure.weight * (interaction.law->is_unilateral() ?
-                                                kernel.mean_traction() :
-                                                kernel.at_end().f),
-                            kernel.remembered(*interaction.law,
-                                              stress.carried(remembered),
-                                              flow),
-                            flow.kept,
-                            projection.state,
-                            kernel.at_end()});
       }
     return EvaluationStatus::success;
   }

@@ -206,18 +206,21 @@ namespace isochor
        * nearer. */
       std::array<double, BodySurface<dim>::n_gauss> gap;
       std::array<bool, BodySurface<dim>::n_gauss>   body_is_nearer;
+      /** By Gauss point: the nearest of the partners that it faces, at the
+       * start of the step and where these will be. */
+      std::array<unsigned int, BodySurface<dim>::n_gauss> nearest;
       Tensor<1, dim>              normal; ///< outward, at the start of the step
       double                      gamma      = 0;
       double                      area_ratio = 1;
       std::vector<Tensor<1, dim>> adjoint; ///< B, if θ is not 0
-      /** By Gauss point, if it is known. */
+      /** By Gauss point and partner, if it is known. */
       std::vector<StartOfStep<dim>> start;
     };
 
     /** What acts at a Gauss point of a face by one of its interactions. */
     struct Action
     {
-      unsigned int interaction, gauss_point;
+      unsigned int partner, gauss_point; ///< partner: of the element
       /** Where it acts on the partner, at the iterate. */
       Point<dim> y;
       /** On the body (N): of contact the mean over the step, of a tie that at
@@ -246,6 +249,17 @@ namespace isochor
     check_surfaces();
     typename SurfaceStress<dim>::Domain
     domain(const StepContext<dim> &step, const unsigned int face) const;
+    /** Of the material, whose stress was evaluated last, for ties; none in
+     * dynamics, where what acts has to be the gradient of an energy. */
+    typename SurfaceStress<dim>::Flow
+    flow_at(const StepContext<dim>                    &step,
+            const FaceElement                         &element,
+            const typename SurfaceStress<dim>::Domain &domain) const
+    {
+      return step.has_inertia || !element.is_tied ?
+               typename SurfaceStress<dim>::Flow() :
+               stress.flow(*domain.material, domain.history);
+    }
     /** Residual and matrix of a face. @p actions, if not null, gets what acts.
      */
     EvaluationStatus
@@ -264,22 +278,18 @@ namespace isochor
     /** That of face @p f of the surface, or the end. */
     typename std::vector<FaceElement>::const_iterator
     element_of(const unsigned int f) const;
-    /** Which of the partners of an element acts at Gauss point @p g, at
-     * @p place: the tie or, of those that it faces, the nearest; and the place
-     * of this. -1: none. */
-    int
-    choose(const FaceElement                         &element,
-           const unsigned int                         g,
-           const typename Partner<dim>::SurfacePlace &place,
-           PartnerPlace<dim>                         &found) const;
-    /** Of Gauss point @p g, at @p start at the start of the step, with
-     * @p facing, facing() of its partner. */
+    /** Which of the partners of an element may act at Gauss point @p g: the tie
+     * or, in contact, those that it faces, the nearest last. */
+    std::vector<unsigned int>
+    acting(const FaceElement &element, const unsigned int g) const;
+    /** Of Gauss point @p g, at @p start at the start of the step, and one of
+     * the element's partners. */
     typename InteractionKernel<dim>::Measure
     measure_of(const StepContext<dim>                 &step,
                const FaceElement                      &element,
                const unsigned int                      g,
-               const typename BodySurface<dim>::Place &start,
-               const double                            facing) const;
+               const unsigned int                      partner,
+               const typename BodySurface<dim>::Place &start) const;
     /** The force (N) and the moment (N m; in 2D the third component) on the
      * body by each interaction, of all ranks. Notes what is remembered, too. */
     std::vector<std::array<double, dim + 3>>
