@@ -61,7 +61,6 @@ namespace isochor
     element.facing[g].assign(element.partners.size(), 1.);
     element.gap[g]            = std::numeric_limits<double>::max();
     element.body_is_nearer[g] = false;
-    element.nearest[g]        = numbers::invalid_unsigned_int;
     for (unsigned int i = 0; i < element.partners.size(); ++i)
       {
         const Interaction<dim> &one = *interactions[element.partners[i]];
@@ -73,11 +72,8 @@ namespace isochor
         const auto place =
           one.partner->nearest({&start, {}, {}, element.normal});
         element.facing[g][i] = facing<dim>(element.normal, place.normal);
-        if (element.facing[g][i] > 0 && place.normal_gap < element.gap[g])
-          {
-            element.gap[g]     = place.normal_gap;
-            element.nearest[g] = i;
-          }
+        if (element.facing[g][i] > 0)
+          element.gap[g] = std::min(element.gap[g], place.normal_gap);
       }
   }
 

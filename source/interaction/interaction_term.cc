@@ -144,20 +144,34 @@ namespace isochor
 
 
   template <int dim>
-  std::vector<unsigned int>
+  std::vector<typename InteractionTerm<dim>::ActingPartner>
   InteractionTerm<dim>::acting(const FaceElement &element,
-                               const unsigned int g) const
+                               const unsigned int g,
+                               const typename Partner<dim>::SurfacePlace &place,
+                               const double                               p,
+                               const GivenTraction<dim> &given) const
   {
-    std::vector<unsigned int> all;
+    const Tensor<1, dim> t =
+      stress.traction(p) - given.dead + given.pressure * stress.area;
+    std::vector<ActingPartner> all;
+    bool                       any_closed = false;
+    unsigned int               nearest    = 0;
     for (unsigned int i = 0; i < element.partners.size(); ++i)
       {
-        if (!interactions[element.partners[i]]->law->is_unilateral())
-          return {i};
-        if (element.facing[g][i] > 0 && i != element.nearest[g])
-          all.push_back(i);
+        const Interaction<dim> &one = *interactions[element.partners[i]];
+        if (!one.law->is_unilateral())
+          return {{i, one.partner->original(place), true}};
+        if (element.facing[g][i] == 0)
+          continue;
+        all.push_back({i, one.partner->nearest(place), false});
+        const PartnerPlace<dim> &found = all.back().place;
+        any_closed =
+          any_closed || t * found.normal > element.gamma * found.normal_gap;
+        if (found.normal_gap < all[nearest].place.normal_gap)
+          nearest = all.size() - 1;
       }
-    if (element.nearest[g] != numbers::invalid_unsigned_int)
-      all.push_back(element.nearest[g]);
+    if (!all.empty() && !any_closed)
+      all[nearest].is_alone = true;
     return all;
   }
 
@@ -170,7 +184,8 @@ namespace isochor
     const FaceElement                      &element,
     const unsigned int                      g,
     const unsigned int                      partner,
-    const typename BodySurface<dim>::Place &start) const
+    const typename BodySurface<dim>::Place &start,
+    const bool                              is_alone) const
   {
     const auto         &face = surface.faces()[element.face];
     const double *const history =
@@ -189,8 +204,7 @@ namespace isochor
               &element.start[g * element.partners.size() + partner] :
               nullptr,
             step.end_weight,
-            element.body_is_nearer[g] ||
-              (!element.is_tied && partner != element.nearest[g])};
+            element.body_is_nearer[g] || !is_alone};
   }
 
 
@@ -255,14 +269,13 @@ namespace isochor
             if (step.mixed())
               p += N[I] * pressure(I);
           }
-        for (const unsigned int chosen : acting(element, g))
+        const auto given =
+          loads.traction(element.loads, start.X, face.stretch, step.time);
+        for (const auto &[chosen, found, is_alone] :
+             acting(element, g, place, p, given))
           {
             const Interaction<dim> &interaction =
               *interactions[element.partners[chosen]];
-            const PartnerPlace<dim> found =
-              interaction.law->is_unilateral() ?
-                interaction.partner->nearest(place) :
-                interaction.partner->original(place);
             kernel.start_place();
             kernel.add_side(
               {&stress,
@@ -274,8 +287,7 @@ namespace isochor
                1.,
                1.,
                element.adjoint.empty() ? nullptr : element.adjoint.data(),
-               loads.traction(
-                 element.loads, start.X, face.stretch, step.time)});
+               given});
             interaction.partner->motion(place,
                                         interaction.law->is_unilateral(),
                                         motions);
@@ -291,7 +303,8 @@ namespace isochor
                 kernel.add_force(forces.get(key, g));
                 break;
               }
-            const auto measure = measure_of(step, element, g, chosen, start);
+            const auto measure =
+              measure_of(step, element, g, chosen, start, is_alone);
             const auto projection =
               kernel.add(*interaction.law, found, measure);
             if (actions == nullptr)

@@ -143,8 +143,8 @@ namespace isochor
       const StartOfStep<dim> *start      = nullptr;
       double                  end_weight = 0.5; ///< m
       /** Something else that the surface may come into contact with is nearer
-       * at the start of the step: where this is open, the surface need not be
-       * free of tractions, and nothing is added. */
+       * or closed: where this is open, the surface need not be free of
+       * tractions, and nothing is added. */
       bool is_farther = false;
     };
 

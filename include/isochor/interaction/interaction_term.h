@@ -206,9 +206,6 @@ namespace isochor
        * nearer. */
       std::array<double, BodySurface<dim>::n_gauss> gap;
       std::array<bool, BodySurface<dim>::n_gauss>   body_is_nearer;
-      /** By Gauss point: the nearest of the partners that it faces, at the
-       * start of the step and where these will be. */
-      std::array<unsigned int, BodySurface<dim>::n_gauss> nearest;
       Tensor<1, dim>              normal; ///< outward, at the start of the step
       double                      gamma      = 0;
       double                      area_ratio = 1;
@@ -278,10 +275,24 @@ namespace isochor
     /** That of face @p f of the surface, or the end. */
     typename std::vector<FaceElement>::const_iterator
     element_of(const unsigned int f) const;
-    /** Which of the partners of an element may act at Gauss point @p g: the tie
-     * or, in contact, those that it faces, the nearest last. */
-    std::vector<unsigned int>
-    acting(const FaceElement &element, const unsigned int g) const;
+    /** A partner that may act at a Gauss point, by its number in the element.
+     */
+    struct ActingPartner
+    {
+      unsigned int      partner;
+      PartnerPlace<dim> place;
+      /** It acts where it is open, too, as no other is closed or nearer. */
+      bool is_alone;
+    };
+    /** Those of Gauss point @p g, at @p place with the pressure @p p and the
+     * loads @p given: the tie or, in contact, all that it faces. The stress is
+     * evaluated. */
+    std::vector<ActingPartner>
+    acting(const FaceElement                         &element,
+           const unsigned int                         g,
+           const typename Partner<dim>::SurfacePlace &place,
+           const double                               p,
+           const GivenTraction<dim>                  &given) const;
     /** Of Gauss point @p g, at @p start at the start of the step, and one of
      * the element's partners. */
     typename InteractionKernel<dim>::Measure
@@ -289,7 +300,8 @@ namespace isochor
                const FaceElement                      &element,
                const unsigned int                      g,
                const unsigned int                      partner,
-               const typename BodySurface<dim>::Place &start) const;
+               const typename BodySurface<dim>::Place &start,
+               const bool                              is_alone) const;
     /** The force (N) and the moment (N m; in 2D the third component) on the
      * body by each interaction, of all ranks. Notes what is remembered, too. */
     std::vector<std::array<double, dim + 3>>
