@@ -154,8 +154,8 @@ namespace isochor
     const Tensor<1, dim> t =
       stress.traction(p) - given.dead + given.pressure * stress.area;
     std::vector<ActingPartner> all;
-    bool                       any_closed = false;
-    unsigned int               nearest    = 0;
+    std::vector<bool>          closed;
+    unsigned int               nearest = 0;
     for (unsigned int i = 0; i < element.partners.size(); ++i)
       {
         const Interaction<dim> &one = *interactions[element.partners[i]];
@@ -165,13 +165,14 @@ namespace isochor
           continue;
         all.push_back({i, one.partner->nearest(place), false});
         const PartnerPlace<dim> &found = all.back().place;
-        any_closed =
-          any_closed || t * found.normal > element.gamma * found.normal_gap;
+        closed.push_back(t * found.normal > element.gamma * found.normal_gap);
         if (found.normal_gap < all[nearest].place.normal_gap)
           nearest = all.size() - 1;
       }
-    if (!all.empty() && !any_closed)
-      all[nearest].is_alone = true;
+    if (all.empty())
+      return all;
+    closed[nearest]       = false;
+    all[nearest].is_alone = std::count(closed.begin(), closed.end(), true) == 0;
     return all;
   }
 

@@ -281,7 +281,7 @@ namespace isochor
     {
       unsigned int      partner;
       PartnerPlace<dim> place;
-      /** It acts where it is open, too, as no other is closed or nearer. */
+      /** It acts where it is open, too: the nearest, and no other is closed. */
       bool is_alone;
     };
     /** Those of Gauss point @p g, at @p place with the pressure @p p and the
