@@ -153,13 +153,8 @@ namespace isochor
   int
   BodyPairKernel<dim>::touched(const PairElement<dim> &element)
   {
-    if (evaluate(element, false) != EvaluationStatus::success || !result.meets)
-      return -1;
-    const FaceCopy<dim> &face = *own.face;
-    const double         gamma =
-      2 * face.gamma * other.face->gamma / (face.gamma + other.face->gamma);
-    return result.end.w * result.end.normal >
-               -rounding_of_contact(gamma, face.area_per_volume) ?
+    return evaluate(element, false) == EvaluationStatus::success &&
+               result.is_closed ?
              std::find(element.others.begin(),
                        element.others.end(),
                        result.other) -
@@ -372,7 +367,8 @@ namespace isochor
     const PartnerPlace<dim> place =
       place_of_law(element, law, at, du, x, y, with_matrix);
     const auto measure = measure_of(element, face_met, share);
-    kernel.add(law, place, measure);
+    result.is_closed =
+      kernel.add(law, place, measure).state != SurfaceState::open;
     result.meets = true;
     result.force = measure.weight * kernel.mean_traction();
     result.end   = kernel.at_end();

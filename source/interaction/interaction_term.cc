@@ -144,7 +144,7 @@ namespace isochor
 
 
   template <int dim>
-  std::vector<typename InteractionTerm<dim>::ActingPartner>
+  typename InteractionTerm<dim>::ActingPartners
   InteractionTerm<dim>::acting(const FaceElement &element,
                                const unsigned int g,
                                const typename Partner<dim>::SurfacePlace &place,
@@ -153,9 +153,9 @@ namespace isochor
   {
     const Tensor<1, dim> t =
       stress.traction(p) - given.dead + given.pressure * stress.area;
-    std::vector<ActingPartner> all;
-    std::vector<bool>          closed;
-    unsigned int               nearest = 0;
+    ActingPartners all;
+    unsigned int   nearest = 0, n_closed = 0;
+    bool           nearest_is_closed = false;
     for (unsigned int i = 0; i < element.partners.size(); ++i)
       {
         const Interaction<dim> &one = *interactions[element.partners[i]];
@@ -165,14 +165,17 @@ namespace isochor
           continue;
         all.push_back({i, one.partner->nearest(place), false});
         const PartnerPlace<dim> &found = all.back().place;
-        closed.push_back(t * found.normal > element.gamma * found.normal_gap);
-        if (found.normal_gap < all[nearest].place.normal_gap)
-          nearest = all.size() - 1;
+        const bool               is_closed =
+          t * found.normal > element.gamma * found.normal_gap;
+        n_closed += is_closed;
+        if (all.size() == 1 || found.normal_gap < all[nearest].place.normal_gap)
+          {
+            nearest           = all.size() - 1;
+            nearest_is_closed = is_closed;
+          }
       }
-    if (all.empty())
-      return all;
-    closed[nearest]       = false;
-    all[nearest].is_alone = std::count(closed.begin(), closed.end(), true) == 0;
+    if (!all.empty())
+      all[nearest].is_alone = n_closed == (nearest_is_closed ? 1 : 0);
     return all;
   }
 

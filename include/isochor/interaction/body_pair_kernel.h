@@ -75,10 +75,11 @@ namespace isochor
       unsigned int other = 0; ///< number of the copy
       /** On the body of the Gauss point (N), the mean over the step. */
       Tensor<1, dim>   force;
-      Tensor<1, dim>   remembered;    ///< for the next step (m)
-      double           kept  = 1;     ///< SurfaceStress::Flow::kept
-      bool             meets = false; ///< whether there is another face
-      StartOfStep<dim> end;           ///< InteractionKernel::at_end()
+      Tensor<1, dim>   remembered;        ///< for the next step (m)
+      double           kept      = 1;     ///< SurfaceStress::Flow::kept
+      bool             meets     = false; ///< whether there is another face
+      bool             is_closed = false; ///< SurfaceState, at the end
+      StartOfStep<dim> end;               ///< InteractionKernel::at_end()
     };
 
     EvaluationStatus

@@ -284,10 +284,11 @@ namespace isochor
       /** It acts where it is open, too: the nearest, and no other is closed. */
       bool is_alone;
     };
+    using ActingPartners = std::vector<ActingPartner>;
     /** Those of Gauss point @p g, at @p place with the pressure @p p and the
      * loads @p given: the tie or, in contact, all that it faces. The stress is
      * evaluated. */
-    std::vector<ActingPartner>
+    ActingPartners
     acting(const FaceElement                         &element,
            const unsigned int                         g,
            const typename Partner<dim>::SurfacePlace &place,
