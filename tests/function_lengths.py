@@ -7,7 +7,6 @@ LONGEST = 60
 EXCEPTIONS = {
     ("mixed_kernel", "evaluate"): 115,
     ("mixed_kernel_points", "evaluate_points"): 112,
-    ("interaction_term", "evaluate_face"): 112,
     ("surface_stress", "evaluate_in"): 99,
     ("grid_to_points", "transfer"): 78,
     ("body_pair_term", "find_elements"): 76,

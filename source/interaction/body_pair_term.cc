@@ -315,8 +315,8 @@ namespace isochor
           continue;
         const unsigned int f = element.own - first_own;
         if (element.is_tied ||
-            kernel.gap(element) <= others->gap(f, element.gauss_point))
-          others->set_nearer_body(f, element.gauss_point);
+            kernel.gap(element) <= others->in_contact().gap(f, element.gauss_point))
+          others->in_contact().set_nearer_body(f, element.gauss_point);
         else
           element.is_farther = true;
       }
