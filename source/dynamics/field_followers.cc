@@ -67,6 +67,44 @@ namespace isochor
 
 
 
+  void
+  hand_on(const Followers &followers, NodalField &load)
+  {
+    AssertDimension(followers.start.size(), followers.size() + 1);
+    for (unsigned int k = 0; k < followers.size(); ++k)
+      if (const unsigned int entry = followers.entry[k];
+          entry < load.locally_owned_size())
+        {
+          const double value        = load.local_element(entry);
+          load.local_element(entry) = 0.;
+          for (std::size_t i = followers.start[k]; i < followers.start[k + 1];
+               ++i)
+            load.local_element(followers.master[i]) +=
+              followers.weight[i] * value;
+        }
+    load.compress(VectorOperation::add);
+  }
+
+
+
+  void
+  set_followers(const Followers           &followers,
+                const std::vector<double> &given,
+                NodalField                &field)
+  {
+    Assert(given.empty() || given.size() == followers.size(),
+           ExcInternalError());
+    field.update_ghost_values();
+    for (unsigned int k = 0; k < followers.size(); ++k)
+      field.local_element(followers.entry[k]) =
+        (given.empty() ? 0. : given[k]) +
+        followers.sum(k, [&field](const unsigned int entry) {
+          return field.local_element(entry);
+        });
+  }
+
+
+
   template Followers
   displacement_followers<2>(const NodalConstraints &, const unsigned int);
   template Followers

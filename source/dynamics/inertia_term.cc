@@ -6,6 +6,7 @@
 #include <isochor/body_quadrature/body_quadrature.h>
 #include <isochor/dynamics/inertia_term.h>
 #include <isochor/equations/invariants.h>
+#include <isochor/nonlinear_solver/load_stepping.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +53,7 @@ namespace isochor
   {
     prm.enter_subsection("Dynamics");
     integrator              = TimeIntegrator::create(prm);
-    kept_part               = prm.get("Transfer") == "FLIP" ? 1 : 0;
+    at_end.kept_part        = prm.get("Transfer") == "FLIP" ? 1 : 0;
     initial_velocity        = prm.get("Initial velocity");
     const std::string start = prm.get("Acceleration");
     prm.leave_subsection();
@@ -120,7 +121,7 @@ namespace isochor
                       conditions,
                       constraints,
                       smooth_start(whole_step.step_size()),
-                      kept_part > 0);
+                      at_end.kept_part > 0);
     if (in_trial())
       set_trial_increments(whole_step, constraints);
   }
@@ -211,108 +212,61 @@ namespace isochor
                                 const NodalField       &unknowns,
                                 const NodalField       &force_of_mean)
   {
-    Assert(invariants::fits(unknowns, step.nodes, step.n_components),
-           ExcOtherNodes());
     if (!is_active())
       return;
-    const double dt = step_size(step);
-    NodalField   excess_of_mean; // of the acceleration
+    NodalField excess_of_mean;
     start.accelerate(step, force_of_mean, excess_of_mean);
-    step.nodes.initialize(at_end.velocity, dim);
-    step.nodes.initialize(at_end.acceleration, dim);
-    step.nodes.initialize(at_end.excess, dim);
-    // ranks write all that they hold themselves
-    at_end.velocity.set_ghost_state(true);
-    at_end.acceleration.set_ghost_state(true);
-    at_end.excess.set_ghost_state(true);
-    for (unsigned int node = 0; node < step.nodes.n_local(); ++node)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          const unsigned int i   = node * dim + d;
-          const double       v_n = start.velocity.local_element(i);
-          const double       a_n = start.acceleration.local_element(i);
-          const double       a   = scheme().acceleration(
-            unknowns.local_element(node * step.n_components + d), v_n, a_n, dt);
-          at_end.velocity.local_element(i) = scheme().velocity(v_n, a_n, a, dt);
-          // M (1 - α) a_{n+1} is what differs
-          const double a_end = a - excess_of_mean.local_element(i) /
-                                     scheme().inertial_acceleration(0, 1);
-          at_end.acceleration.local_element(i) = a_end;
-          at_end.excess.local_element(i) =
-            a_end - scheme().inertial_acceleration(a_n, a_end);
-        }
-  }
-
-
-
-  template <int dim>
-  Tensor<1, dim>
-  InertiaTerm<dim>::interpolate(
-    const StepContext<dim>                   &step,
-    const typename PointArrays<dim>::Stencil &stencil,
-    const NodalField                         &field)
-  {
-    Assert(invariants::fits(field, step.nodes, dim), ExcOtherNodes());
-    Tensor<1, dim> value;
-    for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-      {
-        const unsigned int first = step.nodes.node(stencil.vertex[I]) * dim;
-        for (unsigned int d = 0; d < dim; ++d)
-          value[d] += stencil.shape[I] * field.local_element(first + d);
-      }
-    return value;
-  }
-
-
-
-  template <int dim>
-  std::pair<Tensor<1, dim>, Tensor<1, dim>>
-  InertiaTerm<dim>::point(const StepContext<dim>                   &step,
-                          const typename PointArrays<dim>::Stencil &stencil,
-                          const Tensor<1, dim> &old_velocity) const
-  {
-    Tensor<1, dim> v = kept_part * old_velocity, a;
-    for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-      {
-        const double       N     = stencil.shape[I];
-        const unsigned int first = step.nodes.node(stencil.vertex[I]) * dim;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            v[d] += N * at_end.velocity.local_element(first + d);
-            if (kept_part > 0)
-              v[d] -= N * kept_part * start.projected.local_element(first + d);
-            a[d] += N * at_end.acceleration.local_element(first + d);
-          }
-      }
-    return {v, a};
+    at_end.find(
+      step, start, scheme(), step_size(step), unknowns, excess_of_mean);
   }
 
 
 
   template <int dim>
   double
-  InertiaTerm<dim>::move_point(
-    const StepContext<dim>                   &step,
-    const typename PointArrays<dim>::Stencil &stencil,
-    const unsigned int                        q,
-    const PointLayout                        &layout,
-    const ArrayView<double>                  &properties) const
+  InertiaTerm<dim>::error_of_step(const StepContext<dim> &step,
+                                  const NodalField       &unknowns) const
   {
     if (!is_active())
       return 0;
-    const auto motion = point(step, stencil, step.points.velocity[q]);
-    for (unsigned int a = 0; a < dim; ++a)
-      {
-        properties[layout.velocity + a]     = motion.first[a];
-        properties[layout.acceleration + a] = motion.second[a];
-      }
-    if (layout.with_excess)
-      {
-        const Tensor<1, dim> excess = interpolate(step, stencil, at_end.excess);
-        for (unsigned int a = 0; a < dim; ++a)
-          properties[layout.excess + a] = excess[a];
-      }
-    return properties[layout.mass] / 2 * motion.first.norm_square();
+    const double dt     = step.step_size();
+    const double factor = integrator->smooth_start(dt).velocity_per_jerk;
+    // all schemes that are stable at any size of step have at least 1/12
+    AssertThrow(std::abs(factor) > 1e-3 * dt * dt,
+                ExcMessage("<Dynamics/Newmark beta> and <Newmark gamma> are "
+                           "such that <Time/Tolerated error> has no measure of "
+                           "the error: 1/6 - beta - (1/2 - gamma)/2 is zero. "
+                           "Choose <Dynamics/Scheme = Bossak>, or set "
+                           "<Tolerated error> to 0."));
+    return std::abs(factor) *
+           start.acceleration_change(step, unknowns, *integrator);
+  }
+
+
+
+  template <int dim>
+  double
+  InertiaTerm<dim>::work_of_jump(const StepContext<dim>    &step,
+                                 const MaterialPoints<dim> &points,
+                                 const LoadStepping        &time) const
+  {
+    const bool is_first = time.step == 0;
+    if (!is_active() || !(is_first ? starts_with_impulse : time.starts_anew))
+      return 0;
+    const double energy = start.kinetic_energy(step);
+    double       before = 0;
+    if (is_first)
+      for (unsigned int q = 0; q < step.points.mass.size(); ++q)
+        before +=
+          step.points.mass[q] / 2 * step.points.velocity[q].norm_square();
+    else
+      for (const auto &particle : points.handler())
+        for (unsigned int d = 0; d < dim; ++d)
+          before +=
+            particle.get_properties()[points.layout().mass] / 2 *
+            std::pow(particle.get_properties()[points.layout().velocity + d],
+                     2);
+    return energy - before;
   }
 
 
@@ -399,11 +353,8 @@ namespace isochor
       for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
            ++q)
         {
-          const Tensor<1, dim> a =
-            point(step,
-                  points.stencil(step.grid.geometry(), k, q),
-                  points.velocity[q])
-              .second;
+          const auto stencil     = points.stencil(step.grid.geometry(), k, q);
+          const Tensor<1, dim> a = at_end.acceleration_at(step, stencil);
           points.acceleration[q] += sign / 2 * a;
           if (trial.with_velocity)
             points.velocity[q] += sign * trial.size / 4 * a;

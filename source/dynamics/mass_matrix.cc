@@ -6,6 +6,7 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
+#include <isochor/dynamics/field_followers.h>
 #include <isochor/dynamics/mass_matrix.h>
 #include <isochor/equations/invariants.h>
 
@@ -50,7 +51,6 @@ namespace isochor
         }
     lumped.compress(VectorOperation::add);
     diagonal.compress(VectorOperation::add);
-    domain_inertia.clear();
   }
 
 
@@ -59,29 +59,9 @@ namespace isochor
   void
   MassMatrix<dim>::reinit(const StepContext<dim> &step, const bool with_domains)
   {
-    const PointArrays<dim> &points = step.points;
-    reinit(step, points.mass.values(), dim);
-    if (!with_domains)
-      return;
-    step.nodes.initialize(diagonal_of_domains, 1);
-    for (unsigned int q = 0; q < points.n_points(); ++q)
-      {
-        // of a simplex: the second moment of its corners over (d + 1) (d + 2)
-        SymmetricTensor<2, dim> C;
-        for (const Tensor<1, dim> &corner : points.domain[q])
-          {
-            const Tensor<1, dim> r = points.F[q] * corner;
-            C += symmetrize(outer_product(r, r));
-          }
-        C *= points.mass[q] / ((dim + 1) * (dim + 2));
-        domain_inertia.push_back(C);
-        const auto stencil = points.stencil(step.grid.geometry(), 0, q);
-        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-          diagonal_of_domains.local_element(
-            step.nodes.node(stencil.vertex[I])) +=
-            stencil.gradient[I] * (C * stencil.gradient[I]);
-      }
-    diagonal_of_domains.compress(VectorOperation::add);
+    reinit(step, step.points.mass.values(), dim);
+    if (with_domains)
+      domains.find(step);
   }
 
 
@@ -264,39 +244,6 @@ namespace isochor
 
   template <int dim>
   void
-  MassMatrix<dim>::add_product_of_domains(const StepContext<dim> &step,
-                                          const NodalField       &field,
-                                          NodalField             &result) const
-  {
-    const double *const x = field.begin();
-    double *const       y = result.begin();
-    for (unsigned int q = 0; q < domain_inertia.size(); ++q)
-      {
-        const auto stencil = step.points.stencil(step.grid.geometry(), 0, q);
-        Tensor<2, dim> gradient;
-        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-          {
-            const double *const nodal =
-              x + step.nodes.node(stencil.vertex[I]) * dim;
-            for (unsigned int a = 0; a < dim; ++a)
-              gradient[a] += nodal[a] * stencil.gradient[I];
-          }
-        const SymmetricTensor<2, dim> force =
-          symmetrize(Tensor<2, dim>(symmetrize(gradient)) *
-                     Tensor<2, dim>(domain_inertia[q]));
-        for (unsigned int I = 0; I < stencil.n_nodes; ++I)
-          {
-            double *const nodal = y + step.nodes.node(stencil.vertex[I]) * dim;
-            for (unsigned int a = 0; a < dim; ++a)
-              nodal[a] += (force * stencil.gradient[I])[a];
-          }
-      }
-  }
-
-
-
-  template <int dim>
-  void
   MassMatrix<dim>::vmult(const StepContext<dim> &step,
                          const NodalField       &field,
                          NodalField             &result) const
@@ -305,49 +252,6 @@ namespace isochor
     step.nodes.initialize(result, n_components);
     add_product(step, field, result);
     result.compress(VectorOperation::add);
-  }
-
-
-
-  template <int dim>
-  void
-  MassMatrix<dim>::hand_on(const StepContext<dim> &step,
-                           const Followers        &followers,
-                           NodalField             &load) const
-  {
-    AssertDimension(followers.start.size(), followers.size() + 1);
-    Assert(invariants::fits(load, step.nodes, n_components), ExcOtherNodes());
-    for (unsigned int k = 0; k < followers.size(); ++k)
-      if (const unsigned int entry = followers.entry[k];
-          entry < step.nodes.n_owned() * n_components)
-        {
-          const double value        = load.local_element(entry);
-          load.local_element(entry) = 0.;
-          for (std::size_t i = followers.start[k]; i < followers.start[k + 1];
-               ++i)
-            load.local_element(followers.master[i]) +=
-              followers.weight[i] * value;
-        }
-    load.compress(VectorOperation::add);
-  }
-
-
-
-  template <int dim>
-  void
-  MassMatrix<dim>::interpolate(const Followers           &followers,
-                               const std::vector<double> &given,
-                               NodalField                &field) const
-  {
-    Assert(given.empty() || given.size() == followers.size(),
-           ExcInternalError());
-    field.update_ghost_values();
-    for (unsigned int k = 0; k < followers.size(); ++k)
-      field.local_element(followers.entry[k]) =
-        (given.empty() ? 0. : given[k]) +
-        followers.sum(k, [&field](const unsigned int entry) {
-          return field.local_element(entry);
-        });
   }
 
 
@@ -386,13 +290,13 @@ namespace isochor
       scaled.zero_out_ghost_values();
       scaled = x;
       scaled.scale(scale);
-      mass.interpolate(followers, {}, scaled);
+      set_followers(followers, {}, scaled);
       result = 0.;
       mass.add_product(step, scaled, result);
       if (with_domains)
-        mass.add_product_of_domains(step, scaled, result);
+        mass.domains.add_product(step, scaled, result);
       result.compress(VectorOperation::add);
-      mass.hand_on(step, followers, result);
+      hand_on(followers, result);
       result.scale(scale);
     }
   };
@@ -414,8 +318,7 @@ namespace isochor
     for (unsigned int i = 0; i < n; ++i)
       scale.local_element(i) =
         diagonal.local_element(i / n_components) +
-        (with_domains ? diagonal_of_domains.local_element(i / n_components) :
-                        0.);
+        (with_domains ? domains.diagonal.local_element(i / n_components) : 0.);
     for (unsigned int k = 0; k < followers.size(); ++k)
       if (const unsigned int entry = followers.entry[k]; entry < n)
         {
@@ -453,17 +356,17 @@ namespace isochor
            ExcOtherNodes());
     NodalField scale, residual, correction;
     scale_diagonal(step, held, followers, with_domains, scale, solution);
-    interpolate(followers, given, solution);
+    set_followers(followers, given, solution);
     step.nodes.initialize(residual, n_components);
     add_product(step, solution, residual);
     if (with_domains)
-      add_product_of_domains(step, solution, residual);
+      domains.add_product(step, solution, residual);
     residual.compress(VectorOperation::add);
     residual.sadd(-1., 1., load);
-    hand_on(step, followers, residual);
+    hand_on(followers, residual);
     residual.scale(scale);
     correction = load;
-    hand_on(step, followers, correction);
+    hand_on(followers, correction);
     correction.scale(scale);
     const double size = correction.l2_norm();
     correction        = 0.;
@@ -486,7 +389,7 @@ namespace isochor
     correction.scale(scale);
     solution.zero_out_ghost_values();
     solution += correction;
-    interpolate(followers, given, solution);
+    set_followers(followers, given, solution);
     return control.last_value() / goal;
   }
 

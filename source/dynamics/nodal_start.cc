@@ -2,6 +2,7 @@
  * Isochor: implicit, stabilised mixed Material Point Method on deal.II.
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
+#include <isochor/base/mpi_sums.h>
 #include <isochor/dynamics/field_followers.h>
 #include <isochor/dynamics/nodal_start.h>
 #include <isochor/dynamics/unfelt_pressure.h>
@@ -9,6 +10,7 @@
 #include <isochor/grid/prescribed_motion.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace isochor
@@ -336,6 +338,84 @@ namespace isochor
 
 
 
+  template <int dim>
+  double
+  NodalStart<dim>::acceleration_change(const StepContext<dim> &step,
+                                       const NodalField       &unknowns,
+                                       const TimeIntegrator   &scheme) const
+  {
+    std::array<double, 2> sums{}; // of the squares, and of the mass
+    for (unsigned int node = 0; node < step.nodes.n_owned(); ++node)
+      {
+        const double m = std::max(mass.lumped.local_element(node), 0.);
+        sums[1] += m;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const unsigned int i = node * dim + d;
+            if (held[i]) // it is where it shall be
+              continue;
+            const double a_n = acceleration.local_element(i);
+            const double a =
+              scheme.acceleration(unknowns.local_element(
+                                    node * step.n_components + d),
+                                  velocity.local_element(i),
+                                  a_n,
+                                  step.step_size());
+            sums[0] += m * (a - a_n) * (a - a_n);
+          }
+      }
+    sum_over_ranks(sums, step.grid.communicator());
+    return sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0.;
+  }
+
+
+
+  template <int dim>
+  double
+  NodalStart<dim>::kinetic_energy(const StepContext<dim> &step) const
+  {
+    const PointArrays<dim> &points = step.points;
+    double                  energy = 0;
+    for (unsigned int k = 0; k < points.cell.size(); ++k)
+      for (unsigned int q = points.cell_start[k]; q < points.cell_start[k + 1];
+           ++q)
+        energy += points.mass[q] / 2 *
+                  interpolate(step,
+                              points.stencil(step.grid.geometry(), k, q),
+                              velocity)
+                    .norm_square();
+    return energy;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  interpolate(const StepContext<dim>                   &step,
+              const typename PointArrays<dim>::Stencil &stencil,
+              const NodalField                         &field)
+  {
+    Assert(invariants::fits(field, step.nodes, dim), ExcOtherNodes());
+    Tensor<1, dim> value;
+    for (unsigned int I = 0; I < stencil.n_nodes; ++I)
+      {
+        const unsigned int first = step.nodes.node(stencil.vertex[I]) * dim;
+        for (unsigned int d = 0; d < dim; ++d)
+          value[d] += stencil.shape[I] * field.local_element(first + d);
+      }
+    return value;
+  }
+
+
+
+  template Tensor<1, 2>
+  interpolate(const StepContext<2> &,
+              const PointArrays<2>::Stencil &,
+              const NodalField &);
+  template Tensor<1, 3>
+  interpolate(const StepContext<3> &,
+              const PointArrays<3>::Stencil &,
+              const NodalField &);
   template class NodalStart<2>;
   template class NodalStart<3>;
 } // namespace isochor

@@ -5,6 +5,7 @@
 #ifndef isochor_field_followers_h
 #define isochor_field_followers_h
 
+#include <isochor/equations/active_nodes.h>
 #include <isochor/equations/nodal_constraints.h>
 
 namespace isochor
@@ -18,6 +19,17 @@ namespace isochor
   template <int dim>
   Followers
   pressure_followers(const NodalConstraints &constraints);
+
+  /** Move what acts on the followers of a field to those they follow.
+   * Collective. */
+  void
+  hand_on(const Followers &followers, NodalField &load);
+  /** Update the ghosts of @p field, and set followers to what they follow plus
+   * what is @p given, by follower; empty: nothing. Collective. */
+  void
+  set_followers(const Followers           &followers,
+                const std::vector<double> &given,
+                NodalField                &field);
 } // namespace isochor
 
 #endif

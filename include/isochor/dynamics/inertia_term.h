@@ -5,7 +5,7 @@
 #ifndef isochor_inertia_term_h
 #define isochor_inertia_term_h
 
-#include <isochor/dynamics/nodal_start.h>
+#include <isochor/dynamics/nodal_end.h>
 
 #include <memory>
 
@@ -170,8 +170,8 @@ namespace isochor
              const bool              with_matrix,
              MixedSystem<dim>       &system) override;
 
-    /** The step has converged: compute what point() needs. The velocity follows
-     * from the means that the equations have of forces,
+    /** The step has converged: compute what move_point() needs. The velocity
+     * follows from the means that the equations have of forces,
      * StepContext::end_weight; the acceleration, which the next step starts
      * with or takes its excess from, is that of the forces at the end: @p
      * force_of_mean is what the residual changes by with these, or empty if
@@ -214,13 +214,12 @@ namespace isochor
                const typename PointArrays<dim>::Stencil &stencil,
                const unsigned int                        q,
                const PointLayout                        &layout,
-               const ArrayView<double>                  &properties) const;
-
-    /** Velocity and acceleration of a point at the end of the step. */
-    std::pair<Tensor<1, dim>, Tensor<1, dim>>
-    point(const StepContext<dim>                   &step,
-          const typename PointArrays<dim>::Stencil &stencil,
-          const Tensor<1, dim>                     &old_velocity) const;
+               const ArrayView<double>                  &properties) const
+    {
+      return is_active() ?
+               at_end.move_point(step, stencil, q, layout, properties) :
+               0.;
+    }
 
     /** Velocity (m/s) of the body at t = 0, formulas in x, y(, z). */
     std::string initial_velocity;
@@ -259,27 +258,15 @@ namespace isochor
       return *integrator;
     }
 
-    /** Σ N_I f_I of a point, of a @p field with dim components per node. */
-    static Tensor<1, dim>
-    interpolate(const StepContext<dim>                   &step,
-                const typename PointArrays<dim>::Stencil &stencil,
-                const NodalField                         &field);
-
     std::unique_ptr<TimeIntegrator> integrator;
     const NewmarkFamily             trial_integrator{0.5, 1., 0.};
     TrialStep                       trial{};
-    double                          kept_part     = 0; ///< η
     bool                            from_stresses = false;
     /** Whether the last trial has changed the velocities. */
     bool starts_with_impulse = false;
 
     NodalStart<dim> start;
-    /** The same at its end, after finish_step(), and what the acceleration
-     * exceeds that of the forces by. With dim components per node. */
-    struct
-    {
-      NodalField velocity, acceleration, excess;
-    } at_end;
+    NodalEnd<dim>   at_end;
     /** What assemble() works with. */
     struct
     {

@@ -5,7 +5,7 @@
 #ifndef isochor_mass_matrix_h
 #define isochor_mass_matrix_h
 
-#include <isochor/equations/equation_term.h>
+#include <isochor/dynamics/domain_inertia.h>
 
 #include <vector>
 
@@ -90,15 +90,11 @@ namespace isochor
      * on them acts there. @p solution is where the iteration starts; its ghosts
      * are updated at the end. Nodes without mass get zero. Collective.
      *
-     * @p with_domains solves M + B instead, with the inertia against stretching
-     * of the points' domains,
-     *   v·B w = Σ_p D_p(v) : (C_p D_p(w)),   C_p = ∫ ρ (x - x_p) ⊗ (x - x_p)
-     * dv, D_p the symmetric part of Σ_I v_I ⊗ ∇N_pI. M has rank one for each
-     * point and component, and is singular where fewer points than nodes are; M
-     * + B, the mass of fields that are linear on the domains but for their
-     * spin, isn't. For loads that are not of the form Σ m_p N_I f_p, and can be
-     * anything in the directions that M can't see. B exerts neither force nor
-     * torque: linear and angular momentum are those of M.
+     * @p with_domains solves M + B instead, B of DomainInertia. M has rank one
+     * for each point and component, and is singular where fewer points than
+     * nodes are; M + B, the mass of fields that are linear on the domains but
+     * for their spin, isn't. For loads that are not of the form Σ m_p N_I f_p,
+     * and can be anything in the directions that M can't see.
      * @return the residual relative to the load, in the norm of the diagonal;
      * infinity, and @p solution as it was, if the iteration breaks down.
      */
@@ -153,23 +149,6 @@ namespace isochor
     collect_components(const StepContext<dim> &step,
                        const Field            &field,
                        NodalField             &result) const;
-    /** The same with B. */
-    void
-    add_product_of_domains(const StepContext<dim> &step,
-                           const NodalField       &field,
-                           NodalField             &result) const;
-
-    /** Move what acts on followers to those they follow. Collective. */
-    void
-    hand_on(const StepContext<dim> &step,
-            const Followers        &followers,
-            NodalField             &load) const;
-    /** Update ghosts, and set followers by those they follow. Collective. */
-    void
-    interpolate(const Followers           &followers,
-                const std::vector<double> &given,
-                NodalField                &field) const;
-
     static constexpr unsigned int n_entries = (dim + 1) * (dim + 2) / 2;
 
     /** By point, m_p. */
@@ -178,10 +157,8 @@ namespace isochor
     unsigned int n_components = dim;
     /** M_IJ, J <= I, of the cells; empty if points have stencils. */
     std::vector<std::array<double, n_entries>> cell_mass;
-    /** M_II, and G·C G that bounds B_II, by node. */
-    NodalField diagonal, diagonal_of_domains;
-    /** C_p by point (kg m^2). */
-    std::vector<SymmetricTensor<2, dim>> domain_inertia;
+    NodalField                                 diagonal; ///< M_II, by node
+    DomainInertia<dim>                         domains;
   };
 } // namespace isochor
 

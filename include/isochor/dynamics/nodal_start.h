@@ -70,6 +70,18 @@ namespace isochor
                const NodalField       &load,
                NodalField             &acceleration);
 
+    /** The root mean square over the mass of the body of a_{n+1} - a_n (m/s²)
+     * where it isn't held, by @p scheme with the nodal @p unknowns. Collective.
+     */
+    double
+    acceleration_change(const StepContext<dim> &step,
+                        const NodalField       &unknowns,
+                        const TimeIntegrator   &scheme) const;
+
+    /** With the velocities of the nodes (J), this rank's part. */
+    double
+    kinetic_energy(const StepContext<dim> &step) const;
+
     MassMatrix<dim> mass;
     /** Both with dim components per node. */
     NodalField velocity, acceleration;
@@ -138,6 +150,13 @@ namespace isochor
     /** What is given to them by prescribed motions, see MassMatrix::solve(). */
     std::vector<double> given_velocity, given_acceleration;
   };
+
+  /** Σ N_I f_I of a point, of a @p field with dim components per node. */
+  template <int dim>
+  Tensor<1, dim>
+  interpolate(const StepContext<dim>                   &step,
+              const typename PointArrays<dim>::Stencil &stencil,
+              const NodalField                         &field);
 } // namespace isochor
 
 #endif
