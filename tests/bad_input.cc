@@ -125,6 +125,11 @@ test_names_given_twice(const std::string &loads)
              {"<" + loads + "/Rigid sides> is gone",
               "subsection Rigid body: ",
               "subsection Interaction: "});
+  test_scene("a rigid body that nothing meets",
+             scene("subsection Rigid body: ball\nset Shape = circle\nset "
+                   "Centre = 0.5, 2\nset Radius = 0.4\nend\n"),
+             1,
+             {"<Rigid body: ball>", "that nothing meets"});
   std::ofstream("groups.msh") << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
                                  "$PhysicalNames\n2\n1 1 \"base\"\n1 2 "
                                  "\"base\"\n$EndPhysicalNames\n$Nodes\n3\n"

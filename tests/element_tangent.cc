@@ -32,7 +32,7 @@ test_materials(const std::vector<std::pair<std::string, std::string>> &laws,
     test_matrix<dim, dim>(label, kernel, n_tested);
   for (const double alpha : {0., 1.7})
     {
-      kernel.ppp_coefficient = alpha;
+      kernel.stabilisation.coefficient = alpha;
       set_weight(kernel);
       test_matrix<dim, dim + 1>(label + (alpha > 0 ? ", PPP" : ""),
                                 kernel,
@@ -52,7 +52,7 @@ test_potential()
   test::Random     random;
   test::WorstError error;
   MixedKernel<dim> kernel;
-  kernel.ppp_coefficient = 1.3;
+  kernel.stabilisation.coefficient = 1.3;
   kernel.materials.push_back(test::make_material<dim>("Neo-Hookean"));
   const double G = kernel.materials[0]->shear_modulus();
   set_weight(kernel);
@@ -88,12 +88,13 @@ test_potential()
           {
             const double d =
               e.element.pressure[I] +
-              kernel.materials[0]->density() * kernel.hydrostatic_acceleration *
+              kernel.materials[0]->density() *
+                kernel.stabilisation.hydrostatic_acceleration *
                 Tensor<1, dim>(e.corners[I] + e.element.increment[I]);
             mean += d / (dim + 1);
             squares += d * d;
           }
-        return energy - kernel.ppp_coefficient * V / (2 * G) *
+        return energy - kernel.stabilisation.coefficient * V / (2 * G) *
                           (squares - (dim + 1) * mean * mean) /
                           ((dim + 1) * (dim + 2));
       };

@@ -176,6 +176,48 @@ namespace
                  test::relative(load[i], 5 * test::recorded().times[i] * 0.4));
     test::check_error("load on faces at the border of a region", error, 1e-10);
   }
+
+  /** A block is pressed on a wider one that it meets on its way: a run that is
+   * resumed after they have met goes on as if not. In statics so does one that
+   * knows a plate far away. */
+  void
+  test_met(const std::string &name,
+           const std::string &settings,
+           const double       tolerance)
+  {
+    const std::string scene =
+      "Quadrature/Type = CPDI\nGrid/Lower corner = -0.5, 0\n"
+      "Grid/Upper corner = 2, 1.5\n"
+      "Grid/Subdivisions = 25, 15\nMaterial points/Region = (x > 0 && x < 1.5 "
+      "&& y < 0.6) || (abs(x - 0.8) < 0.25 && y > 0.65 && y < 1)\n"
+      "Material/Young modulus = 1e5\nMaterial/Density = 100\n"
+      "Boundary conditions/Displacement = bottom: x=0, y=0\n"
+      "Boundary conditions/Surfaces of body = top: y > 0.999\n"
+      "Interaction: top - place/Displacement = x=0, y=-0.5*t\n"
+      "Time/Step size = 0.02\nCheckpoint/Interval = 2\n" +
+      settings;
+    const auto force = [&](const std::string &others) {
+      return test::get(*test::run_scene<2>(scene + others),
+                       "Force y on body 1 by body 2 (N)");
+    };
+    const double whole = force("Time/End time = 0.24\n");
+    test::check("blocks meet, " + name, whole < -500, std::to_string(whole));
+    force("Time/End time = 0.2\n");
+    test::check_error(
+      "blocks that have met, resumed, " + name,
+      test::relative(force("Time/End time = 0.24\nCheckpoint/Resume = true\n"),
+                     whole),
+      tolerance);
+    if (settings.empty())
+      test::check_error(
+        "blocks that have met, a plate below them",
+        test::relative(
+          force("Time/End time = 0.24\nRigid body: plate/Shape = half plane\n"
+                "Rigid body: plate/Point = 0, -3\n"
+                "Interaction: body 1 - plate/Law = unilateral\n"),
+          whole),
+        1e-9);
+  }
 } // namespace
 
 int
@@ -201,5 +243,7 @@ main(int argc, char **argv)
                     test::relative(force_on_disc(50), force_on_disc(100)),
                     0.005);
   test_border();
+  test_met("statics", "", 1e-13);
+  test_met("dynamics", "Dynamics/Inertia = true\n", 1e-10);
   return 0;
 }

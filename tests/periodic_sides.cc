@@ -131,24 +131,57 @@ test_shift()
     }
 }
 
+/** Two layers, sheared: what meets across the sides, another material or the
+ * same one that is not connected otherwise, is one body. */
 void
-test_mismatch()
+test_layers()
+{
+  const std::string pairs = cell<2>("left: right; bottom: top, x = 1e-4*t");
+  const std::string layers =
+    pairs +
+    "Quadrature/Type = CPDI\nGrid/Subdivisions = 4, 8\nMaterial points/Materials in zones = 2: "
+    "y > 0.5\nMaterial 2/Young modulus = 3e3\n";
+  const double G = 3e4 / 2.6;
+  test::check_error(
+    "layers",
+    std::abs(force(*test::run_scene<2>(layers), "x", "bottom and top") /
+               (1e-4 * 2 / (1 / G + 10 / G)) -
+             1),
+    1e-6);
+  const auto weight = [](const std::string &settings) {
+    return test::get(
+      *test::run_scene<2>(
+        "Quadrature/Type = CPDI\nGrid/Subdivisions = 8, 8\n"
+        "Boundary conditions/Periodic sides = left: "
+        "right\nBoundary conditions/Displacement = bottom: x=0, y=0\n"
+        "Boundary conditions/Gravity = 1*t, 0\nPostprocess/Point probes = a: "
+        "0.2, 0.999\nMaterial/Young modulus = 3e4\n"
+        "Material 2/Young modulus = 3e4\n" +
+        settings),
+      "Displacement x of a (m)");
+  };
+  test::check_error("zones of one modulus, sheared by their weight",
+                    test::relative(weight("Material points/Materials in zones "
+                                          "= 2: x > 0.25 && x < 0.75\n"),
+                                   weight("")),
+                    2e-3); // a tie is not the same as common nodes
+}
+
+void
+test_error(const std::string &name,
+           const std::string &settings,
+           const std::string &text)
 {
   std::string message;
   try
     {
-      test::run_scene<2>("Grid/Subdivisions = 4, 3\nBoundary "
-                         "conditions/Periodic sides = left: top\n");
+      test::run_scene<2>(settings);
     }
   catch (const std::exception &exc)
     {
       message = test::one_line(exc.what());
     }
-  test::check("sides that don't match",
-              message.find("the sides <left> and <top> of <Boundary "
-                           "conditions/Periodic sides> don't match") !=
-                std::string::npos,
-              message);
+  test::check(name, message.find(text) != std::string::npos, message);
 }
 
 int
@@ -158,6 +191,17 @@ main(int argc, char **argv)
   test_shear();
   test_tension();
   test_shift();
-  test_mismatch();
+  test_layers();
+  test_error("sides that don't match",
+             "Grid/Subdivisions = 4, 3\nBoundary conditions/Periodic sides = "
+             "left: top\n",
+             "the sides <left> and <top> of <Boundary conditions/Periodic "
+             "sides> don't match");
+  test_error(
+    "bodies that meet across sides",
+    cell<2>("left: right") +
+      "Quadrature/Type = CPDI\nMaterial points/Bodies = a: x < 0.5; b: x > 0.5\n",
+    "The bodies <b> and <a> meet across <Boundary conditions/Periodic "
+    "sides>");
   return 0;
 }

@@ -179,7 +179,8 @@ struct RandomElement
         kernel.evaluate(
           element, points, 0, points.weight.size(), shape, with_matrix);
     if constexpr (mixed)
-      kernel.add_pressure_projection(element, compliance, corners, with_matrix);
+      kernel.stabilisation.add_projection(
+        element, compliance, corners, with_matrix, kernel.upper_blocks_only);
     return status;
   }
 
@@ -282,7 +283,7 @@ set_weight(MixedKernel<dim> &kernel)
 {
   const MaterialModel<dim> &material = *kernel.materials[0];
   for (unsigned int a = 0; a < dim; ++a)
-    kernel.hydrostatic_acceleration[a] =
+    kernel.stabilisation.hydrostatic_acceleration[a] =
       (0.4 - 0.3 * a) * material.shear_modulus() / material.density();
 }
 

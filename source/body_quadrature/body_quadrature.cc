@@ -114,9 +114,9 @@ namespace isochor
         add_stencils(grid.shape_functions(), points);
       }
     start_step(points, locator, kernel, with_occupancy, occupancy);
-    if (kernel.has_orthogonal_subscales ?
+    if (kernel.stabilisation.has_orthogonal_subscales ?
           !is_linear_on_domains() :
-          by_functions && kernel.ppp_coefficient > 0)
+          by_functions && kernel.stabilisation.coefficient > 0)
       stabilise_elements(grid, kernel, points);
   }
 

@@ -44,7 +44,8 @@ namespace isochor
         "is the displacement (m) of second minus that of first since t = 0, a "
         "formula in t; what is not named is 0. With 'force x = formula' (N, on "
         "second, the opposite on first) the jump is free and has this force. "
-        "Pressures are periodic, too. Force and jump go into the statistics; "
+        "Pressures are periodic, too. What meets across a pair is one body, and "
+        "has one field. Force and jump go into the statistics; "
         "the force is without what nodes carry that <Displacement> or <Walls> "
         "hold, which override at common nodes: add the reaction "
         "there. "
@@ -92,10 +93,16 @@ namespace isochor
     void
     initialize(const BackgroundGrid<dim> &grid) override
     {
+      vertices.initialize(grid, periodic_sides(), parameter());
+    }
+
+    std::vector<std::pair<std::string, std::string>>
+    periodic_sides() const override
+    {
       std::vector<std::pair<std::string, std::string>> names;
       for (const Pair &pair : pairs)
         names.emplace_back(pair.first, pair.second);
-      vertices.initialize(grid, names, parameter());
+      return names;
     }
 
     std::vector<unsigned int>

@@ -46,6 +46,25 @@ namespace isochor
 
 
   template <int dim>
+  Tensor<1, dim>
+  period_between(const BackgroundGrid<dim> &grid,
+                 const std::string         &first,
+                 const std::string         &second,
+                 const std::string         &parameter)
+  {
+    const auto mean = [&](const std::string &boundary) {
+      const auto     on = vertices_on(grid, boundary, parameter, 0);
+      Tensor<1, dim> sum;
+      for (const unsigned int v : on)
+        sum += grid.geometry().vertices()[v] / double(on.size());
+      return sum;
+    };
+    return mean(second) - mean(first);
+  }
+
+
+
+  template <int dim>
   std::map<unsigned int, unsigned int>
   PeriodicVertices<dim>::match(const BackgroundGrid<dim> &grid,
                                const std::string         &first,
@@ -277,6 +296,16 @@ namespace isochor
 
 
 
+  template Tensor<1, 2>
+  period_between(const BackgroundGrid<2> &,
+                 const std::string &,
+                 const std::string &,
+                 const std::string &);
+  template Tensor<1, 3>
+  period_between(const BackgroundGrid<3> &,
+                 const std::string &,
+                 const std::string &,
+                 const std::string &);
   template class PeriodicVertices<2>;
   template class PeriodicVertices<3>;
 } // namespace isochor

@@ -49,10 +49,9 @@ namespace isochor
 
   template <int dim>
   void
-  DependentNodes<dim>::update(
-    const PointArrays<dim>                          &points,
-    const std::function<double(const unsigned int)> &support,
-    const double                                     smallest_part)
+  DependentNodes<dim>::update(const PointArrays<dim>  &points,
+                              const NodalSupport<dim> &support,
+                              const double             smallest_part)
   {
     dependent.clear();
     if (!points.has_stencils())
@@ -93,9 +92,8 @@ namespace isochor
 
   template <int dim>
   typename DependentNodes<dim>::Entries
-  DependentNodes<dim>::collect(
-    const PointArrays<dim>                          &points,
-    const std::function<double(const unsigned int)> &support) const
+  DependentNodes<dim>::collect(const PointArrays<dim>  &points,
+                               const NodalSupport<dim> &support) const
   {
     Entries                                entries;
     std::unordered_map<unsigned int, bool> at_surface;

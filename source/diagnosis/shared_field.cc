@@ -31,9 +31,8 @@ namespace isochor
                const bool              is_kept) override
     {
       const bool at_start = scene.time.step == 0;
-      // bodies with fields of their own share no nodes, only elements of
-      // contact
-      if ((!at_start && !has_several) || step.grid.n_layers() > 1)
+      // with domains Bodies has found what has a field of its own
+      if ((!at_start && !has_several) || scene.points.layout().with_domains)
         return;
       const unsigned int n_before =
         std::exchange(n_bodies, number_of_parts(step, elements));

@@ -253,20 +253,11 @@ namespace isochor
     const bool is_first = time.step == 0;
     if (!is_active() || !(is_first ? starts_with_impulse : time.starts_anew))
       return 0;
-    const double energy = start.kinetic_energy(step);
-    double       before = 0;
-    if (is_first)
-      for (unsigned int q = 0; q < step.points.mass.size(); ++q)
-        before +=
-          step.points.mass[q] / 2 * step.points.velocity[q].norm_square();
-    else
-      for (const auto &particle : points.handler())
-        for (unsigned int d = 0; d < dim; ++d)
-          before +=
-            particle.get_properties()[points.layout().mass] / 2 *
-            std::pow(particle.get_properties()[points.layout().velocity + d],
-                     2);
-    return energy - before;
+    double before = 0;
+    for (unsigned int q = 0; is_first && q < step.points.mass.size(); ++q)
+      before += step.points.mass[q] / 2 * step.points.velocity[q].norm_square();
+    return start.kinetic_energy(step) -
+           (is_first ? before : points.kinetic_energy());
   }
 
 

@@ -131,7 +131,7 @@ namespace isochor
                assemble_cells<dim>(
                  step, unknowns, pending, first_element, with_matrix, system);
 
-    if (step.mixed() && step.kernel.projects_pressures())
+    if (step.mixed() && step.kernel.stabilisation.projects_pressures())
       assemble_overlapped_cells(step,
                                 unknowns,
                                 pending,
@@ -236,10 +236,11 @@ namespace isochor
         element.residual.fill(0.);
         if (with_matrix)
           element.matrix.fill(0.);
-        step.kernel.add_pressure_projection(element,
-                                            cell.compliance,
-                                            cell.corners,
-                                            with_matrix);
+        step.kernel.stabilisation.add_projection(element,
+                                                 cell.compliance,
+                                                 cell.corners,
+                                                 with_matrix,
+                                                 step.kernel.upper_blocks_only);
         system.add_element(first_element + k,
                            element.residual.data(),
                            with_matrix ? element.matrix.data() : nullptr,
@@ -296,11 +297,12 @@ namespace isochor
         if (status != EvaluationStatus::success)
           return status;
         if constexpr (n_components == dim + 1)
-          if (kernel.projects_pressures())
-            kernel.add_pressure_projection(element,
-                                           element.compliance,
-                                           points.corners(geometry, k),
-                                           with_matrix);
+          if (kernel.stabilisation.projects_pressures())
+            kernel.stabilisation.add_projection(element,
+                                                element.compliance,
+                                                points.corners(geometry, k),
+                                                with_matrix,
+                                                kernel.upper_blocks_only);
         system.add_element(first_element + k,
                            element.residual.data(),
                            with_matrix ? element.matrix.data() : nullptr,

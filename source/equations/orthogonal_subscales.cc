@@ -30,7 +30,7 @@ namespace isochor
   void
   OrthogonalSubscales<dim>::touch_vertices(std::vector<unsigned int> &vertices)
   {
-    if (!kernel.has_orthogonal_subscales)
+    if (!kernel.stabilisation.has_orthogonal_subscales)
       return;
     find_roots();
     for (const auto &cell : cells_at_owned_nodes())
@@ -139,7 +139,8 @@ namespace isochor
           for (unsigned int J = 0; J <= dim; ++J)
             {
               const double entry =
-                kernel.projection_entry(cell->compliance, I, J) / (dim + 1);
+                kernel.stabilisation.projection_entry(cell->compliance, I, J) /
+                (dim + 1);
               const Tensor<1, dim> x_I = cell->corners[I] - cell->corners[0],
                                    x_J = cell->corners[J] - cell->corners[0];
               S[place[I] * n + place[J]] += entry;
@@ -169,7 +170,7 @@ namespace isochor
     patches.clear();
     entries.clear();
     first_entry.clear();
-    if (!kernel.has_orthogonal_subscales)
+    if (!kernel.stabilisation.has_orthogonal_subscales)
       return;
     find_roots(); // a run that is resumed touches no vertices
     const unsigned int rank =
@@ -266,7 +267,7 @@ namespace isochor
   OrthogonalSubscales<dim>::energy(const StepContext<dim> &step,
                                    const NodalField       &unknowns) const
   {
-    if (!kernel.has_orthogonal_subscales)
+    if (!kernel.stabilisation.has_orthogonal_subscales)
       return 0;
     const NodalUnknowns<dim> nodal(step, unknowns);
     std::vector<double>      volume;

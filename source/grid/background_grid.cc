@@ -244,7 +244,7 @@ namespace isochor
     ++n_meshes;
     tria->set_owners(owners);
     cached_geometry->set_owners(owners);
-    assign_owners();
+    vertex_owners = owners_of_vertices(*cached_geometry);
   }
 
 
@@ -269,17 +269,8 @@ namespace isochor
             layers_of_vertices[v] = cached_geometry->layer_of_cell(c);
       }
     functions->set_grid(*grid_source, *cached_geometry);
-    assign_owners();
-    collect_boundary();
-  }
-
-
-
-  template <int dim>
-  void
-  BackgroundGrid<dim>::assign_owners()
-  {
     vertex_owners = owners_of_vertices(*cached_geometry);
+    collect_boundary();
   }
 
 
@@ -301,24 +292,6 @@ namespace isochor
                 faces.push_back(
                   {cell->active_cell_index(), v, cell->face(f)->boundary_id()});
           }
-  }
-
-
-
-  template <int dim>
-  bool
-  BackgroundGrid<dim>::is_moving() const
-  {
-    return stretch.is_moving();
-  }
-
-
-
-  template <int dim>
-  void
-  BackgroundGrid<dim>::check_motion() const
-  {
-    stretch.check_planes(reference_vertices);
   }
 
 
@@ -371,108 +344,6 @@ namespace isochor
                                   "It has: " + known + ".")));
       }
     return found->second;
-  }
-
-
-
-  template <int dim>
-  const std::map<std::string, types::material_id> &
-  BackgroundGrid<dim>::group_ids() const
-  {
-    return groups.cells;
-  }
-
-
-
-  template <int dim>
-  std::string
-  BackgroundGrid<dim>::boundary_crossed(const unsigned int cell,
-                                        const Point<dim>  &x) const
-  {
-    AssertIndexRange(cell, cached_geometry->n_cells());
-    const SimplexGeometry<dim> &geometry = *cached_geometry;
-    const Point<dim>            start    = cell_centroid(geometry, cell);
-
-    // the first face that the line from there meets: where the barycentric
-    // coordinate of the opposite vertex vanishes and the others don't exceed 1
-    double             first = 1 + rounding::places;
-    types::boundary_id id    = numbers::invalid_boundary_id;
-    for (const BoundaryFace &face : faces)
-      {
-        const double a =
-          geometry.barycentric(face.cell, start)[face.opposite_vertex];
-        const double b =
-          geometry.barycentric(face.cell, x)[face.opposite_vertex];
-        if (!(a >= 0 && b < a))
-          continue;
-        const double s = a / (a - b);
-        const auto   lambda =
-          geometry.barycentric(face.cell, Point<dim>(start + s * (x - start)));
-        if (s<first && * std::min_element(lambda.begin(), lambda.end())> -
-            rounding::places)
-          {
-            first = s;
-            id    = face.id;
-          }
-      }
-    for (const auto &name : groups.faces)
-      if (name.second == id)
-        return name.first;
-    return "a boundary without a name";
-  }
-
-
-
-  template <int dim>
-  const std::map<std::string, types::boundary_id> &
-  BackgroundGrid<dim>::boundary_names() const
-  {
-    return groups.faces;
-  }
-
-
-
-  template <int dim>
-  const std::vector<BoundaryFace> &
-  BackgroundGrid<dim>::boundary_faces() const
-  {
-    return faces;
-  }
-
-
-
-  template <int dim>
-  const parallel::shared::Triangulation<dim> &
-  BackgroundGrid<dim>::triangulation() const
-  {
-    return *tria;
-  }
-
-
-
-  template <int dim>
-  const SimplexGeometry<dim> &
-  BackgroundGrid<dim>::geometry() const
-  {
-    return *cached_geometry;
-  }
-
-
-
-  template <int dim>
-  const Mapping<dim> &
-  BackgroundGrid<dim>::mapping() const
-  {
-    return p1_mapping;
-  }
-
-
-
-  template <int dim>
-  MPI_Comm
-  BackgroundGrid<dim>::communicator() const
-  {
-    return comm;
   }
 
 

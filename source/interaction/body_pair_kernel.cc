@@ -12,6 +12,29 @@
 namespace isochor
 {
   template <int dim>
+  void
+  PairElement<dim>::number_vertices(const std::vector<FaceCopy<dim>> &copies)
+  {
+    of_other.clear();
+    vertices = copies[own].vertex;
+    for (const unsigned int i : others)
+      {
+        std::vector<unsigned int> places;
+        for (const unsigned int vertex : copies[i].vertex)
+          {
+            const auto found =
+              std::find(vertices.begin(), vertices.end(), vertex);
+            places.push_back(found - vertices.begin());
+            if (found == vertices.end())
+              vertices.push_back(vertex);
+          }
+        of_other.push_back(places);
+      }
+  }
+
+
+
+  template <int dim>
   Tensor<1, dim>
   increment_at(const NodalUnknowns<dim> &nodal,
                const FaceCopy<dim>      &face,
@@ -387,6 +410,8 @@ namespace isochor
 
 
 
+  template struct PairElement<2>;
+  template struct PairElement<3>;
   template class BodyPairKernel<2>;
   template class BodyPairKernel<3>;
   template Tensor<1, 2>

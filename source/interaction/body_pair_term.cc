@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace isochor
 {
@@ -120,6 +121,15 @@ namespace isochor
 
 
   template <int dim>
+  double
+  BodyPairTerm<dim>::margin_of(const FaceCopy<dim> &face) const
+  {
+    return size_of<dim>(face.x) + 2 * largest_increment;
+  }
+
+
+
+  template <int dim>
   void
   BodyPairTerm<dim>::find_elements()
   {
@@ -130,8 +140,8 @@ namespace isochor
     way_since_reset = 0;
     for (unsigned int i = 0; i < copies.size(); ++i)
       {
-        const double size   = size_of<dim>(copies[i].x),
-                     margin = size + 2 * largest_increment;
+        const double size   = size_of<dim>(copies[i].X),
+                     margin = margin_of(copies[i]);
         reach               = std::min(reach, margin / 2);
         at_start.emplace_back(box_around<dim>(copies[i].X, 1e-3 * size), i);
         now.emplace_back(box_around<dim>(copies[i].x, margin), i);
@@ -194,32 +204,9 @@ namespace isochor
                 find_tie(X, element)) &&
               !find(tree_now, x, element, is_contact))
             continue;
-          number_nodes(element);
+          element.number_vertices(copies);
           elements.push_back(element);
         }
-  }
-
-
-
-  template <int dim>
-  void
-  BodyPairTerm<dim>::number_nodes(Element &element) const
-  {
-    element.vertices = copies[element.own].vertex;
-    for (const unsigned int i : element.others)
-      {
-        std::vector<unsigned int> places;
-        for (const unsigned int vertex : copies[i].vertex)
-          {
-            const auto found = std::find(element.vertices.begin(),
-                                         element.vertices.end(),
-                                         vertex);
-            places.push_back(found - element.vertices.begin());
-            if (found == element.vertices.end())
-              element.vertices.push_back(vertex);
-          }
-        element.of_other.push_back(places);
-      }
   }
 
 
@@ -245,8 +232,11 @@ namespace isochor
   void
   BodyPairTerm<dim>::resume(const StepContext<dim> &step)
   {
+    const double              saved_reach = reach, saved_way = way_since_reset;
     std::vector<unsigned int> vertices;
     touch_vertices(vertices);
+    reach                = saved_reach;
+    way_since_reset      = saved_way;
     const auto is_active = [&](const unsigned int copy) {
       const auto &of_copy = copies[copy].vertex;
       return std::all_of(of_copy.begin(),
@@ -268,8 +258,7 @@ namespace isochor
         if (others.empty())
           continue;
         element.others = others;
-        element.of_other.clear();
-        number_nodes(element);
+        element.number_vertices(copies);
         elements.push_back(element);
       }
   }
@@ -305,20 +294,25 @@ namespace isochor
     step.nodes.initialize(rest, step.n_components);
     rest.update_ghost_values();
     BodyPairKernel<dim> kernel = kernel_at(start, rest);
+    // of what is so near the elements have all faces, whenever they were found
+    double near = std::numeric_limits<double>::max();
+    for (const FaceCopy<dim> &copy : copies)
+      near = std::min(near, margin_of(copy) / 2);
     for (Element &element : elements)
       {
-        element.touches    = -1; // as long as it is looked for
-        element.is_farther = false;
+        element.touches = -1; // as long as it is looked for
         if (!element.is_tied)
           element.touches = kernel.touched(element);
-        if (others == nullptr)
-          continue;
-        const unsigned int f = element.own - first_own;
-        if (element.is_tied ||
-            kernel.gap(element) <= others->in_contact().gap(f, element.gauss_point))
-          others->in_contact().set_nearer_body(f, element.gauss_point);
-        else
-          element.is_farther = true;
+        const unsigned int f   = element.own - first_own;
+        const double       gap = element.is_tied ?
+                                   std::numeric_limits<double>::lowest() :
+                                   kernel.gap(element);
+        element.is_farther =
+          gap > near ||
+          (others != nullptr &&
+           gap > others->in_contact().gap(f, element.gauss_point));
+        if (others != nullptr && !element.is_farther)
+          others->in_contact().set_farther(f, element.gauss_point);
       }
   }
 
@@ -477,6 +471,19 @@ namespace isochor
         increment_at(nodal, copies[first_own + f], Tensor<1, dim>()).norm());
     largest_increment = Utilities::MPI::max(largest, step.grid.communicator());
     way_since_reset += 2 * largest_increment;
+  }
+
+
+
+  template <int dim>
+  std::string
+  BodyPairTerm<dim>::save_state() const
+  {
+    std::ostringstream state;
+    state.precision(std::numeric_limits<double>::max_digits10);
+    state << largest_increment << ' ' << reach << ' ' << way_since_reset << '\n'
+          << memory.save(grid->communicator());
+    return state.str();
   }
 
 

@@ -177,7 +177,7 @@ namespace isochor
               &face.start[place.g * face.partners.size() + acting.partner] :
               nullptr,
             step.end_weight,
-            face.body_is_nearer[place.g] || !acting.is_alone};
+            face.is_farther[place.g] || !acting.is_alone};
   }
 
 

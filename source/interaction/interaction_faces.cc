@@ -52,12 +52,17 @@ namespace isochor
   InteractionFaces<dim>::look_at_partners(const StepContext<dim> &step,
                                           InteractionFace<dim>   &face) const
   {
+    const auto &corners = in_surface(face).corners;
+    double      size    = 0;
+    for (unsigned int c = 1; c < dim; ++c)
+      size = std::max(
+        size,
+        (step.points.F[in_surface(face).q] * (corners[c] - corners[0])).norm());
     for (unsigned int g = 0; g < BodySurface<dim>::n_gauss; ++g)
       {
         const auto start = BodySurface<dim>::place(step, in_surface(face), g);
         face.facing[g].assign(face.partners.size(), 1.);
-        face.gap[g]            = std::numeric_limits<double>::max();
-        face.body_is_nearer[g] = false;
+        face.gap[g] = std::numeric_limits<double>::max();
         for (unsigned int i = 0; i < face.partners.size(); ++i)
           {
             const Interaction<dim> &one = *interactions[face.partners[i]];
@@ -72,6 +77,8 @@ namespace isochor
             if (face.facing[g][i] > 0)
               face.gap[g] = std::min(face.gap[g], place.normal_gap);
           }
+        // in dynamics a term that comes and goes would change the energy
+        face.is_farther[g] = !step.has_inertia && face.gap[g] > size / 2;
       }
   }
 
@@ -105,11 +112,10 @@ namespace isochor
 
   template <int dim>
   void
-  InteractionFaces<dim>::set_nearer_body(const unsigned int f,
-                                         const unsigned int g)
+  InteractionFaces<dim>::set_farther(const unsigned int f, const unsigned int g)
   {
     if (const auto face = find_face(f))
-      faces[face - faces.data()].body_is_nearer[g] = true;
+      faces[face - faces.data()].is_farther[g] = true;
   }
 
 

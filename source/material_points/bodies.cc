@@ -5,6 +5,7 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <isochor/base/disjoint_sets.h>
 #include <isochor/base/expression.h>
 #include <isochor/grid/simplex_coordinates.h>
 #include <isochor/material_points/bodies.h>
@@ -33,6 +34,13 @@ namespace isochor
       const auto lambda =
         simplex_coordinates<dim>(seed.domain, x - seed.location);
       return *std::min_element(lambda.begin(), lambda.end());
+    }
+
+    template <int dim>
+    bool
+    has_domain(const Seed<dim> &seed)
+    {
+      return seed.domain[0].norm_square() > 0;
     }
 
     template <int dim>
@@ -151,6 +159,15 @@ namespace isochor
                              "> names the body <" + zone.first +
                              ">, but it has no material point: its condition "
                              "holds at none, or later ones do."));
+    if (!seeds.empty() && has_domain(seeds[0]))
+      for (const auto &[s, t] : pairs_across(seeds, periods))
+        AssertThrow(names[s] == names[t],
+                    ExcMessage("The bodies <" + names[s] + "> and <" +
+                               names[t] +
+                               "> meet across <Boundary conditions/Periodic "
+                               "sides>, where there is one field only: name "
+                               "them as one in <" +
+                               std::string(parameter_name) + ">."));
     return names;
   }
 
@@ -237,25 +254,33 @@ namespace isochor
 
   template <int dim>
   std::vector<std::string>
-  Bodies<dim>::names_by_parts(const std::vector<Seed<dim>> &seeds)
+  Bodies<dim>::names_by_parts(const std::vector<Seed<dim>> &seeds) const
   {
     std::vector<unsigned int>   component_of_seed;
     std::vector<Component<dim>> components =
       find_components(seeds, component_of_seed);
     colour_components(seeds, components);
-    std::map<std::array<unsigned int, 3>, std::string> known;
-    std::vector<std::string>                           names;
+    std::map<std::array<unsigned int, 3>, unsigned int> known;
+    std::vector<unsigned int>                           body_of_component;
+    for (const Component<dim> &c : components)
+      body_of_component.push_back(
+        known
+          .emplace(std::array<unsigned int, 3>{{c.part, c.material, c.colour}},
+                   known.size())
+          .first->second);
+    DisjointSets bodies(known.size());
+    for (const auto &[s, t] : pairs_across(seeds, periods))
+      bodies.merge(body_of_component[component_of_seed[s]],
+                   body_of_component[component_of_seed[t]]);
+    std::map<unsigned int, std::string> name_of_body;
+    std::vector<std::string>            names;
     names.reserve(seeds.size());
     for (unsigned int s = 0; s < seeds.size(); ++s)
-      {
-        const Component<dim> &c = components[component_of_seed[s]];
-        names.push_back(known
-                          .emplace(std::array<unsigned int, 3>{{c.part,
-                                                                c.material,
-                                                                c.colour}},
-                                   "body " + std::to_string(known.size() + 1))
-                          .first->second);
-      }
+      names.push_back(
+        name_of_body
+          .emplace(bodies.root(body_of_component[component_of_seed[s]]),
+                   "body " + std::to_string(name_of_body.size() + 1))
+          .first->second);
     return names;
   }
 
@@ -266,9 +291,8 @@ namespace isochor
   Bodies<dim>::divide(const std::vector<Seed<dim>> &seeds)
   {
     tree.reset();
-    all_names = {unnamed};
-    const bool has_domains =
-      !seeds.empty() && seeds[0].domain[0].norm_square() > 0;
+    all_names              = {unnamed};
+    const bool has_domains = !seeds.empty() && has_domain(seeds[0]);
     if (parameter == one_field || (parameter == automatic && !has_domains))
       return {};
     const std::vector<std::string> names =

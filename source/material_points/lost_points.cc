@@ -4,6 +4,8 @@
  * --------------------------------------------------------------------- */
 #include <deal.II/base/mpi.h>
 
+#include <isochor/base/rounding.h>
+#include <isochor/grid/nearest_cells.h>
 #include <isochor/material_points/material_points.h>
 #include <isochor/material_points/relocation.h>
 
@@ -12,6 +14,53 @@
 
 namespace isochor
 {
+  namespace
+  {
+    /** The name of the boundary through which one leaves the grid from the
+     * centre of @p cell to @p x. */
+    template <int dim>
+    std::string
+    boundary_crossed(const BackgroundGrid<dim> &grid,
+                     const unsigned int         cell,
+                     const Point<dim>          &x)
+    {
+      AssertIndexRange(cell, grid.geometry().n_cells());
+      const SimplexGeometry<dim> &geometry = grid.geometry();
+      const Point<dim>            start    = cell_centroid(geometry, cell);
+
+      // the first face that the line from there meets: where the barycentric
+      // coordinate of the opposite vertex vanishes and the others don't exceed
+      // 1
+      double             first = 1 + rounding::places;
+      types::boundary_id id    = numbers::invalid_boundary_id;
+      for (const BoundaryFace &face : grid.boundary_faces())
+        {
+          const double a =
+            geometry.barycentric(face.cell, start)[face.opposite_vertex];
+          const double b =
+            geometry.barycentric(face.cell, x)[face.opposite_vertex];
+          if (!(a >= 0 && b < a))
+            continue;
+          const double s = a / (a - b);
+          const auto   lambda =
+            geometry.barycentric(face.cell,
+                                 Point<dim>(start + s * (x - start)));
+          if (s<first && * std::min_element(lambda.begin(), lambda.end())> -
+              rounding::places)
+            {
+              first = s;
+              id    = face.id;
+            }
+        }
+      for (const auto &name : grid.boundary_names())
+        if (name.second == id)
+          return name.first;
+      return "a boundary without a name";
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   throw_lost_points(const BackgroundGrid<dim>       &grid,
@@ -24,7 +73,7 @@ namespace isochor
     for (std::size_t i = 0; i < report.lost.size(); ++i)
       {
         const Point<dim> &x = report.lost.locations[i];
-        ++n_through[grid.boundary_crossed(report.lost.cells[i], x)];
+        ++n_through[boundary_crossed(grid, report.lost.cells[i], x)];
         std::ostringstream place;
         place << " Point " << report.lost.ids[i] << " is at (" << x << ").";
         if (i < most)

@@ -9,6 +9,7 @@
 #include <isochor/material_points/material_points.h>
 #include <isochor/material_points/outer_faces.h>
 #include <isochor/material_points/point_domain.h>
+#include <isochor/material_points/point_reader.h>
 #include <isochor/material_points/relocation.h>
 
 #include <algorithm>
@@ -255,75 +256,21 @@ namespace isochor
   void
   MaterialPoints<dim>::gather(PointArrays<dim> &arrays)
   {
-    const unsigned int n = particles->n_locally_owned_particles();
-    arrays.n_history     = point_layout.n_history;
-    arrays.cell          = order_by_cell();
-    arrays.cell_start    = cell_start;
-    arrays.deformed_cell.clear();
-    arrays.stencil_start.clear();
-    arrays.domain_corners.cells.clear();
-    arrays.volume.clear();
-    arrays.mass.clear();
-    arrays.pressure.clear();
-    arrays.F.clear();
-    arrays.shape.resize(n);
-    arrays.weight.resize(n);
-    arrays.radius.resize(point_layout.axisymmetric ? n : 0);
-    arrays.material.resize(n);
-    arrays.history.resize(n * std::size_t(point_layout.n_history));
-    arrays.shear_stress.assign(dissipates.empty() ? 0 : n, 0.);
-    arrays.velocity.resize(point_layout.dynamic ? n : 0);
-    arrays.acceleration.resize(point_layout.dynamic ? n : 0);
-    arrays.domain.resize(point_layout.with_domains ? n : 0);
-    arrays.reference.resize(point_layout.with_domains ? n : 0);
-    arrays.displacement.resize(point_layout.with_domains ? n : 0);
-    arrays.domain_corners.stretch.resize(point_layout.with_domains ? n : 0);
-    arrays.domain_corners.outer_faces.resize(point_layout.with_surface ? n : 0);
-    arrays.domain_corners.id.resize(point_layout.with_surface ? n : 0);
-
-    attach(arrays);
-    const PointLayout &l = point_layout;
+    arrays.cell       = order_by_cell();
+    arrays.cell_start = cell_start;
+    const PointReader<dim> reader{point_layout, slots, dissipates};
+    reader.resize(arrays, particles->n_locally_owned_particles());
+    reader.attach(arrays);
     for_each([&](const unsigned int k,
                  const unsigned int q,
                  const Point<dim>  &location,
                  ArrayView<double>  properties) {
-      arrays.shape[q]  = grid.geometry().barycentric(arrays.cell[k], location);
-      arrays.weight[q] = properties[l.volume];
-      arrays.material[q] = static_cast<unsigned char>(properties[l.material]);
-      read_state(q, location, properties, arrays);
-      if (l.with_surface)
-        {
-          arrays.domain_corners.outer_faces[q] =
-            static_cast<unsigned char>(properties[l.outer_faces]);
-          arrays.domain_corners.id[q] =
-            particles->get_property_pool().get_id(slots->slot[q]);
-        }
-      if (l.with_domains)
-        gather_domain(q, location, properties, arrays);
+      arrays.shape[q] = grid.geometry().barycentric(arrays.cell[k], location);
+      reader.read(q, location, properties, arrays);
+      if (point_layout.with_surface)
+        arrays.domain_corners.id[q] =
+          particles->get_property_pool().get_id(slots->slot[q]);
     });
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPoints<dim>::gather_domain(const unsigned int             q,
-                                     const Point<dim>              &location,
-                                     const ArrayView<const double> &properties,
-                                     PointArrays<dim> &arrays) const
-  {
-    const PointLayout &l       = point_layout;
-    const double       stretch = domain_stretch<dim>(properties.data(), l);
-    arrays.reference[q]        = Point<dim>(location - arrays.displacement[q]);
-    arrays.domain_corners.stretch[q] = stretch;
-    arrays.domain[q][0]              = Tensor<1, dim>();
-    for (unsigned int c = 0; c < dim; ++c)
-      {
-        for (unsigned int d = 0; d < dim; ++d)
-          arrays.domain[q][c + 1][d] =
-            stretch * properties[l.domain + c * dim + d];
-        arrays.domain[q][0] -= arrays.domain[q][c + 1];
-      }
   }
 
 
@@ -334,82 +281,15 @@ namespace isochor
   {
     if (!slots) // a resumed run
       order_by_cell();
-    attach(arrays);
-    const PointLayout &l = point_layout;
-    if (!fields_are_copied && !l.axisymmetric && l.n_history == 0 &&
-        !l.dynamic && !l.with_domains)
-      return;
-    for_each([&](const unsigned int /*k*/,
-                 const unsigned int q,
-                 const Point<dim>  &location,
-                 ArrayView<double>  properties) {
-      read_state(q, location, properties, arrays);
-    });
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPoints<dim>::attach(PointArrays<dim> &arrays) const
-  {
-    const PointLayout &l = point_layout;
-    arrays.volume.attach(slots, l.volume, fields_are_copied);
-    arrays.mass.attach(slots, l.mass);
-    arrays.pressure.attach(slots, l.pressure);
-    arrays.F.attach(slots, l.F, fields_are_copied);
-  }
-
-
-
-  template <int dim>
-  void
-  MaterialPoints<dim>::read_state(const unsigned int             q,
-                                  const Point<dim>              &location,
-                                  const ArrayView<const double> &properties,
-                                  PointArrays<dim>              &arrays) const
-  {
-    const PointLayout &l = point_layout;
-    if (fields_are_copied)
-      {
-        arrays.volume.refresh(q, properties[l.volume]);
-        arrays.F.refresh(q, deformation_gradient<dim>(properties.data(), l));
-      }
-    if (l.axisymmetric)
-      arrays.radius[q] = location[0];
-    for (unsigned int d = 0; l.with_domains && d < dim; ++d)
-      arrays.displacement[q][d] = properties[l.displacement + d];
-    double *const history =
-      arrays.history.data() + q * std::size_t(l.n_history);
-    for (unsigned int i = 0; i < l.n_history; ++i)
-      history[i] = properties[l.history + i];
-    if (!dissipates.empty() && dissipates[arrays.material[q]])
-      arrays.shear_stress[q] =
-        deviator(load_symmetric<dim>(&properties[l.stress])).norm();
-    if (l.dynamic)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          arrays.velocity[q][d]     = properties[l.velocity + d];
-          arrays.acceleration[q][d] = properties[l.acceleration + d];
-        }
-  }
-
-
-
-  template <int dim>
-  Particles::ParticleHandler<dim> &
-  MaterialPoints<dim>::handler()
-  {
-    return *particles;
-  }
-
-
-
-  template <int dim>
-  const Particles::ParticleHandler<dim> &
-  MaterialPoints<dim>::handler() const
-  {
-    return *particles;
+    const PointReader<dim> reader{point_layout, slots, dissipates};
+    reader.attach(arrays);
+    if (reader.copies_state())
+      for_each([&](const unsigned int /*k*/,
+                   const unsigned int q,
+                   const Point<dim>  &location,
+                   ArrayView<double>  properties) {
+        reader.read_state(q, location, properties, arrays);
+      });
   }
 
 
@@ -472,6 +352,21 @@ namespace isochor
     forget_order();
     isochor::change_owners(
       particles, grid.mapping(), locator, change, n_out_of_order);
+  }
+
+
+
+  template <int dim>
+  double
+  MaterialPoints<dim>::kinetic_energy() const
+  {
+    const PointLayout &l   = point_layout;
+    double             sum = 0;
+    for (const auto &particle : *particles)
+      for (unsigned int d = 0; d < dim; ++d)
+        sum += particle.get_properties()[l.mass] / 2 *
+               std::pow(particle.get_properties()[l.velocity + d], 2);
+    return sum;
   }
 
 

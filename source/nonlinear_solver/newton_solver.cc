@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <ostream>
 #include <utility>
 
@@ -92,114 +91,10 @@ namespace isochor
 
 
 
-  /** Keeps the scales, which may only grow in a step, and measures residuals
-   * by them. */
-  class NewtonSolver::Gauge
-  {
-  public:
-    void
-    take(const ResidualNorms &norms)
-    {
-      force    = std::max({force, norms.force_scale, first(norms)});
-      pressure = std::max(pressure, norms.pressure);
-      started  = started || !norms.pending;
-      if (!norms.pending)
-        lowest = std::min(lowest, norms.displacement);
-    }
-
-    double
-    force_scale() const
-    {
-      return force;
-    }
-
-    /** The residual of displacements below which a step has converged. */
-    double
-    displacement_bound(const ResidualNorms &norms, const double tolerance) const
-    {
-      return std::max(tolerance * force, norms.displacement_floor);
-    }
-
-    /** The same of the pressure equation. */
-    double
-    pressure_bound(const ResidualNorms &norms, const double tolerance) const
-    {
-      return std::max(tolerance * pressure, norms.pressure_floor);
-    }
-
-    double
-    displacement_ratio(const ResidualNorms &norms) const
-    {
-      return force > 0 ? norms.displacement / force : 0.;
-    }
-
-    double
-    pressure_ratio(const ResidualNorms &norms) const
-    {
-      return pressure > 0 ? norms.pressure / pressure : 0.;
-    }
-
-    bool
-    converged(const ResidualNorms &norms, const double tolerance) const
-    {
-      return !norms.pending &&
-             norms.displacement <= displacement_bound(norms, tolerance) &&
-             norms.pressure <= pressure_bound(norms, tolerance);
-    }
-
-    /** Whether @p norms are those of an iterate that can be judged and is not
-     * the solution. */
-    bool
-    is_far(const ResidualNorms &norms, const double tolerance) const
-    {
-      return !norms.pending && std::isfinite(merit(norms)) &&
-             !converged(norms, tolerance);
-    }
-
-    /** What the line search wants to fall. */
-    double
-    merit(const ResidualNorms &norms) const
-    {
-      if (norms.status != EvaluationStatus::success ||
-          !std::isfinite(norms.displacement) || !std::isfinite(norms.pressure))
-        return std::numeric_limits<double>::infinity();
-      return std::max(displacement_ratio(norms), pressure_ratio(norms));
-    }
-
-    /**
-     * Whether the line search takes @p norms, coming from @p old. The largest
-     * residual of the pressure equation is no scale where a body hardly changes
-     * its volume, as at Poisson ratio zero: what there is may be rounding, or
-     * of higher order in the strains. So it may grow there while forces fall
-     * below all before: else the two could fall by turns without end.
-     */
-    bool
-    is_progress(const ResidualNorms &norms, const ResidualNorms &old) const
-    {
-      constexpr double small = 1e-4; // against strains as large as the forces
-      return merit(norms) < merit(old) ||
-             (std::isfinite(merit(norms)) && norms.displacement < lowest &&
-              norms.pressure < small * force * norms.volume_per_force);
-    }
-
-  private:
-    double
-    first(const ResidualNorms &norms) const
-    {
-      return started || norms.pending ? 0. : norms.displacement;
-    }
-
-    bool   started = false;
-    double force = 0, pressure = 0;
-    double lowest = std::numeric_limits<double>::max(); ///< of the forces
-  };
-
-
-
   /** Where the iteration is. */
   struct NewtonSolver::Iterate
   {
-    Gauge         gauge;
+    ResidualGauge gauge;
     ResidualNorms norms;
     bool          matrix_is_current = false; ///< it is of this iterate
     bool          expect_need       = true;  ///< of a matrix, in the next one
@@ -260,7 +155,7 @@ namespace isochor
 
 
   SolutionAccuracy
-  NewtonSolver::accuracy(const Gauge         &gauge,
+  NewtonSolver::accuracy(const ResidualGauge &gauge,
                          const ResidualNorms &norms,
                          const double         reduction) const
   {
@@ -292,7 +187,7 @@ namespace isochor
 
 
   bool
-  NewtonSolver::finished(const Gauge         &gauge,
+  NewtonSolver::finished(const ResidualGauge &gauge,
                          const ResidualNorms &norms,
                          NewtonReport        &report) const
   {
@@ -315,12 +210,12 @@ namespace isochor
 
 
   NewtonSolver::LineSearch
-  NewtonSolver::backtrack(const Problem     &problem,
-                          const Gauge       &gauge,
-                          const bool         may_grow,
-                          const unsigned int n_backtracks,
-                          const bool         with_matrix,
-                          ResidualNorms     &norms) const
+  NewtonSolver::backtrack(const Problem       &problem,
+                          const ResidualGauge &gauge,
+                          const bool           may_grow,
+                          const unsigned int   n_backtracks,
+                          const bool           with_matrix,
+                          ResidualNorms       &norms) const
   {
     const ResidualNorms start = norms;
     const double        old   = gauge.merit(start);

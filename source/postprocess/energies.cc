@@ -228,7 +228,7 @@ namespace isochor
     static bool
     is_stabilised(const StepContext<dim> &step)
     {
-      return step.mixed() && step.kernel.ppp_coefficient > 0 &&
+      return step.mixed() && step.kernel.stabilisation.coefficient > 0 &&
              any_dissipates(step);
     }
 
@@ -331,7 +331,7 @@ namespace isochor
     {
       const MixedKernel<dim> &kernel = result.step.kernel;
       Tensor<1, dim>          weight;
-      if (kernel.hydrostatic_acceleration.norm_square() == 0)
+      if (kernel.stabilisation.hydrostatic_acceleration.norm_square() == 0)
         return weight;
       for (const auto &condition : result.conditions)
         weight += condition->body_acceleration(result.step.old_time);

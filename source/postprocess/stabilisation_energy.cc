@@ -18,7 +18,7 @@ namespace isochor
                                     const NodalField       &unknowns,
                                     const Tensor<1, dim>   &old_weight)
   {
-    if (!step.mixed() || !step.kernel.projects_pressures())
+    if (!step.mixed() || !step.kernel.stabilisation.projects_pressures())
       return;
     if (!any)
       {
@@ -26,8 +26,9 @@ namespace isochor
         weight = old_weight;
         any    = true;
       }
-    const Tensor<1, dim> &new_weight = step.kernel.hydrostatic_acceleration;
-    const auto            at_end     = sum(step, &unknowns, new_weight);
+    const Tensor<1, dim> &new_weight =
+      step.kernel.stabilisation.hydrostatic_acceleration;
+    const auto at_end = sum(step, &unknowns, new_weight);
     work += (weight - new_weight) * (moment + at_end.moment) / 2;
     stored = at_end.stored - work;
     moment = at_end.moment;
@@ -37,7 +38,7 @@ namespace isochor
 
 
   template <int dim>
-  typename MixedKernel<dim>::ProjectionEnergy
+  typename PressureStabilisation<dim>::ProjectionEnergy
   StabilisationEnergy<dim>::sum(const StepContext<dim> &step,
                                 const NodalField       *unknowns,
                                 const Tensor<1, dim>   &weight)
@@ -54,10 +55,8 @@ namespace isochor
           .gather(dim + 1, geometry.vertex_indices(cell).data(), element);
       else
         std::fill(element.pressure.begin(), element.pressure.end(), 0.);
-      const auto of_cell = step.kernel.pressure_projection_energy(element,
-                                                                  compliance,
-                                                                  corners,
-                                                                  weight);
+      const auto of_cell = step.kernel.stabilisation.projection_energy(
+        element, compliance, corners, weight);
       sums[dim] += of_cell.stored;
       for (unsigned int d = 0; d < dim; ++d)
         sums[d] += of_cell.moment[d];
@@ -73,7 +72,7 @@ namespace isochor
                                              points.cell_start[k + 1]),
             points.corners(geometry, k));
     sum_over_ranks(sums, step.grid.communicator());
-    typename MixedKernel<dim>::ProjectionEnergy result;
+    typename PressureStabilisation<dim>::ProjectionEnergy result;
     result.stored = sums[dim];
     for (unsigned int d = 0; d < dim; ++d)
       result.moment[d] = sums[d];

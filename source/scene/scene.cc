@@ -5,6 +5,7 @@
 #include <isochor/base/parameter_list.h>
 #include <isochor/base/plain_message.h>
 #include <isochor/base/plugin_registry.h>
+#include <isochor/boundary_condition/periodic_vertices.h>
 #include <isochor/interaction/body_pair_term.h>
 #include <isochor/interaction/interaction_term.h>
 #include <isochor/material_model/axisymmetric_material.h>
@@ -247,14 +248,14 @@ namespace isochor
   Scene<dim>::parse_formulation(ParameterHandler &prm)
   {
     prm.enter_subsection("Formulation");
-    n_components                    = prm.get("Type") == "u-p" ? dim + 1 : dim;
-    kernel.has_pressures            = mixed();
-    const std::string stabilisation = prm.get("Stabilisation");
-    kernel.ppp_coefficient          = mixed() && stabilisation != "none" ?
-                                        prm.get_double("PPP coefficient") :
-                                        0.;
-    kernel.has_orthogonal_subscales =
-      kernel.ppp_coefficient > 0 &&
+    n_components                     = prm.get("Type") == "u-p" ? dim + 1 : dim;
+    kernel.has_pressures             = mixed();
+    const std::string stabilisation  = prm.get("Stabilisation");
+    kernel.stabilisation.coefficient = mixed() && stabilisation != "none" ?
+                                         prm.get_double("PPP coefficient") :
+                                         0.;
+    kernel.stabilisation.has_orthogonal_subscales =
+      kernel.stabilisation.coefficient > 0 &&
       (stabilisation == "OSS" || (stabilisation == "auto" && has_inertia()));
     kernel.axisymmetric = prm.get("Geometry") == "axisymmetric";
     prm.leave_subsection();
@@ -363,6 +364,7 @@ namespace isochor
     grid.create();
     adaptation.make_initial_grid(grid);
     check_axis();
+    points.set_periods(find_periods(grid, boundary_conditions));
     points.seed(kernel.materials,
                 has_inertia(),
                 inertia.initial_velocity,
@@ -423,7 +425,7 @@ namespace isochor
     std::vector<std::string> list;
     if (!mixed())
       list.push_back("pressures at the nodes");
-    if (!mixed() || kernel.ppp_coefficient == 0)
+    if (!mixed() || kernel.stabilisation.coefficient == 0)
       list.push_back("stabilisation of the pressure");
     if (!has_inertia())
       list.push_back("masses and inertia");

@@ -75,6 +75,12 @@ namespace isochor
             .push_back(std::move(interaction));
           asked_by = "section <" + path.front() + ">";
         }
+    for (const auto &rigid : rigid_bodies)
+      AssertThrow(rigid.use_count() > 1,
+                  ExcMessage("The section <Rigid body: " + rigid->body.name() +
+                             "> describes a rigid body that nothing meets: "
+                             "there is no section <Interaction: ... - " +
+                             rigid->body.name() + ">."));
     if (!walls.empty())
       asked_by = "wall with unilateral contact <" + walls[0].boundary +
                  ": n >= ...> of <" + walls[0].parameter + '>';

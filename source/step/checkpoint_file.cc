@@ -20,7 +20,7 @@ namespace isochor
       char magic[8] = {'I', 's', 'o', 'c', 'h', 'o', 'r', '\n'};
       /** Of whatever is saved; tests/checkpoint_format reminds of raising it.
        */
-      std::uint64_t version    = 40;
+      std::uint64_t version    = 41;
       std::uint64_t byte_order = 0x0102030405060708;
       std::uint64_t dimension  = 0;
       std::uint64_t size       = 0; ///< of the rest, in bytes

@@ -59,17 +59,6 @@ namespace isochor
 
   template <int dim>
   void
-  Equilibrium<dim>::initialize()
-  {
-    residual.terms = {&body, &subscales, &scene.inertia};
-    for (auto &condition : scene.boundary_conditions)
-      residual.terms.push_back(condition.get());
-  }
-
-
-
-  template <int dim>
-  void
   Equilibrium<dim>::start_step()
   {
     Assert(!residual.terms.empty(), ExcMessage("initialize() comes first."));
@@ -104,10 +93,11 @@ namespace isochor
   void
   Equilibrium<dim>::set_weight()
   {
-    if (!scene.kernel.projects_pressures() || scene.has_inertia())
+    if (!scene.kernel.stabilisation.projects_pressures() || scene.has_inertia())
       return;
-    Tensor<1, dim> &weight = scene.kernel.hydrostatic_acceleration;
-    weight                 = Tensor<1, dim>();
+    Tensor<1, dim> &weight =
+      scene.kernel.stabilisation.hydrostatic_acceleration;
+    weight = Tensor<1, dim>();
     for (const auto &condition : scene.boundary_conditions)
       weight += condition->body_acceleration(setup.context().time);
     if (scene.kernel.axisymmetric)
@@ -176,20 +166,6 @@ namespace isochor
     start_conditions(false);
   }
 
-
-
-  template <int dim>
-  void
-  Equilibrium<dim>::start_again()
-  {
-    for (unsigned int i = 0;
-         i < setup.active_nodes().n_local() * scene.n_components;
-         ++i)
-      if (i % scene.n_components < dim)
-        unknowns.local_element(i) = 0.;
-    residual.set_loads();
-    start_conditions(false);
-  }
 
 
   template <int dim>
@@ -328,29 +304,8 @@ namespace isochor
 
 
   template <int dim>
-  void
-  Equilibrium<dim>::evaluate()
-  {
-    at_start = true;
-    assemble(true);
-  }
-
-
-
-  template <int dim>
-  bool
-  Equilibrium<dim>::carries_acceleration() const
-  {
-    if (!scene.inertia.is_from_stresses() || scene.time.step == 0)
-      return true;
-    return setup.was_disturbed() && steps_over_waves(setup.context());
-  }
-
-
-
-  template <int dim>
   NewtonReport
-  Equilibrium<dim>::try_step(const typename InertiaTerm<dim>::TrialStep &trial)
+  Equilibrium<dim>::try_step(const TrialStep &trial)
   {
     Assert(scene.has_inertia(),
            ExcMessage("Only dynamics start with trial steps."));
@@ -381,8 +336,7 @@ namespace isochor
     if (!scene.has_inertia() || !time.starts_anew)
       return report;
     // a trial errs by O(h); two, one of them back in time, by O(h²)
-    using TrialStep = typename InertiaTerm<dim>::TrialStep;
-    const double h  = time.next_time() - time.time;
+    const double h = time.next_time() - time.time;
     const bool   moves =
       time.step > 0 || scene.motion_starts.any_moves(scene.grid, 0., h);
     std::vector<TrialStep> trials = {{h, false, h, moves},

@@ -83,7 +83,7 @@ namespace isochor
   MaterialPointMethod<dim>::initialisation_phase()
   {
     TimerOutput::Scope scope(terminal.timer(), "initialisation phase");
-    setup.start_step(equilibrium.equation_terms(), equilibrium.motion());
+    setup.start_step(equilibrium.equations().terms, equilibrium.motion());
     terminal.work().count("searches for all points", setup.was_laid_out());
     if (scene.has_inertia())
       look_for_starts();

@@ -270,7 +270,7 @@ namespace isochor
   MaterialPointMethod<dim>::explain_failure(const NewtonReport &newton)
   {
     const StepContext<dim> step   = setup.context();
-    bool                   loaded = equilibrium.has_dead_loads();
+    bool                   loaded = equilibrium.equations().has_dead_loads();
     for (const auto *const condition :
          with_role<const ActsByAssembly<dim>>(scene.boundary_conditions))
       loaded = loaded || condition->assembles_load(step);
@@ -303,7 +303,7 @@ namespace isochor
     return {equilibrium.nodal_constraints(),
             dragged,
             [this](const TimeInterval &other) {
-              return equilibrium.change_of_loads(other);
+              return equilibrium.equations().change_of_loads(other);
             }};
   }
 

@@ -74,9 +74,11 @@ namespace isochor
                    << " material points, "
                    << (!scene.mixed() ?
                          "u" :
-                         (scene.kernel.has_orthogonal_subscales ? "u-p + OSS" :
-                          scene.kernel.ppp_coefficient > 0      ? "u-p + PPP" :
-                                                                  "u-p"))
+                         (scene.kernel.stabilisation.has_orthogonal_subscales ?
+                            "u-p + OSS" :
+                          scene.kernel.stabilisation.coefficient > 0 ?
+                            "u-p + PPP" :
+                            "u-p"))
                    << " form" << std::endl;
     const MPI_Comm comm = scene.grid.communicator();
     terminal.out() << body_summary(scene.points, comm) << std::endl;

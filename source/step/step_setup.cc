@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: LGPL-2.1-or-later
  * --------------------------------------------------------------------- */
 #include <isochor/base/keep_each_once.h>
+#include <isochor/boundary_condition/control_nodes.h>
 #include <isochor/boundary_condition/periodic_vertices.h>
 #include <isochor/equations/held_directions.h>
 #include <isochor/equations/invariants.h>
@@ -63,69 +64,10 @@ namespace isochor
   StepSetup<dim>::initialize()
   {
     locator = std::make_unique<PointLocator<dim>>(scene.grid.geometry());
-    unsigned int n_control_nodes = 0;
-    for (auto *const condition :
-         with_role<HasControlNodes<dim>>(scene.boundary_conditions))
-      {
-        condition->set_first_control_node(n_control_nodes);
-        n_control_nodes += condition->control_nodes().size();
-      }
-    share_held_vertices();
+    number_control_nodes(scene.boundary_conditions);
+    share_held_vertices(scene.boundary_conditions);
     if (needs_occupancy)
       find_walls();
-  }
-
-
-
-  template <int dim>
-  void
-  StepSetup<dim>::share_held_vertices()
-  {
-    if (control_nodes().empty())
-      return;
-    std::vector<unsigned int> held;
-    for (const auto *const condition :
-         with_role<const ConstrainsNodes<dim>>(scene.boundary_conditions))
-      for (const unsigned int vertex : condition->held_vertices())
-        held.push_back(vertex);
-    std::sort(held.begin(), held.end());
-    for (auto *const condition :
-         with_role<HasPeriods>(scene.boundary_conditions))
-      condition->set_held_vertices(held);
-  }
-
-
-
-  template <int dim>
-  void
-  StepSetup<dim>::touch_masters()
-  {
-    // what one condition adds may need more by another one
-    const auto touch = [this](const std::size_t before) {
-      for (auto *const condition :
-           with_role<HasControlNodes<dim>>(scene.boundary_conditions))
-        condition->touch_masters(nodes, touched_vertices);
-      if (touched_vertices.size() > before)
-        keep_each_once(touched_vertices);
-      return Utilities::MPI::max(touched_vertices.size() != before ? 1 : 0,
-                                 scene.grid.communicator()) != 0;
-    };
-    while (touch(touched_vertices.size()))
-      ;
-  }
-
-
-
-  template <int dim>
-  std::vector<ControlNode<dim>>
-  StepSetup<dim>::control_nodes() const
-  {
-    std::vector<ControlNode<dim>> all;
-    for (const auto *const condition :
-         with_role<const HasControlNodes<dim>>(scene.boundary_conditions))
-      for (const auto &node : condition->control_nodes())
-        all.push_back(node);
-    return all;
   }
 
 
@@ -136,9 +78,9 @@ namespace isochor
   {
     // what the boundary conditions hold, asked with all nodes of the grid
     ActiveNodes<dim> all_nodes(scene.grid);
-    all_nodes.set_control_nodes(control_nodes());
-    std::vector<unsigned int> vertices(
-      all_nodes.control_vertex(control_nodes().size()));
+    all_nodes.set_control_nodes(control_nodes(scene.boundary_conditions));
+    std::vector<unsigned int> vertices(all_nodes.control_vertex(
+      control_nodes(scene.boundary_conditions).size()));
     std::iota(vertices.begin(), vertices.end(), 0);
     all_nodes.update(vertices);
     const unsigned int     n_components = scene.n_components;
@@ -214,7 +156,7 @@ namespace isochor
       reset_grid(terms, last_motion);
     else
       scene.points.update(arrays);
-    nodes.set_control_nodes(control_nodes());
+    nodes.set_control_nodes(control_nodes(scene.boundary_conditions));
     nodes_changed = nodes.update(touched_vertices) || is_fresh;
     if (laid_out && scene.inertia.is_from_stresses())
       {
@@ -282,7 +224,10 @@ namespace isochor
         extension.exempt(find_periodic_vertices(scene.boundary_conditions));
         extension.update(arrays, touched_vertices);
       }
-    touch_masters();
+    touch_masters(scene.boundary_conditions,
+                  nodes,
+                  scene.grid.communicator(),
+                  touched_vertices);
   }
 
 
@@ -295,7 +240,7 @@ namespace isochor
       condition->grid_changed(scene.grid, scene.time.step == 0);
     for (const auto &postprocessor : scene.postprocessors)
       postprocessor->grid_changed(scene.grid);
-    share_held_vertices();
+    share_held_vertices(scene.boundary_conditions);
     if (needs_occupancy)
       find_walls();
   }

@@ -21,6 +21,10 @@ namespace isochor
   public:
     virtual ~HasPeriods() = default;
 
+    /** The boundaries that are pairs of sides, first and second. */
+    virtual std::vector<std::pair<std::string, std::string>>
+    periodic_sides() const = 0;
+
     /** All that are the same place as others. */
     virtual std::vector<unsigned int>
     periodic_vertices() const = 0;
@@ -41,6 +45,28 @@ namespace isochor
     virtual std::string
     why_points_left(const std::vector<std::string> &boundaries) const = 0;
   };
+
+  /** From the vertices of the boundary @p first to those of @p second, at t =
+   * 0, in the mean (m). @p parameter names the boundaries. */
+  template <int dim>
+  Tensor<1, dim>
+  period_between(const BackgroundGrid<dim> &grid,
+                 const std::string         &first,
+                 const std::string         &second,
+                 const std::string         &parameter);
+
+  /** The periods of the pairs of all @p conditions, a list of pointers. */
+  template <int dim, typename Conditions>
+  std::vector<Tensor<1, dim>>
+  find_periods(const BackgroundGrid<dim> &grid, const Conditions &conditions)
+  {
+    std::vector<Tensor<1, dim>> periods;
+    for (const auto *const condition : with_role<const HasPeriods>(conditions))
+      for (const auto &[first, second] : condition->periodic_sides())
+        periods.push_back(
+          period_between(grid, first, second, "Periodic sides"));
+    return periods;
+  }
 
   /** Those of all @p conditions, a list of pointers to them. */
   template <typename Conditions>

@@ -5,9 +5,8 @@
 #ifndef isochor_dependent_nodes_h
 #define isochor_dependent_nodes_h
 
-#include <isochor/cut_cells/cell_occupancy.h>
+#include <isochor/cut_cells/nodal_support.h>
 
-#include <functional>
 #include <map>
 #include <unordered_set>
 #include <utility>
@@ -43,9 +42,9 @@ namespace isochor
      * gradients in all directions. Collective.
      */
     void
-    update(const PointArrays<dim>                          &points,
-           const std::function<double(const unsigned int)> &support,
-           const double                                     smallest_part);
+    update(const PointArrays<dim>  &points,
+           const NodalSupport<dim> &support,
+           const double             smallest_part);
 
     /** Known of vertices near this rank. */
     bool
@@ -59,8 +58,8 @@ namespace isochor
     using Entries = std::map<std::pair<unsigned int, unsigned int>, double>;
 
     Entries
-    collect(const PointArrays<dim>                          &points,
-            const std::function<double(const unsigned int)> &support) const;
+    collect(const PointArrays<dim>  &points,
+            const NodalSupport<dim> &support) const;
     /** Give each rank the sums of all for the vertices near it. */
     void
     exchange(Entries &entries) const;

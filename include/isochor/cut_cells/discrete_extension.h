@@ -8,7 +8,6 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <isochor/base/statistics.h>
-#include <isochor/cut_cells/cell_occupancy.h>
 #include <isochor/cut_cells/dependent_nodes.h>
 #include <isochor/equations/equation_term.h>
 
@@ -20,13 +19,8 @@ namespace isochor
 {
   /**
    * Ties nodes that hardly any material touches to the cells of the body next
-   * to them, so that the condition number is bounded however small a cut is.
-   * The *support* of the node I is the part of the cells around it that the
-   * body fills, as the node sees it,
-   *
-   *   φ_I = Σ_p J_p w_p N_pI / Σ_{e∋I} |e|/(d+1),
-   *
-   * w_p the volume of integration. A node with φ_I below
+   * to them, so that the condition number is bounded however small a cut is. A
+   * node whose NodalSupport φ_I is below
    * the parameter `Smallest support` is unsupported; so is one with less than
    * this part of its stiffness of its own (see DependentNodes). Its unknowns,
    * displacement and pressure, are the linear continuation of those of a cell R
@@ -154,11 +148,6 @@ namespace isochor
     }
 
   private:
-    void
-    sum_support(const PointArrays<dim> &points);
-    /** φ_I, of vertices near this rank. */
-    double
-    support(const unsigned int vertex) const;
     bool
     is_supported(const unsigned int vertex) const;
     bool
@@ -204,9 +193,7 @@ namespace isochor
     const BackgroundGrid<dim> &grid;
     const CellOccupancy<dim>  &occupancy;
 
-    /** Σ_p J_p w_p N_pI by vertex, near this rank; and where it isn't zero. */
-    std::vector<double>              volume_at;
-    std::vector<unsigned int>        summed;
+    NodalSupport<dim>                support;
     DependentNodes<dim>              dependent;
     std::vector<Tie>                 found;
     std::unordered_set<unsigned int> exempted;

@@ -15,6 +15,20 @@ namespace isochor
   class BodyQuadrature;
   class LoadStepping;
 
+  /** A step that looks for the acceleration at the start of another one. */
+  struct TrialStep
+  {
+    double size; ///< positive or negative (s)
+    /** With the prescribed motions as they were up to then. */
+    bool is_past;
+    /** The size of the steps that these motions start or go on with (s). */
+    double step_size;
+    /** Whether the velocities change, too. */
+    bool with_velocity;
+  };
+
+
+
   /**
    * Inertia with the consistent mass matrix, R_u = M ((1 - α) a_{n+1} + α a_n),
    * and all that goes with it: velocities and accelerations of the nodes are
@@ -106,18 +120,6 @@ namespace isochor
       const std::vector<std::unique_ptr<BoundaryCondition<dim>>> &conditions,
       const bool                                                  changed,
       NodalConstraints                                           &constraints);
-
-    /** A step that looks for the acceleration at the start of another one. */
-    struct TrialStep
-    {
-      double size; ///< positive or negative (s)
-      /** With the prescribed motions as they were up to then. */
-      bool is_past;
-      /** The size of the steps that these motions start or go on with (s). */
-      double step_size;
-      /** Whether the velocities change, too. */
-      bool with_velocity;
-    };
 
     /**
      * Look for the acceleration at the start of @p step, the first one or one

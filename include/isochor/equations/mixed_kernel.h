@@ -5,6 +5,7 @@
 #ifndef isochor_mixed_kernel_h
 #define isochor_mixed_kernel_h
 
+#include <isochor/equations/pressure_stabilisation.h>
 #include <isochor/material_model/material_model.h>
 #include <isochor/material_points/material_points.h>
 
@@ -17,66 +18,6 @@ namespace isochor
   /** The longest history a material may have, so that hot loops need no heap.
    */
   constexpr unsigned int max_history = 16;
-
-  /** What can go wrong in an evaluation; the largest of all ranks counts. */
-  enum class EvaluationStatus : unsigned int
-  {
-    success           = 0,
-    inverted_point    = 1,
-    return_map_failed = 2
-  };
-
-  /**
-   * The part of the body that shares one list of nodes: a background cell with
-   * its points. Nodes are local to the element. Input is filled by the caller,
-   * output by the kernel. Unknown a of node I is entry I * n_components + a;
-   * the pressure, if any, is component dim.
-   *
-   * @tparam n_components dim for u, dim + 1 for u-p.
-   * @tparam max_nodes dim + 1 for cells (then n_nodes is ignored).
-   */
-  template <int dim, int n_components, std::size_t max_nodes>
-  struct Element
-  {
-    static constexpr int  n_max = max_nodes * n_components;
-    static constexpr bool mixed = (n_components == dim + 1);
-
-    unsigned int                          n_nodes = max_nodes;
-    std::array<Tensor<1, dim>, max_nodes> gradient;  ///< ∇_n N_I
-    std::array<Tensor<1, dim>, max_nodes> increment; ///< Δu_I
-    std::array<double, max_nodes>         pressure;  ///< p_I
-    /** p_I at the start of the step, and the share 1 - m that they have in the
-     * mean of the step; 0: the pressures at its end count. */
-    std::array<double, max_nodes>     pressure_at_start;
-    double                            start_weight = 0;
-    std::array<double, n_max>         residual;
-    std::array<double, n_max * n_max> matrix; ///< row-major, n_dofs wide
-    /** Of the points that it has been summed over. */
-    CellCompliance compliance;
-
-    /** (1 - m) (p - p_n) at a point with the shape values @p N. */
-    template <typename Shape>
-    double
-    pressure_change(const Shape &N) const
-    {
-      double sum = 0;
-      if (start_weight > 0)
-        for (unsigned int I = 0; I < nodes(); ++I)
-          sum += start_weight * N(I) * (pressure[I] - pressure_at_start[I]);
-      return sum;
-    }
-
-    constexpr unsigned int
-    nodes() const
-    {
-      return max_nodes == dim + 1 ? dim + 1 : n_nodes;
-    }
-    constexpr unsigned int
-    n_dofs() const
-    {
-      return nodes() * n_components;
-    }
-  };
 
   /**
    * The discrete equations of one element, the only place where they stand.
@@ -120,23 +61,8 @@ namespace isochor
      * J >= I are asked for, as it is symmetric. The others are not set. */
     bool upper_blocks_only = false;
 
-    /** α of the Polynomial Pressure Projection (Dohrmann & Bochev 2004), P(26);
-     * 0 for none. */
-    double ppp_coefficient = 0;
-
-    /** Whether the stabilisation is that of OrthogonalSubscales. */
-    bool has_orthogonal_subscales = false;
-
-    /** Whether it is PPP, cell by cell. */
-    bool
-    projects_pressures() const
-    {
-      return ppp_coefficient > 0 && !has_orthogonal_subscales;
-    }
-
-    /** Gravity in statics (m/s²): the stabilisation leaves out the pressure
-     * that is in equilibrium with it. Zero: as it stands in the paper. */
-    Tensor<1, dim> hydrostatic_acceleration;
+    /** Of the pressures. */
+    PressureStabilisation<dim> stabilisation;
 
     /** Add point @p q, which integrates @p V of the cell, to what the cell's
      * stabilisation needs. */
@@ -220,49 +146,6 @@ namespace isochor
              const Shape                           &shape,
              const bool                             with_matrix) const;
 
-    /**
-     * The stabilisation of one cell, P(26) over the part of the cell that is
-     * filled: subtract the derivatives of its energy
-     *   Φ = α/(2G) V Σ_IJ d_I (M_IJ - 1/(d+1)²) d_J,
-     * from @p element, with V the reference volume of the cell's points, M_IJ
-     * the P1 mass matrix of unit measure and d_I = p_I - h_I. In closed form:
-     * with a point at the centroid only, integration by points would give zero.
-     *
-     * h_I = - ρ g·x_I is the pressure at rest under the body's weight
-     * (hydrostatic_acceleration), with x_I the vertices at the end of the step:
-     * @p corners and the increments. P(26), which has h = 0, would take it for
-     * an oscillation and answer with a change of volume. Without weight only
-     * the pressure's part of @p element is changed.
-     */
-    template <std::size_t max_nodes>
-    void
-    add_pressure_projection(Element<dim, dim + 1, max_nodes>      &element,
-                            const CellCompliance                  &compliance,
-                            const std::array<Point<dim>, dim + 1> &corners,
-                            const bool with_matrix) const;
-
-    /** What the stabilisation of one cell stores. */
-    struct ProjectionEnergy
-    {
-      double         stored = 0; ///< J
-      Tensor<1, dim> moment;     ///< kg m
-    };
-    /**
-     * Of the same cell, for an acceleration g of @p weight that may be another
-     * one than hydrostatic_acceleration. As the pressure equation is
-     * θ = p/K + S d, the power of the volume p·θ' is that of p²/(2K) and
-     *   p·S d' = d/dt (p + h)·S (p - h) / 2 - h'·S d,
-     * where h' is the change of h in time at places that stay. The first term
-     * is the change of what is stored, the second the power of a weight that
-     * changes, as h'·S d = -g'·m with the moment m = Σ_IJ ρ x_I S_IJ d_J.
-     */
-    template <std::size_t max_nodes>
-    ProjectionEnergy
-    pressure_projection_energy(const Element<dim, dim + 1, max_nodes> &element,
-                               const CellCompliance &compliance,
-                               const std::array<Point<dim>, dim + 1> &corners,
-                               const Tensor<1, dim> &weight) const;
-
     /** The state at the end of the step of point @p q: what the convective
      * phase stores. */
     struct PointState
@@ -336,40 +219,6 @@ namespace isochor
                  (1 + stress *
                         materials[points.material[q]]->inverse_bulk_modulus()) :
                0.;
-    }
-
-    /** S_e,IJ = α/G V (M_IJ - 1/(d+1)²) of a cell. */
-    double
-    projection_entry(const CellCompliance &compliance,
-                     const unsigned int    I,
-                     const unsigned int    J) const
-    {
-      return ppp_coefficient * compliance.volume *
-             ((I == J ? 2. : 1.) / ((dim + 1) * (dim + 2)) -
-              1. / ((dim + 1) * (dim + 1)));
-    }
-
-  private:
-    /** ρ g of a cell (N/m³). */
-    static Tensor<1, dim>
-    weight_density(const CellCompliance &compliance, const Tensor<1, dim> &g)
-    {
-      return compliance.mass / compliance.volume * g;
-    }
-
-    /** d_I of a cell but for a constant, which doesn't matter. */
-    template <std::size_t max_nodes>
-    std::array<double, dim + 1>
-    pressure_deviation(const Element<dim, dim + 1, max_nodes> &element,
-                       const Tensor<1, dim>                   &weight_density,
-                       const std::array<Point<dim>, dim + 1>  &corners) const
-    {
-      std::array<double, dim + 1> d;
-      for (unsigned int I = 0; I <= dim; ++I)
-        d[I] = element.pressure[I] +
-               weight_density * (corners[I] - corners[0] +
-                                 element.increment[I] - element.increment[0]);
-      return d;
     }
   };
 } // namespace isochor

@@ -192,11 +192,17 @@ namespace isochor
 
     /** Whether the parameters prescribe a motion of the grid. */
     bool
-    is_moving() const;
+    is_moving() const
+    {
+      return stretch.is_moving();
+    }
 
     /** @throws ExcMessage if that moves a plane that the grid doesn't reach. */
     void
-    check_motion() const;
+    check_motion() const
+    {
+      stretch.check_planes(reference_vertices);
+    }
 
     /** The id of the boundary called @p name; throws and lists the names if
      * there is none, naming @p parameter. */
@@ -205,19 +211,23 @@ namespace isochor
 
     /** Names and ids of all boundaries. */
     const std::map<std::string, types::boundary_id> &
-    boundary_names() const;
+    boundary_names() const
+    {
+      return groups.faces;
+    }
 
     const std::vector<BoundaryFace> &
-    boundary_faces() const;
+    boundary_faces() const
+    {
+      return faces;
+    }
 
     /** Names and ids of the physical groups of cells of a gmsh grid. */
     const std::map<std::string, types::material_id> &
-    group_ids() const;
-
-    /** The name of the boundary through which one leaves the grid from the
-     * centre of @p cell to @p x, for messages. */
-    std::string
-    boundary_crossed(const unsigned int cell, const Point<dim> &x) const;
+    group_ids() const
+    {
+      return groups.cells;
+    }
 
     /** Rank that owns the node at vertex @p vertex. */
     unsigned int
@@ -227,13 +237,25 @@ namespace isochor
     }
 
     const parallel::shared::Triangulation<dim> &
-    triangulation() const;
+    triangulation() const
+    {
+      return *tria;
+    }
     const SimplexGeometry<dim> &
-    geometry() const;
+    geometry() const
+    {
+      return *cached_geometry;
+    }
     const Mapping<dim> &
-    mapping() const;
+    mapping() const
+    {
+      return p1_mapping;
+    }
     MPI_Comm
-    communicator() const;
+    communicator() const
+    {
+      return comm;
+    }
 
   private:
     /** One whose cells may get other owners once it has been made. */
@@ -262,9 +284,7 @@ namespace isochor
     std::vector<unsigned int>
     first_cells_of_layers(const unsigned int n_layers) const;
     void
-    collect_boundary();
-    void
-                                          assign_owners();
+                                          collect_boundary();
     const MPI_Comm                        comm;
     std::unique_ptr<GridSource<dim>>      grid_source;
     std::unique_ptr<ShapeFunctions<dim>>  functions;

@@ -23,7 +23,7 @@ namespace isochor
     unsigned int              own; ///< its face, number of the copy
     unsigned int              gauss_point;
     std::vector<unsigned int> others; ///< numbers of copies
-    /** Whether a rigid body or wall is nearer at the start of the step. */
+    /** At the start of the step: see InteractionKernel::Measure. */
     bool is_farther = false;
     /** Of the others the one that it touches at the start of the step, which it
      * meets as long as it isn't beyond its reach, as traction and normal would
@@ -38,6 +38,10 @@ namespace isochor
      * vertices are. */
     std::vector<unsigned int>              vertices;
     std::vector<std::vector<unsigned int>> of_other;
+
+    /** Set both. */
+    void
+    number_vertices(const std::vector<FaceCopy<dim>> &copies);
   };
 
 

@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -103,19 +104,21 @@ namespace isochor
       return way_since_reset + 2 * largest_increment > reach;
     }
     std::string
-    save_state() const override
-    {
-      return memory.save(grid->communicator());
-    }
+    save_state() const override;
     void
     load_state(const std::string &state) override
     {
-      memory.load(state);
+      std::istringstream(state) >> largest_increment >> reach >>
+        way_since_reset;
+      memory.load(state.substr(state.find('\n') + 1));
     }
 
   private:
     using Element = PairElement<dim>;
 
+    /** Within what distance (m) of @p face elements are looked for. */
+    double
+    margin_of(const FaceCopy<dim> &face) const;
     void
     find_elements();
     /** In a run that is resumed on a kept grid: find the elements, with the
@@ -124,8 +127,6 @@ namespace isochor
     resume(const StepContext<dim> &step);
     bool
     find_tie(const Point<dim> &X, Element &element) const;
-    void
-    number_nodes(Element &element) const;
     /** What evaluates the elements, at the iterate. */
     BodyPairKernel<dim>
     kernel_at(const StepContext<dim> &step, const NodalField &unknowns) const
@@ -138,8 +139,8 @@ namespace isochor
     {
       return others == nullptr ? nullptr : &others->given();
     }
-    /** Find what Gauss points touch at the start of the @p step and, where a
-     * body and something else may be met, which is farther. */
+    /** Find what Gauss points touch at the start of the @p step, and where
+     * nothing is near or something else is nearer. */
     void
     find_contact(const StepContext<dim> &step);
 

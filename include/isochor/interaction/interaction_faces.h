@@ -33,10 +33,10 @@ namespace isochor
     /** By Gauss point and partner: facing() with the normals of the body at
      * the start of the step and of the partner where it will be. */
     std::array<std::vector<double>, n_gauss> facing;
-    /** By Gauss point: see InteractionFaces::gap(), and whether a body is
-     * nearer. */
+    /** By Gauss point: see InteractionFaces::gap(), and whether nothing is
+     * near or a body is nearer (InteractionKernel::Measure). */
     std::array<double, n_gauss> gap;
-    std::array<bool, n_gauss>   body_is_nearer;
+    std::array<bool, n_gauss>   is_farther;
     Tensor<1, dim>              normal; ///< outward, at the start of the step
     double                      gamma      = 0;
     double                      area_ratio = 1;
@@ -107,9 +107,9 @@ namespace isochor
      * is at the start of the step. */
     double
     gap(const unsigned int f, const unsigned int g) const;
-    /** Another body is nearer there, see InteractionKernel::Measure. */
+    /** Another body is nearer there. */
     void
-    set_nearer_body(const unsigned int f, const unsigned int g);
+    set_farther(const unsigned int f, const unsigned int g);
 
   private:
     void

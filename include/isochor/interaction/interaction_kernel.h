@@ -142,9 +142,10 @@ namespace isochor
        * doesn't matter. */
       const StartOfStep<dim> *start      = nullptr;
       double                  end_weight = 0.5; ///< m
-      /** Something else that the surface may come into contact with is nearer
-       * or closed: where this is open, the surface need not be free of
-       * tractions, and nothing is added. */
+      /** It isn't near at the start of the step, or something else that the
+       * surface may come into contact with is nearer or closed: where this is
+       * open nothing is added then. Else the surface is weakly free of
+       * tractions, so that contact begins and ends smoothly. */
       bool is_farther = false;
     };
 

@@ -35,10 +35,19 @@ namespace isochor
     void
     parse_parameters(ParameterHandler &prm);
 
+    /** What meets at places that are one of these apart (m) at t = 0 is one
+     * body. */
+    void
+    set_periods(const std::vector<Tensor<1, dim>> &periods)
+    {
+      this->periods = periods;
+    }
+
     /**
      * Divide @p seeds, with their zones, into bodies. Returns the body of each
      * seed, empty if there is one only.
-     * @throws ExcMessage if the parameter names a body without points.
+     * @throws ExcMessage if the parameter names a body without points, or
+     * bodies that meet across periodic sides.
      */
     std::vector<unsigned int>
     divide(const std::vector<Seed<dim>> &seeds);
@@ -79,10 +88,11 @@ namespace isochor
     std::vector<std::string>
     names_by_zones(const std::vector<Seed<dim>> &seeds) const;
     /** By seed: "body 1", "body 2", ... by connected part and material. */
-    static std::vector<std::string>
-    names_by_parts(const std::vector<Seed<dim>> &seeds);
+    std::vector<std::string>
+    names_by_parts(const std::vector<Seed<dim>> &seeds) const;
 
     std::string                 parameter;
+    std::vector<Tensor<1, dim>> periods;
     std::vector<std::string>    all_names = {"body"};
     std::unique_ptr<SearchTree> tree; ///< null if there is one body
   };

@@ -7,6 +7,7 @@
 
 #include <isochor/material_points/body_seeding.h>
 
+#include <utility>
 #include <vector>
 
 namespace isochor
@@ -18,6 +19,13 @@ namespace isochor
   template <int dim>
   std::vector<unsigned int>
   parts_by_domains(const std::vector<Seed<dim>> &seeds);
+
+  /** The seeds with faces of their domains that are one of the @p periods
+   * apart. */
+  template <int dim>
+  std::vector<std::pair<unsigned int, unsigned int>>
+  pairs_across(const std::vector<Seed<dim>>      &seeds,
+               const std::vector<Tensor<1, dim>> &periods);
 } // namespace isochor
 
 #endif

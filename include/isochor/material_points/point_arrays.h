@@ -7,6 +7,7 @@
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/tensor.h>
+#include <deal.II/particles/particle.h>
 
 #include <isochor/base/thickness.h>
 #include <isochor/grid/simplex_geometry.h>

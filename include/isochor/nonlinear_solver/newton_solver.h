@@ -7,9 +7,9 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <isochor/equations/mixed_kernel.h>
 #include <isochor/linear_solver/linear_solver.h>
 #include <isochor/nonlinear_solver/newton_report.h>
+#include <isochor/nonlinear_solver/residual_gauge.h>
 
 #include <functional>
 #include <iosfwd>
@@ -19,25 +19,6 @@
 namespace isochor
 {
   using namespace dealii;
-
-  /** The residual of an iterate, over all ranks. */
-  struct ResidualNorms
-  {
-    EvaluationStatus status = EvaluationStatus::success;
-    /** Euclidean norms over the free unknowns: forces (N) and, in the u-p form,
-     * the volume defect of the pressure equation (m^dim). */
-    double displacement = 0, pressure = 0;
-    /** External forces and reactions (N): what forces are measured against. */
-    double force_scale = 0;
-    /** In the u-p form: the volume defect (m^dim) of strains over the forces
-     * (N) of strains as large, by the shear moduli of the body. */
-    double volume_per_force = 0;
-    /** Below these a residual is rounding. */
-    double displacement_floor = 0, pressure_floor = 0;
-    /** Whether prescribed increments are still to be applied. Then the
-     * residual is no measure of forces yet. */
-    bool pending = false;
-  };
 
   /**
    * Newton's method with backtracking, on callables: it knows neither grid nor
@@ -97,7 +78,6 @@ namespace isochor
     bool extrapolate = true;
 
   private:
-    class Gauge;
     struct Iterate;
 
     /** What a line search has found. */
@@ -113,13 +93,13 @@ namespace isochor
     /** How accurate the next correction has to be. @p reduction: merit to the
      * one before, or 0 if there is none. */
     SolutionAccuracy
-    accuracy(const Gauge         &gauge,
+    accuracy(const ResidualGauge &gauge,
              const ResidualNorms &norms,
              const double         reduction) const;
 
     /** Whether the iteration ends here; @p report then says how. */
     bool
-    finished(const Gauge         &gauge,
+    finished(const ResidualGauge &gauge,
              const ResidualNorms &norms,
              NewtonReport        &report) const;
 
@@ -127,12 +107,12 @@ namespace isochor
      * can be evaluated. @p norms becomes that of the last iterate tried; its
      * matrix is assembled for the full step only, if asked. */
     LineSearch
-    backtrack(const Problem     &problem,
-              const Gauge       &gauge,
-              const bool         may_grow,
-              const unsigned int n_backtracks,
-              const bool         with_matrix,
-              ResidualNorms     &norms) const;
+    backtrack(const Problem       &problem,
+              const ResidualGauge &gauge,
+              const bool           may_grow,
+              const unsigned int   n_backtracks,
+              const bool           with_matrix,
+              ResidualNorms       &norms) const;
 
     /** From one iterate to the next. If there is none, @p report says why. */
     void

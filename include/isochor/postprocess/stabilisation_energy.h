@@ -13,8 +13,9 @@ namespace isochor
 {
   /**
    * What the stabilisation by polynomial pressure projection stores, and what a
-   * weight that changes does in it (MixedKernel::pressure_projection_energy()).
-   * Nothing without nodal pressures or stabilisation.
+   * weight that changes does in it
+   * (PressureStabilisation::projection_energy()). Nothing without nodal
+   * pressures or stabilisation.
    */
   template <int dim>
   class StabilisationEnergy
@@ -43,7 +44,7 @@ namespace isochor
   private:
     /** What this rank's cells store at the end of the step; before it if
      * @p unknowns is null. */
-    static typename MixedKernel<dim>::ProjectionEnergy
+    static typename PressureStabilisation<dim>::ProjectionEnergy
     sum(const StepContext<dim> &step,
         const NodalField       *unknowns,
         const Tensor<1, dim>   &weight);

@@ -38,7 +38,12 @@ namespace isochor
 
     /** Once, after Scene::create(). */
     void
-    initialize();
+    initialize()
+    {
+      residual.terms = {&body, &subscales, &scene.inertia};
+      for (auto &condition : scene.boundary_conditions)
+        residual.terms.push_back(condition.get());
+    }
 
     /** Call @p look with the first step of a run that isn't resumed, and its
      * matrix, as soon as there is one. */
@@ -49,11 +54,11 @@ namespace isochor
       look_at_matrix = look;
     }
 
-    /** The terms of the equations, in the order of their elements. */
-    const std::vector<EquationTerm<dim> *> &
-    equation_terms() const
+    /** The equations: their terms and loads. */
+    const Residual<dim> &
+    equations() const
     {
-      return residual.terms;
+      return residual;
     }
 
     /** The points are set up for the step: map what they know to the nodes, and
@@ -81,7 +86,11 @@ namespace isochor
     /** Evaluate the equations with their matrix where the step starts, so that
      * mistakes in the scene show. Collective. */
     void
-    evaluate();
+    evaluate()
+    {
+      at_start = true;
+      assemble(true);
+    }
 
     /** The step has converged, without inertia: in how many modes the body is
      * not stable in its equilibrium, -1 if that isn't known. Where the last
@@ -104,19 +113,6 @@ namespace isochor
       last_try_converged = false;
     }
 
-    /** Whether dead loads act in the step, weight included. Collective. */
-    bool
-    has_dead_loads() const
-    {
-      return residual.has_dead_loads();
-    }
-    /** How the loads change in the step, against how they change in @p other,
-     * both on the body as it is at the start of the step. Collective. */
-    LoadChange
-    change_of_loads(const TimeInterval &other) const
-    {
-      return residual.change_of_loads(other);
-    }
     const NodalField &
     nodal_unknowns() const
     {
@@ -175,7 +171,16 @@ namespace isochor
     start_from_rest();
     /** The first step from its start, with other equations. */
     void
-    start_again();
+    start_again()
+    {
+      for (unsigned int i = 0;
+           i < setup.active_nodes().n_local() * scene.n_components;
+           ++i)
+        if (i % scene.n_components < dim)
+          unknowns.local_element(i) = 0.;
+      residual.set_loads();
+      start_conditions(false);
+    }
     /** Without inertia, the weight whose pressure PPP leaves out. */
     void
     set_weight();
@@ -183,10 +188,14 @@ namespace isochor
      * first one, and where stresses made on another grid would excite what the
      * step does not resolve. Collective. */
     bool
-    carries_acceleration() const;
+    carries_acceleration() const
+    {
+      return !scene.inertia.is_from_stresses() || scene.time.step == 0 ||
+             (setup.was_disturbed() && steps_over_waves(setup.context()));
+    }
     /** One trial step of find_initial_acceleration(). */
     NewtonReport
-    try_step(const typename InertiaTerm<dim>::TrialStep &trial);
+    try_step(const TrialStep &trial);
     /** Constrain the nodes for the step, and lay out the system for it. */
     void
     start_conditions(const bool with_other_nodes);

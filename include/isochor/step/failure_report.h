@@ -34,7 +34,7 @@ namespace isochor
       /** Whether boundary points drag the body. */
       bool dragged;
       /** Returns how the loads change, against another interval of time, which
-       * takes loops over all points; see Equilibrium::change_of_loads().
+       * takes loops over all points; see Residual::change_of_loads().
        * Collective. */
       std::function<LoadChange(const TimeInterval &)> change_of_loads;
     };

@@ -197,15 +197,6 @@ namespace isochor
     /** Its cells have other owners: tell what keeps something by rank. */
     void
     owners_changed();
-    /** Of all boundary conditions. */
-    std::vector<ControlNode<dim>>
-    control_nodes() const;
-    /** Tell the boundary conditions what vertices the others hold. */
-    void
-    share_held_vertices();
-    /** Add the vertices that equations of boundary conditions need. */
-    void
-    touch_masters();
     /** Tell the occupancy where boundary conditions hold the body. */
     void
     find_walls();
