@@ -95,7 +95,7 @@ namespace isochor
   {
   public:
     void
-    grid_reset(const Scene<dim> & /*scene*/,
+    grid_reset(const Scene<dim>       &scene,
                const StepContext<dim> &step,
                const ElementNodes & /*elements*/,
                const bool /*is_kept*/) override
@@ -117,7 +117,10 @@ namespace isochor
                  " to 1, or whose strengths differ, meet within cells, " +
                  rounded(depth) +
                  " of which are of the one: stresses of the stiff one are "
-                 "wrong. Use <Quadrature/Type = CPDI>.");
+                 "wrong. " +
+                 (scene.points.layout().with_domains ?
+                    "Let cells end where the materials meet." :
+                    "Use <Quadrature/Type = CPDI>."));
     }
   };
 
@@ -126,11 +129,12 @@ namespace isochor
     "material interface within cells",
     ISOCHOR_ESSENTIAL,
     "materials of other stiffness, or that may yield, share the functions of "
-    "cells, as with other quadratures than CPDI or `Bodies = one`, and the "
-    "ratio of their moduli less one (at least 1 if one may yield) times the "
+    "cells, as with other quadratures than CPDI, `Bodies = one` or where they "
+    "meet across `Periodic sides`, and the ratio of their moduli less one (at "
+    "least 1 if one may yield) times the "
     "part of a cell by which one reaches into it is more than 0.2. Both are "
     "strained alike there (100 to 1, half of a cell: the stress is wrong by up "
     "to 230 %, the settlement of two layers of four cells by 14 %; "
     "[verification.md](verification.md), Materials that share cells)",
-    "`Quadrature/Type = CPDI`")
+    "`Quadrature/Type = CPDI`; with it cells that end where the materials meet")
 } // namespace isochor
